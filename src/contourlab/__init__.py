@@ -1,0 +1,1 @@
+"""contourlab: precision contouring of multi-axis machines."""

@@ -1,0 +1,106 @@
+"""The exception tree: every error that contourlab raises on purpose.
+
+::
+
+    ContourlabError                     exit code 2 unless said otherwise
+    ├── ProgramError                    file, line, column of a part program
+    ├── ScenarioError                   file and key of a scenario, machine or controller file
+    ├── ParameterError                  name, value, bound and unit of a parameter
+    ├── UnitError                       a quantity that cannot be read or has the wrong dimension
+    ├── GeometryError                   a contour that is no contour (zero length, coincident points ...)
+    ├── FeedError                       a feed profile that cannot be planned
+    ├── ComponentError                  a component that breaks the contract, or is unknown
+    ├── EngineError                     a schedule that cannot be compiled or wired
+    ├── ResultError                     a result file that cannot be read, or a signal that is not there
+    ├── OutputError                     a file or folder that cannot be written
+    └── DivergenceError                 sample, time, axis of a loop that ran away; exit code 3
+"""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+__all__ = [
+    "ComponentError",
+    "ContourlabError",
+    "DivergenceError",
+    "EngineError",
+    "FeedError",
+    "GeometryError",
+    "OutputError",
+    "ParameterError",
+    "ProgramError",
+    "ResultError",
+    "ScenarioError",
+    "UnitError",
+]
+
+
+class ContourlabError(Exception):
+    """Base of all errors raised on purpose; its text is meant for the user as it stands."""
+
+    exit_code = 2
+
+
+class ProgramError(ContourlabError):
+    """A part program cannot be read; says file, line and column (both from 1)."""
+
+    def __init__(self, message: str, *, file: str | Path = "<program>", line: int = 0, column: int = 0) -> None:
+        self.message, self.file, self.line, self.column = message, str(file), line, column
+        place = self.file + (f":{line}" if line else "") + (f":{column}" if line and column else "")
+        super().__init__(f"{place}: {message}")
+
+
+class ScenarioError(ContourlabError):
+    """A scenario, machine or controller file is wrong; says file and dotted key."""
+
+    def __init__(self, message: str, *, file: str | Path = "<scenario>", key: str = "") -> None:
+        self.message, self.file, self.key = message, str(file), key
+        super().__init__(f"{self.file}: {key + ': ' if key else ''}{message}")
+
+
+class ParameterError(ContourlabError):
+    """A parameter is out of its range; says name, value, bound and unit."""
+
+    def __init__(self, name: str, value: object, bound: str, unit: str = "") -> None:
+        self.name, self.value, self.bound, self.unit = name, value, bound, unit
+        shown = f"{value} {unit}".strip()
+        super().__init__(f"{name} = {shown}: must be {bound}{' ' + unit if unit else ''}")
+
+
+class UnitError(ContourlabError):
+    """A quantity cannot be read, or has another dimension than the one asked for."""
+
+
+class GeometryError(ContourlabError):
+    """A curve or path is degenerate or out of its range of validity."""
+
+
+class FeedError(ContourlabError):
+    """A feed profile cannot be planned within the limits given."""
+
+
+class ComponentError(ContourlabError):
+    """A component is unknown, cannot be imported, or breaks the contract."""
+
+
+class EngineError(ContourlabError):
+    """A schedule cannot be compiled or wired."""
+
+
+class ResultError(ContourlabError):
+    """A result cannot be read, or does not hold the signal asked for."""
+
+
+class OutputError(ContourlabError):
+    """A file or folder cannot be written; nothing was left half-written."""
+
+
+class DivergenceError(ContourlabError):
+    """The simulated loop ran away or became non-finite; says sample, time and axis."""
+
+    exit_code = 3
+
+    def __init__(self, message: str, *, sample: int, time: float, axis: str) -> None:
+        self.sample, self.time, self.axis = sample, time, axis
+        super().__init__(f"{message} (axis {axis}, sample {sample}, t = {time:.6g} s)")

@@ -1,0 +1,120 @@
+"""Quantities with units at the border: text such as ``"8000 mm/min"`` becomes a bare SI number, and back.
+
+Inside contourlab every number is in SI base units. ``full_scale`` is the unit of a normalised drive's command
+(1 = all the drive can give); it is a dimension of its own, so that it never mixes with newton or volt.
+"""
+
+from __future__ import annotations
+
+import math
+from functools import cache
+from typing import TYPE_CHECKING, Any
+
+from contourlab.errors import UnitError
+
+if TYPE_CHECKING:
+    import pint
+
+__all__ = ["from_si", "same_dimension", "show", "to_si"]
+
+
+@cache
+def registry() -> pint.UnitRegistry[Any]:
+    """Return the one unit registry, made on first use (pint takes a moment to import)."""
+    import pint
+
+    units: pint.UnitRegistry[Any] = pint.UnitRegistry(cache_folder=None)
+    units.define("full_scale = [full_scale]")
+    units.define("count = [] = counts")
+    return units
+
+
+@cache
+def _factor(unit: str) -> tuple[Any, float]:
+    """Return the dimension of `unit` and its size in SI base units."""
+    import pint
+
+    units = registry()
+    try:
+        one = units.Quantity(1.0, units.parse_units(unit)).to_base_units() if unit else units.Quantity(1.0)
+    except (pint.UndefinedUnitError, pint.errors.DefinitionSyntaxError, AttributeError, ValueError, TypeError) as error:
+        raise UnitError(f"unknown unit {unit!r}: write for example mm, mm/min, N/V, 1/s, um or full_scale") from error
+    except pint.OffsetUnitCalculusError as error:
+        raise UnitError(f"unit {unit!r} has an offset and cannot be used here") from error
+    return one.dimensionality, float(one.magnitude)
+
+
+def same_dimension(unit: str, other: str) -> bool:
+    """Tell whether two units measure the same thing.
+
+    >>> same_dimension("mm/min", "m/s")
+    True
+    """
+    return bool(_factor(unit)[0] == _factor(other)[0])
+
+
+def split(text: str) -> tuple[float, str]:
+    """Split ``"20 mm"`` into its number and its unit; a bare number has the unit ``""``."""
+    head, _, tail = text.strip().partition(" ")
+    try:
+        number = float(head)
+    except ValueError:
+        raise UnitError(f"{text!r} is no quantity: write a number, a space and a unit, such as \"20 mm\"") from None
+    return number, tail.strip()
+
+
+def to_si(value: str | float, unit: str) -> float:
+    """Read a quantity into SI.
+
+    Parameters
+    ----------
+    value : str or float
+        ``"20 mm"``; or a bare number, which only a dimensionless `unit` accepts.
+    unit : str
+        The unit whose dimension is expected, for example ``"m/s"``; ``""`` for a bare number.
+
+    Returns
+    -------
+    float
+        The value in SI base units.
+
+    Raises
+    ------
+    UnitError
+        If the text is no quantity, is not finite, or has another dimension.
+
+    >>> to_si("6000 mm/min", "m/s")
+    0.1
+    """
+    number, given = split(value) if isinstance(value, str) else (float(value), "")
+    if not math.isfinite(number):
+        raise UnitError(f"{value!r} is not a finite number")
+    dimension, size = _factor(given)
+    wanted, _ = _factor(unit)
+    if dimension != wanted:
+        if not given:
+            raise UnitError(f"{value!r} has no unit: write it with a unit such as \"{number:g} {unit}\"")
+        raise UnitError(f"{value!r} cannot be converted to {unit or 'a bare number'}")
+    # Dividing by the inverse keeps round decimal factors exact: 20 mm is 20 / 1000, not 20 * 0.001.
+    inverse = 1.0 / size
+    return number / round(inverse) if size < 1.0 and abs(inverse - round(inverse)) < 1e-9 * inverse else number * size
+
+
+def from_si(value: float, unit: str) -> float:
+    """Express an SI value in `unit`.
+
+    >>> from_si(0.02, "mm")
+    20.0
+    """
+    size = _factor(unit)[1]
+    inverse = 1.0 / size
+    return value * round(inverse) if size < 1.0 and abs(inverse - round(inverse)) < 1e-9 * inverse else value / size
+
+
+def show(value: float, unit: str, digits: int = 6) -> str:
+    """Write an SI value in `unit` for people.
+
+    >>> show(0.02, "mm")
+    '20 mm'
+    """
+    return f"{from_si(value, unit):.{digits}g} {unit}".strip()
