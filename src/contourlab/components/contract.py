@@ -1,0 +1,302 @@
+"""The one place where families of components meet: what a component is, and how it is declared.
+
+A component is one frozen class in one file::
+
+    class Viscous(Component):
+        \"\"\"Force proportional to velocity.\"\"\"
+
+        family = "friction"
+        kind = "viscous"
+        viscous: float = param(0.0, unit="N*s/m", minimum=0.0, doc="viscous coefficient")
+        ...
+
+Its numbers are validated, in SI, and never change. Its `step` is a pure function over tuples of floats, written with the names of
+`contourlab.primitives`: the engine compiles it, plain Python runs it as it stands.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any, ClassVar, dataclass_transform
+
+import numpy as np
+from numpy.typing import NDArray
+
+from contourlab.engine.step import Port, Step
+from contourlab.errors import ComponentError, ParameterError
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+__all__ = ["FAMILIES", "Component", "LinearModel", "Parameter", "Port", "param", "text_param"]
+
+FAMILIES = (
+    "plant",
+    "friction",
+    "drive",
+    "sensor",
+    "velocity",
+    "disturbance",
+    "observer",
+    "controller",
+    "estimator",
+    "coupling",
+)
+"""The slots of the servo loop, in the order in which `contourlab components` lists them."""
+
+
+@dataclass(frozen=True, slots=True)
+class Parameter:
+    """What is known of one parameter.
+
+    Attributes
+    ----------
+    name : str
+        Name in Python and in files.
+    unit : str
+        SI unit; empty for a bare number.
+    default : float, str or None
+        None where a value has to be given.
+    minimum, maximum : float
+        Bounds in SI.
+    exclusive : bool
+        Whether the minimum itself is out of range.
+    choices : tuple of str
+        For a parameter that is a word.
+    whole : bool
+        Whether only whole numbers are in range.
+    structural : bool
+        Whether it decides the structure of the step, so that it cannot differ between lanes.
+    display : str
+        Unit in which people write it.
+    doc, source : str
+        Meaning, and where it comes from.
+    """
+
+    name: str
+    unit: str
+    default: float | str | None
+    minimum: float
+    maximum: float
+    exclusive: bool
+    choices: tuple[str, ...]
+    whole: bool
+    structural: bool
+    display: str
+    doc: str
+    source: str
+
+    def check(self, value: Any) -> float | str:
+        """Return the value if it is in range.
+
+        Raises
+        ------
+        ParameterError
+            With name, value, bound and unit.
+        """
+        if self.choices:
+            if value not in self.choices:
+                raise ParameterError(self.name, repr(value), "one of " + ", ".join(self.choices))
+            return str(value)
+        if isinstance(value, bool | str) or not isinstance(value, float | int | np.floating | np.integer):
+            raise ParameterError(self.name, repr(value), "a number", self.unit)
+        number = float(value)
+        low = number <= self.minimum if self.exclusive else number < self.minimum
+        if math.isnan(number) or low or number > self.maximum or (self.whole and number != round(number)):
+            raise ParameterError(self.name, f"{number:g}", self.bound, self.unit)
+        return number
+
+    @property
+    def bound(self) -> str:
+        """The range in words."""
+        if self.choices:
+            return "one of " + ", ".join(self.choices)
+        words = []
+        if self.minimum > -math.inf:
+            words.append(f"{'>' if self.exclusive else '>='} {self.minimum:g}")
+        if self.maximum < math.inf:
+            words.append(f"<= {self.maximum:g}")
+        if self.whole:
+            words.insert(0, "a whole number" + (" that is" if words else ""))
+        return " and ".join(words) if not self.whole else words[0] + (" " + " and ".join(words[1:]) if words[1:] else "")
+
+
+def param(
+    default: float | None = None,
+    *,
+    unit: str = "",
+    minimum: float = -math.inf,
+    maximum: float = math.inf,
+    exclusive: bool = False,
+    whole: bool = False,
+    structural: bool = False,
+    display: str = "",
+    doc: str,
+    source: str = "",
+) -> Any:
+    """Declare a number; see `Parameter` for the arguments. Bounds and default are in `unit`, which is SI."""
+    return Parameter("", unit, default, minimum, maximum, exclusive, (), whole, structural, display or unit, doc, source)
+
+
+def text_param(default: str | None, choices: tuple[str, ...], *, doc: str, source: str = "") -> Any:
+    """Declare a word out of a few; it decides the structure of the step."""
+    return Parameter("", "", default, -math.inf, math.inf, False, choices, False, True, "", doc, source)
+
+
+@dataclass(frozen=True)
+class LinearModel:
+    """A linear model x' = A x + B u, y = C x + D u with named inputs and outputs, in continuous time."""
+
+    a: NDArray[np.float64]
+    b: NDArray[np.float64]
+    c: NDArray[np.float64]
+    d: NDArray[np.float64]
+    inputs: tuple[str, ...]
+    outputs: tuple[str, ...]
+
+
+@dataclass_transform(field_specifiers=(param, text_param), kw_only_default=True, frozen_default=True)
+class Component:
+    """Base of all components; see the module's text.
+
+    Class attributes that a component sets
+    --------------------------------------
+    family, kind : str
+        Its slot, and its name in files.
+    states, inputs, outputs : tuple of Port
+        By name; a family fixes the inputs and outputs that its slot offers.
+    derived : tuple of str
+        Constants worked out once by `derive`, seen in `par` behind the parameters.
+    tables : tuple of str
+        Read-only tables, given as arrays by `table_values`.
+    ring : str
+        Input port whose past is kept.
+    reference : str
+        Paper and equation, for people.
+    """
+
+    family: ClassVar[str] = ""
+    kind: ClassVar[str] = ""
+    states: ClassVar[tuple[Port, ...]] = ()
+    inputs: ClassVar[tuple[Port, ...]] = ()
+    outputs: ClassVar[tuple[Port, ...]] = ()
+    derived: ClassVar[tuple[str, ...]] = ()
+    tables: ClassVar[tuple[str, ...]] = ()
+    ring: ClassVar[str] = ""
+    reference: ClassVar[str] = ""
+    parameters: ClassVar[dict[str, Parameter]] = {}
+
+    def __init_subclass__(cls, **kwargs: Any) -> None:
+        super().__init_subclass__(**kwargs)
+        found = dict(cls.parameters)
+        for name, value in list(vars(cls).items()):
+            if isinstance(value, Parameter):
+                fields = {slot: getattr(value, slot) for slot in Parameter.__slots__}
+                found[name] = Parameter(**{**fields, "name": name})
+                delattr(cls, name)
+        cls.parameters = found
+        if cls.kind and cls.family not in FAMILIES:
+            raise ComponentError(f"{cls.__name__}: family {cls.family!r} is none of {', '.join(FAMILIES)}")
+
+    def __init__(self, **values: Any) -> None:
+        unknown = sorted(set(values) - set(self.parameters))
+        if unknown:
+            known = ", ".join(self.parameters) or "none"
+            raise ComponentError(f"{self.kind}: no parameter {unknown[0]!r}; there are: {known}")
+        for name, parameter in self.parameters.items():
+            value = values.get(name, parameter.default)
+            if value is None:
+                raise ParameterError(f"{self.kind}.{name}", "not given", parameter.bound or "given", parameter.unit)
+            object.__setattr__(self, name, parameter.check(value))
+
+    def __setattr__(self, name: str, value: object) -> None:
+        raise AttributeError(f"{type(self).__name__} is frozen: make a new one with .replace({name}=...)")
+
+    def __eq__(self, other: object) -> bool:
+        return type(self) is type(other) and self.values() == other.values()  # type: ignore[attr-defined]
+
+    def __hash__(self) -> int:
+        return hash((type(self), tuple(sorted(self.values().items()))))
+
+    def __repr__(self) -> str:
+        return f"{type(self).__name__}({', '.join(f'{k}={v!r}' for k, v in self.values().items())})"
+
+    def values(self) -> dict[str, float | str]:
+        """Return every parameter with its value in SI."""
+        return {name: getattr(self, name) for name in self.parameters}
+
+    def replace(self, **changes: Any) -> Any:
+        """Return a copy with other parameters."""
+        return type(self)(**{**self.values(), **changes})
+
+    # --- what the engine asks for ------------------------------------------------------------------------------------------------
+
+    @classmethod
+    def numeric(cls) -> tuple[str, ...]:
+        """Names of the parameters that are rows of numbers in compiled code."""
+        return tuple(name for name, p in cls.parameters.items() if not p.choices and not p.structural)
+
+    def step_function(self) -> Callable[..., Any]:
+        """Return the step; a component whose structure depends on a parameter overrides this."""
+        return type(self).step
+
+    @staticmethod
+    def step(par: Any, x: Any, inp: Any, clock: Any) -> tuple[tuple[Any, ...], tuple[Any, ...]]:
+        """Advance one tick: ``(x_next, out)``, tuples in the order of `states` and `outputs`."""
+        raise NotImplementedError
+
+    @staticmethod
+    def derive(par: Any, dt: float) -> tuple[float, ...]:
+        """Return the derived constants from the parameters and the period of the step."""
+        return ()
+
+    def table_values(self) -> dict[str, NDArray[np.float64]]:
+        """Return the read-only tables by name."""
+        return {}
+
+    def ring_length(self, dt: float) -> int:
+        """Return how many ticks of the ring port are kept."""
+        return 1
+
+    def linearize(self) -> LinearModel | None:
+        """Return the linear model around rest, or None where one makes no sense."""
+        return None
+
+    def ports(self, n_axis: int) -> tuple[tuple[Port, ...], tuple[Port, ...], tuple[Port, ...]]:
+        """Return states, inputs and outputs for a machine of `n_axis` axes: a port of size -1 takes one row per axis."""
+
+        def sized(ports: tuple[Port, ...]) -> tuple[Port, ...]:
+            return tuple(Port(p.name, n_axis) if p.size < 0 else p for p in ports)
+
+        return sized(self.states), sized(self.inputs), sized(self.outputs)
+
+    def make_step(self, n_axis: int = 1) -> Step:
+        """Return what the engine compiles."""
+        states, inputs, outputs = self.ports(n_axis)
+        name = f"{self.family}/{self.kind}"
+        return Step(name, self.step_function(), (*self.numeric(), *self.derived), self.tables, self.ring, states, inputs, outputs)
+
+    def block(self, dt: float, overrides: Mapping[str, NDArray[np.float64]] | None = None) -> dict[str, Any]:
+        """Return the value of every parameter row, derived ones included; overrides are arrays (n_variant,)."""
+        return parameter_block(type(self), {name: getattr(self, name) for name in self.numeric()}, dt, overrides or {})
+
+
+def parameter_block(
+    kind: type[Component], values: Mapping[str, float], dt: float, overrides: Mapping[str, NDArray[np.float64]]
+) -> dict[str, Any]:
+    """Return parameter rows with their derived constants, one number or one per variant."""
+    from contourlab.engine.step import record
+
+    rows: dict[str, Any] = {**values, **overrides}
+    if not kind.derived:
+        return rows
+    names = tuple(rows)
+    if not overrides:
+        derived = kind.derive(record(names)(*rows.values()), dt)
+        return {**rows, **dict(zip(kind.derived, derived, strict=True))}
+    n = len(next(iter(overrides.values())))
+    columns = [np.broadcast_to(np.asarray(rows[name], dtype=float), (n,)) for name in names]
+    each = [kind.derive(record(names)(*(float(c[i]) for c in columns)), dt) for i in range(n)]
+    return {**rows, **{name: np.array([d[j] for d in each]) for j, name in enumerate(kind.derived)}}

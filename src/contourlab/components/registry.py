@@ -1,0 +1,118 @@
+"""Finds components: by walking this package, through the entry-point group ``contourlab.components``, and from loose files.
+
+A module that cannot be imported is an error, never skipped in silence: a part that is missing without a word gives a wrong machine.
+"""
+
+from __future__ import annotations
+
+import importlib
+import importlib.metadata
+import importlib.util
+import pkgutil
+import sys
+from functools import cache
+from pathlib import Path
+from types import ModuleType
+
+from contourlab.components.contract import FAMILIES, Component
+from contourlab.errors import ComponentError
+
+__all__ = ["ENTRY_POINT_GROUP", "component", "components", "load_plugin"]
+
+ENTRY_POINT_GROUP = "contourlab.components"
+_plugins: dict[tuple[str, str], type[Component]] = {}
+
+
+def _declared(module: ModuleType) -> list[type[Component]]:
+    """Return the components that a module itself defines."""
+    kinds = (v for v in vars(module).values() if isinstance(v, type) and issubclass(v, Component))
+    return [kind for kind in kinds if kind.kind and kind.__module__ == module.__name__]
+
+
+@cache
+def _built_in() -> dict[tuple[str, str], type[Component]]:
+    import contourlab.components as package
+
+    found: dict[tuple[str, str], type[Component]] = {}
+    for info in pkgutil.walk_packages(package.__path__, package.__name__ + "."):
+        for kind in _declared(importlib.import_module(info.name)):
+            _add(found, kind, info.name)
+    for entry in importlib.metadata.entry_points(group=ENTRY_POINT_GROUP):
+        try:
+            loaded = entry.load()
+        except Exception as error:  # whatever a stranger's package raises on import is reported with its name
+            raise ComponentError(f"entry point {entry.name} = {entry.value} cannot be loaded: {error}") from error
+        for kind in _declared(loaded) if isinstance(loaded, ModuleType) else [loaded]:
+            _add(found, kind, f"entry point {entry.name}")
+    return found
+
+
+def _add(found: dict[tuple[str, str], type[Component]], kind: type[Component], where: str) -> None:
+    if not (isinstance(kind, type) and issubclass(kind, Component) and kind.kind):
+        raise ComponentError(f"{where}: {kind!r} is no component: a class with family and kind is wanted")
+    key = (kind.family, kind.kind)
+    if key in found and found[key] is not kind:
+        raise ComponentError(f"{where}: there is a {kind.family} named {kind.kind!r} already ({found[key].__module__})")
+    found[key] = kind
+
+
+def load_plugin(file: str | Path) -> list[type[Component]]:
+    """Load the components of a loose Python file; return them.
+
+    Raises
+    ------
+    ComponentError
+        If the file cannot be imported or defines no component.
+    """
+    path = Path(file).resolve()
+    name = f"contourlab_plugin_{path.stem}_{abs(hash(str(path))):x}"
+    spec = importlib.util.spec_from_file_location(name, path)
+    if spec is None or spec.loader is None or not path.is_file():
+        raise ComponentError(f"{file}: no Python file to load components from")
+    module = importlib.util.module_from_spec(spec)
+    sys.modules[name] = module
+    try:
+        spec.loader.exec_module(module)
+    except Exception as error:  # a plug-in may raise anything; its name belongs in the message
+        del sys.modules[name]
+        raise ComponentError(f"{file}: cannot be imported: {type(error).__name__}: {error}") from error
+    kinds = _declared(module)
+    if not kinds:
+        raise ComponentError(f"{file}: defines no component (a subclass of Component with family and kind)")
+    for kind in kinds:
+        known = {**_built_in(), **_plugins}
+        _add(known, kind, str(file))
+        _plugins[(kind.family, kind.kind)] = kind
+    return kinds
+
+
+def components(family: str | None = None) -> list[type[Component]]:
+    """Return all components, or those of one family, in the order of `FAMILIES` and by name.
+
+    Raises
+    ------
+    ComponentError
+        If there is no such family.
+    """
+    if family is not None and family not in FAMILIES:
+        raise ComponentError(f"no family {family!r}; there are: {', '.join(FAMILIES)}")
+    everything = {**_built_in(), **_plugins}
+    chosen = [kind for (slot, _), kind in everything.items() if family in (None, slot)]
+    return sorted(chosen, key=lambda kind: (FAMILIES.index(kind.family), kind.kind))
+
+
+def component(family: str, kind: str) -> type[Component]:
+    """Return one component by family and kind.
+
+    Raises
+    ------
+    ComponentError
+        If there is none; the message lists those there are.
+
+    >>> component("plant", "rigid-axis").kind
+    'rigid-axis'
+    """
+    found = {c.kind: c for c in components(family)}
+    if kind not in found:
+        raise ComponentError(f"no {family} {kind!r}; there are: {', '.join(found) or 'none'}")
+    return found[kind]

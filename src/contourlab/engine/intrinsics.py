@@ -1,0 +1,325 @@
+"""What the primitives become in compiled code: LLVM instructions, libm calls, and branch-free polynomials for lanes."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from typing import Any
+
+from llvmlite import ir
+from numba import njit, types
+from numba.extending import intrinsic
+
+from contourlab.engine.memory import load_ring, load_table, truncate
+
+# No nnan/ninf: a flag that assumes finite numbers would fold away every check for them.
+FAST = {"contract", "nsz", "arcp"}
+OPTIONS: dict[str, Any] = {"fastmath": FAST, "error_model": "numpy", "boundscheck": False}
+INLINE: dict[str, Any] = {**OPTIONS, "forceinline": True}
+
+_DOUBLE = ir.DoubleType()
+_INT = ir.IntType(64)
+
+
+def _unary(name: str) -> Any:
+    @intrinsic
+    def operation(typingctx: Any, x: Any) -> Any:
+        def codegen(context: Any, builder: Any, signature: Any, args: Any) -> Any:
+            return builder.call(builder.module.declare_intrinsic(f"llvm.{name}", [_DOUBLE]), args)
+
+        return types.float64(types.float64), codegen
+
+    return operation
+
+
+def _binary(name: str) -> Any:
+    @intrinsic
+    def operation(typingctx: Any, x: Any, y: Any) -> Any:
+        def codegen(context: Any, builder: Any, signature: Any, args: Any) -> Any:
+            function = builder.module.declare_intrinsic(f"llvm.{name}", [_DOUBLE], ir.FunctionType(_DOUBLE, [_DOUBLE] * 2))
+            return builder.call(function, args)
+
+        return types.float64(types.float64, types.float64), codegen
+
+    return operation
+
+
+rint = _unary("rint")
+fabs = _unary("fabs")
+floor = _unary("floor")
+sqrt = _unary("sqrt")
+copysign = _binary("copysign")
+
+
+@intrinsic
+def fma(typingctx: Any, a: Any, b: Any, c: Any) -> Any:
+    """a*b + c in one rounding."""
+
+    def codegen(context: Any, builder: Any, signature: Any, args: Any) -> Any:
+        return builder.fma(*args)
+
+    return types.float64(types.float64, types.float64, types.float64), codegen
+
+
+@intrinsic
+def select(typingctx: Any, condition: Any, a: Any, b: Any) -> Any:
+    """Both sides evaluated, one kept: never a branch."""
+
+    def codegen(context: Any, builder: Any, signature: Any, args: Any) -> Any:
+        flag = args[0]
+        if flag.type != ir.IntType(1):
+            flag = builder.trunc(flag, ir.IntType(1))
+        return builder.select(flag, args[1], args[2])
+
+    return types.float64(types.boolean, types.float64, types.float64), codegen
+
+
+def _compare(predicate: str) -> Any:
+    @intrinsic
+    def operation(typingctx: Any, a: Any, b: Any) -> Any:
+        def codegen(context: Any, builder: Any, signature: Any, args: Any) -> Any:
+            return builder.select(builder.fcmp_ordered(predicate, *args), args[0], args[1])
+
+        return types.float64(types.float64, types.float64), codegen
+
+    return operation
+
+
+minimum = _compare("<")
+maximum = _compare(">")
+
+
+@njit(**INLINE)
+def clip(x: float, low: float, high: float) -> float:
+    return minimum(maximum(x, low), high)
+
+
+@njit(**INLINE)
+def lookup(table: int, index: float) -> float:
+    """An entry of a table by its address; a gather where the index differs by lane."""
+    return load_table(table, truncate(index))
+
+
+def make_delayed(width: int) -> Any:
+    """Return `delayed` for rings whose rows are `width` doubles wide.
+
+    A ring is a pair (address of this lane's column, length - 1); the length is a power of two, so that the index wraps by a mask.
+    """
+
+    @njit(**INLINE)
+    def delayed(ring: Any, clock: Any, n: float) -> float:
+        return load_ring(ring[0], (truncate(clock[0] - n) & ring[1]) * width)
+
+    return delayed
+
+
+@intrinsic
+def pow2(typingctx: Any, n: Any) -> Any:
+    """2**n for a whole n in [-1022, 1023], by the exponent's bits."""
+
+    def codegen(context: Any, builder: Any, signature: Any, args: Any) -> Any:
+        bits = builder.add(builder.fptosi(args[0], _INT), ir.Constant(_INT, 1023))
+        return builder.bitcast(builder.shl(bits, ir.Constant(_INT, 52)), _DOUBLE)
+
+    return types.float64(types.float64), codegen
+
+
+@intrinsic
+def exponent_of(typingctx: Any, x: Any) -> Any:
+    """The binary exponent of a positive normal number, so that x / 2**e lies in [1, 2)."""
+
+    def codegen(context: Any, builder: Any, signature: Any, args: Any) -> Any:
+        bits = builder.lshr(builder.bitcast(args[0], _INT), ir.Constant(_INT, 52))
+        return builder.sitofp(builder.sub(bits, ir.Constant(_INT, 1023)), _DOUBLE)
+
+    return types.float64(types.float64), codegen
+
+
+@intrinsic
+def parity(typingctx: Any, n: Any, bit: Any) -> Any:
+    """Whether a bit (1 or 2) of a whole number is set."""
+
+    def codegen(context: Any, builder: Any, signature: Any, args: Any) -> Any:
+        masked = builder.and_(builder.fptosi(args[0], _INT), builder.fptosi(args[1], _INT))
+        return builder.icmp_signed("!=", masked, ir.Constant(_INT, 0))
+
+    return types.boolean(types.float64, types.float64), codegen
+
+
+@intrinsic
+def hashed_uniform(typingctx: Any, stream: Any, k: Any, draw: Any) -> Any:
+    """The counter-based generator of `primitives.uniform`, bit for bit."""
+
+    def codegen(context: Any, builder: Any, signature: Any, args: Any) -> Any:
+        def times(value: Any, factor: int) -> Any:
+            return builder.mul(value, ir.Constant(_INT, factor))
+
+        def fold(value: Any, shift: int) -> Any:
+            return builder.xor(value, builder.lshr(value, ir.Constant(_INT, shift)))
+
+        whole = [builder.fptosi(a, _INT) for a in args]
+        z = builder.add(times(whole[0], 0x9E3779B97F4A7C15), times(whole[1], 0xD1342543DE82EF95))
+        z = builder.add(z, times(whole[2], 0x2545F4914F6CDD1D))
+        z = times(fold(z, 30), 0xBF58476D1CE4E5B9)
+        z = times(fold(z, 27), 0x94D049BB133111EB)
+        top = builder.sitofp(builder.lshr(fold(z, 31), ir.Constant(_INT, 12)), _DOUBLE)
+        return builder.fmul(builder.fadd(top, ir.Constant(_DOUBLE, 0.5)), ir.Constant(_DOUBLE, 2.0**-52))
+
+    return types.float64(types.float64, types.float64, types.float64), codegen
+
+
+# --- libm: fastest for one variant -------------------------------------------------------------------------------------------------
+
+
+@njit(**INLINE)
+def libm_exp(x: float) -> float:
+    return math.exp(minimum(x, 709.0)) if x > -700.0 else 0.0
+
+
+@njit(**INLINE)
+def libm_log(x: float) -> float:
+    return math.log(x)
+
+
+@njit(**INLINE)
+def libm_tanh(x: float) -> float:
+    return math.tanh(x)
+
+
+@njit(**INLINE)
+def libm_sin(x: float) -> float:
+    return math.sin(x)
+
+
+@njit(**INLINE)
+def libm_cos(x: float) -> float:
+    return math.cos(x)
+
+
+# --- polynomials: what lanes need, since the vectoriser cannot see into libm -------------------------------------------------------
+
+
+@njit(**INLINE)
+def _expm1_reduced(x: float) -> tuple[float, float]:
+    """x = n ln 2 + r with |r| <= ln 2 / 2; returns n and e**r - 1 (Taylor to r**13: remainder below 1e-17)."""
+    n = rint(x * 1.4426950408889634074)
+    r = fma(-n, 6.93147180369123816490e-01, x)
+    r = fma(-n, 1.90821492927058770002e-10, r)
+    q = 1.0 / 6227020800.0
+    q = fma(q, r, 1.0 / 479001600.0)
+    q = fma(q, r, 1.0 / 39916800.0)
+    q = fma(q, r, 1.0 / 3628800.0)
+    q = fma(q, r, 1.0 / 362880.0)
+    q = fma(q, r, 1.0 / 40320.0)
+    q = fma(q, r, 1.0 / 5040.0)
+    q = fma(q, r, 1.0 / 720.0)
+    q = fma(q, r, 1.0 / 120.0)
+    q = fma(q, r, 1.0 / 24.0)
+    q = fma(q, r, 1.0 / 6.0)
+    q = fma(q, r, 0.5)
+    return n, fma(q * r, r, r)
+
+
+@njit(**INLINE)
+def poly_exp(x: float) -> float:
+    n, p = _expm1_reduced(clip(x, -700.0, 709.0))
+    return select(x > -700.0, pow2(n) * (1.0 + p), 0.0)
+
+
+@njit(**INLINE)
+def poly_tanh(x: float) -> float:
+    n, p = _expm1_reduced(2.0 * minimum(fabs(x), 20.0))
+    s = pow2(n)
+    e = fma(s, p, s - 1.0)
+    return copysign(e / (e + 2.0), x)
+
+
+@njit(**INLINE)
+def poly_log(x: float) -> float:
+    """log x = e ln 2 + 2 artanh((m - 1)/(m + 1)), m in [sqrt(1/2), sqrt 2): odd series to the 23rd power."""
+    e = exponent_of(x)
+    m = x * pow2(-e)
+    high = m > 1.4142135623730951
+    m = select(high, 0.5 * m, m)
+    e = select(high, e + 1.0, e)
+    f = (m - 1.0) / (m + 1.0)
+    z = f * f
+    q = 1.0 / 23.0
+    q = fma(q, z, 1.0 / 21.0)
+    q = fma(q, z, 1.0 / 19.0)
+    q = fma(q, z, 1.0 / 17.0)
+    q = fma(q, z, 1.0 / 15.0)
+    q = fma(q, z, 1.0 / 13.0)
+    q = fma(q, z, 1.0 / 11.0)
+    q = fma(q, z, 1.0 / 9.0)
+    q = fma(q, z, 1.0 / 7.0)
+    q = fma(q, z, 1.0 / 5.0)
+    q = fma(q, z, 1.0 / 3.0)
+    q = fma(q, z, 1.0)
+    return fma(e, 1.90821492927058770002e-10, 2.0 * f * q) + e * 6.93147180369123816490e-01
+
+
+@njit(**INLINE)
+def _sincos_reduced(x: float) -> tuple[float, float, float]:
+    """x = n pi/2 + r, Cody-Waite in three parts; returns n, sin r, cos r."""
+    n = rint(x * 0.63661977236758134308)
+    r = fma(-n, 1.57079632673412561417e00, x)
+    r = fma(-n, 6.07710050630396597660e-11, r)
+    r = fma(-n, 2.02226624879595063154e-21, r)
+    z = r * r
+    s = 1.58969099521155010221e-10
+    s = fma(s, z, -2.50507602534068634195e-08)
+    s = fma(s, z, 2.75573137070700676789e-06)
+    s = fma(s, z, -1.98412698298579493134e-04)
+    s = fma(s, z, 8.33333333332248946124e-03)
+    s = fma(s, z, -1.66666666666666324348e-01)
+    s = fma(s * z, r, r)
+    c = -1.13596475577881948265e-11
+    c = fma(c, z, 2.08757232129817482790e-09)
+    c = fma(c, z, -2.75573143513906633035e-07)
+    c = fma(c, z, 2.48015872894767294178e-05)
+    c = fma(c, z, -1.38888888888741095749e-03)
+    c = fma(c, z, 4.16666666666666019037e-02)
+    c = fma(c * z, z, fma(-0.5, z, 1.0))
+    return n, s, c
+
+
+@njit(**INLINE)
+def poly_sin(x: float) -> float:
+    n, s, c = _sincos_reduced(x)
+    a = select(parity(n, 1.0), c, s)
+    return select(parity(n, 2.0), -a, a)
+
+
+@njit(**INLINE)
+def poly_cos(x: float) -> float:
+    n, s, c = _sincos_reduced(x)
+    b = select(parity(n, 1.0), s, c)
+    return select(parity(n + 1.0, 2.0), -b, b)
+
+
+def scalar_maths() -> dict[str, Callable[..., Any]]:
+    """Return the primitives for one variant."""
+    return {"exp": libm_exp, "log": libm_log, "tanh": libm_tanh, "sin": libm_sin, "cos": libm_cos, **_common(1)}
+
+
+def lane_maths(width: int) -> dict[str, Callable[..., Any]]:
+    """Return the primitives for `width` variants in lanes."""
+    return {"exp": poly_exp, "log": poly_log, "tanh": poly_tanh, "sin": poly_sin, "cos": poly_cos, **_common(width)}
+
+
+def _common(width: int) -> dict[str, Callable[..., Any]]:
+    return {
+        "sqrt": sqrt,
+        "fabs": fabs,
+        "floor": floor,
+        "rint": rint,
+        "copysign": copysign,
+        "minimum": minimum,
+        "maximum": maximum,
+        "clip": clip,
+        "select": select,
+        "lookup": lookup,
+        "delayed": make_delayed(width),
+        "uniform": hashed_uniform,
+    }

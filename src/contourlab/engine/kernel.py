@@ -1,0 +1,76 @@
+"""The tick loop: it knows addresses and row offsets only, so that no composition of components compiles it anew."""
+
+from __future__ import annotations
+
+import ctypes
+import hashlib
+import inspect
+from functools import cache
+from typing import Any
+
+from numba import cfunc, types
+
+from contourlab.engine import store as code_store
+from contourlab.engine.intrinsics import OPTIONS
+from contourlab.engine.memory import call_step, load, load_word, store
+
+__all__ = ["NODE_FIELDS", "kernel"]
+
+NODE_FIELDS = ("function", "parameters", "tables", "state", "inputs", "outputs", "every", "phase", "repeat")
+_FIELDS = len(NODE_FIELDS)
+_WORDS = 11
+_SIGNATURE = types.void(*(types.int64,) * _WORDS, types.float64)
+_C_TYPE = ctypes.CFUNCTYPE(None, *(ctypes.c_int64,) * _WORDS, ctypes.c_double)
+
+
+def _source(width: int) -> Any:
+    w = width
+    fields = _FIELDS
+
+    def run(nodes, n_node, record_point, external, n_external, signals, log, log_rows, n_log, first, n_tick, period):  # type: ignore[no-untyped-def]
+        for step in range(n_tick):
+            k = first + step
+            t = k * period
+            for j in range(n_external):
+                value = load(external, step * n_external + j)
+                for i in range(w):
+                    store(signals, j * w + i, value)
+            for n in range(n_node + 1):
+                if n == record_point:
+                    for j in range(n_log):
+                        row = load_word(log_rows, j)
+                        for i in range(w):
+                            store(log, (step * n_log + j) * w + i, load(row, i))
+                if n < n_node:
+                    node = nodes + 8 * fields * n
+                    every = load_word(node, 6)
+                    if every == 1 or (k - load_word(node, 7)) % every == 0:
+                        repeat = load_word(node, 8)
+                        held = period * every / repeat
+                        for r in range(repeat):
+                            call_step(
+                                load_word(node, 0),
+                                load_word(node, 1),
+                                load_word(node, 2),
+                                load_word(node, 3),
+                                load_word(node, 4),
+                                load_word(node, 5),
+                                float(k),
+                                t + r * held,
+                                held,
+                            )
+
+    return run
+
+
+@cache
+def kernel(width: int) -> Any:
+    """Return the tick loop over `width` lanes as a C function that releases the interpreter lock.
+
+    Its arguments: address and number of node records (NODE_FIELDS), record point; address (n_tick, n_external) and number of external
+    signals; address of the signal table; address of the log (n_tick, n_log, width), of its row addresses, and their number; first tick,
+    number of ticks; period [s].
+    """
+    words = (inspect.getsource(_source), inspect.getsource(inspect.getmodule(call_step) or _source), str(width), code_store.toolchain())
+    key = hashlib.sha256("\n".join(words).encode()).hexdigest()[:32]
+    return _C_TYPE(code_store.address(key, lambda: cfunc(_SIGNATURE, **OPTIONS)(_source(width)), "kernel"))

@@ -1,0 +1,178 @@
+"""The schedule: an ordered list of nodes over one table of signals.
+
+A node is a step with its wires, parameters and memory. Within a tick the nodes run in order; a wire to a node that stands later in the
+order is a feedback edge: it is one tick late, and has to be marked as `Late`, so that no delay slips in unseen. Nodes before the record
+point see the state of the machine at the tick; the plants stand behind it and carry the machine to the next tick.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from contourlab.engine.step import Port, Step
+from contourlab.errors import EngineError
+
+__all__ = ["Late", "Node", "Schedule"]
+
+Array = NDArray[np.float64]
+
+
+@dataclass(frozen=True, slots=True)
+class Late:
+    """A wire from a signal of the previous tick: a feedback edge, named where it is closed."""
+
+    signal: str
+
+
+Wire = str | Late | float
+"""A signal (``"node.port"``, or ``"node.port[i]"`` of a vector), a feedback edge, or a constant."""
+
+
+@dataclass(frozen=True)
+class Node:
+    """One step in the schedule.
+
+    Parameters
+    ----------
+    name : str
+        Unique name, such as ``"x.controller"``.
+    step : Step
+        What it computes.
+    wires : mapping of str to Wire or tuple of Wire
+        Where each input port comes from; a vector port takes one wire for the whole vector or one for each axis.
+    parameters : mapping of str to float or ndarray (n_variant,)
+        Value of every parameter row of the step.
+    tables : mapping of str to ndarray
+        Read-only tables, shared by all variants.
+    initial : mapping of str to float or tuple of float
+        State at the first tick; zero where not given. Values may be arrays (n_variant,).
+    start : mapping of str to float or tuple of float
+        Outputs as they stand before the first tick, for feedback edges and plants.
+    ring_length : int
+        How many ticks of its ring port the node keeps (rounded up to a power of two).
+    every, phase : int
+        The node runs at ticks ``phase, phase + every, ...``.
+    repeat : int
+        Sub-steps per run, each with the inputs held.
+    """
+
+    name: str
+    step: Step
+    wires: Mapping[str, Wire | tuple[Wire, ...]] = field(default_factory=dict)
+    parameters: Mapping[str, float | Array] = field(default_factory=dict)
+    tables: Mapping[str, Array] = field(default_factory=dict)
+    initial: Mapping[str, Any] = field(default_factory=dict)
+    start: Mapping[str, Any] = field(default_factory=dict)
+    ring_length: int = 0
+    every: int = 1
+    phase: int = 0
+    repeat: int = 1
+
+    def __post_init__(self) -> None:
+        for what, given, wanted in (
+            ("wires", set(self.wires), {port.name for port in self.step.inputs}),
+            ("parameters", set(self.parameters), set(self.step.parameters)),
+            ("tables", set(self.tables), set(self.step.tables)),
+        ):
+            if given != wanted:
+                raise EngineError(f"node {self.name}: {what} {sorted(given)} given, {sorted(wanted)} wanted")
+        if self.every < 1 or self.repeat < 1 or not 0 <= self.phase < self.every:
+            raise EngineError(f"node {self.name}: every >= 1, repeat >= 1 and 0 <= phase < every are wanted")
+
+
+_SIGNAL = re.compile(r"^(?P<node>.+)\.(?P<port>[^.\[\]]+)(?:\[(?P<index>\d+)\])?$")
+
+
+@dataclass(frozen=True)
+class Schedule:
+    """Nodes in their order, the external signals that are fed at each tick, and the record point.
+
+    Parameters
+    ----------
+    nodes : tuple of Node
+        In the order of a tick.
+    externals : tuple of Port
+        Signals fed from outside, seen as ``"in.<port>"``; the same for all variants.
+    period : float [s], > 0
+        Period of a tick.
+    record_point : int
+        How many nodes run before signals are recorded.
+    """
+
+    nodes: tuple[Node, ...]
+    externals: tuple[Port, ...]
+    period: float
+    record_point: int
+    row_of: dict[str, int] = field(init=False, repr=False, compare=False)
+    n_row: int = field(init=False, repr=False, compare=False)
+
+    def __post_init__(self) -> None:
+        names = [node.name for node in self.nodes]
+        if len(set(names)) != len(names):
+            raise EngineError(f"two nodes share a name: {sorted({n for n in names if names.count(n) > 1})}")
+        table: dict[str, int] = {}
+        row = 0
+        for owner, ports in [("in", self.externals), *((node.name, node.step.outputs) for node in self.nodes)]:
+            for port in ports:
+                table[f"{owner}.{port.name}"] = row
+                for i in range(port.size):
+                    table[f"{owner}.{port.name}[{i}]"] = row + i
+                row += port.rows
+        object.__setattr__(self, "row_of", table)
+        object.__setattr__(self, "n_row", row)
+        self._check_order()
+
+    def row(self, signal: str) -> int:
+        """Return the first row of a signal.
+
+        Raises
+        ------
+        EngineError
+            If no node has such an output.
+        """
+        if signal not in self.row_of:
+            raise EngineError(f"no signal {signal!r}; there are {', '.join(k for k in self.row_of if '[' not in k)}")
+        return self.row_of[signal]
+
+    def sources(self, node: Node) -> list[int | float]:
+        """Return, for each input row of a node, the signal row (int) or the constant (float) it takes."""
+        found: list[int | float] = []
+        for port in node.step.inputs:
+            wire = node.wires[port.name]
+            if port.size and not isinstance(wire, tuple):
+                if isinstance(wire, float | int):
+                    wire = (float(wire),) * port.size
+                else:
+                    signal = wire.signal if isinstance(wire, Late) else wire
+                    wire = tuple(f"{signal}[{i}]" for i in range(port.size))
+            wires = wire if isinstance(wire, tuple) else (wire,)
+            if len(wires) != port.rows:
+                raise EngineError(f"node {node.name}: input {port.name} takes {port.rows} wires, {len(wires)} given")
+            for item in wires:
+                found.append(float(item) if isinstance(item, float | int) else self.row(item.signal if isinstance(item, Late) else item))
+        return found
+
+    def _check_order(self) -> None:
+        position = {"in": -1, **{node.name: n for n, node in enumerate(self.nodes)}}
+        for n, node in enumerate(self.nodes):
+            for port in node.step.inputs:
+                wire = node.wires[port.name]
+                for item in wire if isinstance(wire, tuple) else (wire,):
+                    if isinstance(item, float | int):
+                        continue
+                    signal = item.signal if isinstance(item, Late) else item
+                    match = _SIGNAL.match(signal)
+                    owner = match["node"] if match else signal
+                    if owner == node.name:
+                        raise EngineError(f"node {node.name} reads its own output {signal}: keep it as a state")
+                    if owner not in position:
+                        self.row(signal)
+                    if not isinstance(item, Late) and position.get(owner, -1) >= n:
+                        raise EngineError(f"node {node.name} reads {signal}, which is computed later: mark the wire as Late")
+            self.sources(node)

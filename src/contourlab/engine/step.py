@@ -1,0 +1,98 @@
+"""What the engine knows of a component: a step function, and how many rows of numbers go in and out."""
+
+from __future__ import annotations
+
+from collections import namedtuple
+from collections.abc import Callable, Iterable
+from dataclasses import dataclass, field
+from functools import cache
+from typing import Any
+
+__all__ = ["Port", "Step", "record"]
+
+StepFunction = Callable[..., tuple[tuple[Any, ...], tuple[Any, ...]]]
+
+
+@dataclass(frozen=True, slots=True)
+class Port:
+    """A named input, output or state; `size` 0 is one number, n > 0 a vector of n (one row per axis)."""
+
+    name: str
+    size: int = 0
+
+    @property
+    def rows(self) -> int:
+        """Number of rows of the signal table that it takes."""
+        return max(self.size, 1)
+
+
+@dataclass(frozen=True)
+class Step:
+    """A step function with its ports: all that is compiled, and the key of the compiled code.
+
+    Parameters
+    ----------
+    name : str
+        Name for messages and profiles.
+    function : callable
+        ``function(par, x, inp, clock) -> (x_next, out)`` over named tuples of floats (vectors are tuples inside).
+    parameters : tuple of str
+        Parameter rows, derived ones included, in the order of the parameter block.
+    tables : tuple of str
+        Read-only tables, seen in `par` and read with `lookup`.
+    ring : str
+        Input port whose past is kept and read with ``delayed(par.ring, ...)``; empty for none.
+    states, inputs, outputs : tuple of Port
+        In the order in which the function takes and returns them.
+    """
+
+    name: str
+    function: StepFunction
+    parameters: tuple[str, ...] = ()
+    tables: tuple[str, ...] = ()
+    ring: str = ""
+    states: tuple[Port, ...] = ()
+    inputs: tuple[Port, ...] = ()
+    outputs: tuple[Port, ...] = ()
+    par_type: Any = field(init=False, repr=False, compare=False)
+
+    def __post_init__(self) -> None:
+        fields = (*self.parameters, *self.tables, *(("ring",) if self.ring else ()))
+        object.__setattr__(self, "par_type", record(fields))
+
+    @property
+    def layout(self) -> tuple[Any, ...]:
+        """Everything besides the function that decides what code is made."""
+        return (self.parameters, self.tables, self.ring, self.states, self.inputs, self.outputs)
+
+
+def rows(ports: Iterable[Port]) -> int:
+    """Return how many rows a group of ports takes."""
+    return sum(port.rows for port in ports)
+
+
+def unpack(ports: Iterable[Port], values: list[float]) -> list[Any]:
+    """Shape a flat list of numbers into one value per port, vectors as tuples."""
+    shaped: list[Any] = []
+    start = 0
+    for port in ports:
+        shaped.append(tuple(values[start : start + port.size]) if port.size else values[start])
+        start += port.rows
+    return shaped
+
+
+def pack(ports: Iterable[Port], values: Iterable[Any]) -> list[float]:
+    """Flatten one value per port into a list of numbers."""
+    flat: list[float] = []
+    for port, value in zip(ports, values, strict=True):
+        if port.size:
+            flat.extend(value)
+        else:
+            flat.append(value)
+    return flat
+
+
+@cache
+def record(fields: tuple[str, ...]) -> Any:
+    """Return the named-tuple type with these fields (one type per set of fields, so that compiled code is shared)."""
+    return namedtuple("Record", fields)  # type: ignore[misc]  # noqa: PYI024

@@ -1,0 +1,86 @@
+"""Machine code on disk, keyed by what it was made from.
+
+Numba's own cache does not notice an edit in a callee and cannot keep generated source; this one is keyed on the transitive sources, the
+versions of the tools and the processor. Files appear by atomic rename, so two processes may fill it at once.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import os
+import pickle
+import platform
+import sys
+import tempfile
+from collections.abc import Callable
+from functools import cache
+from pathlib import Path
+from typing import Any
+
+import llvmlite
+import llvmlite.binding as llvm
+import numba
+from numba.core.registry import cpu_target
+
+__all__ = ["address", "folder", "toolchain"]
+
+_FORMAT = 1
+_alive: list[Any] = []  # libraries whose code is in use: dropping one would free the code
+
+
+@cache
+def toolchain() -> str:
+    """Return the versions and the processor that machine code is valid for."""
+    features = llvm.get_host_cpu_features().flatten() if hasattr(llvm, "get_host_cpu_features") else ""
+    versions = (_FORMAT, numba.__version__, llvmlite.__version__, sys.version, platform.machine(), platform.system())
+    return repr((*versions, llvm.get_host_cpu_name(), features))
+
+
+@cache
+def folder() -> Path:
+    """Return the cache folder: ``CONTOURLAB_CACHE``, else the user's cache, else a temporary folder."""
+    chosen = os.environ.get("CONTOURLAB_CACHE")
+    home = os.environ.get("LOCALAPPDATA") or os.environ.get("XDG_CACHE_HOME")
+    candidates = [Path(chosen)] if chosen else []
+    with contextlib.suppress(RuntimeError):
+        candidates.append(Path(home) / "contourlab" if home else Path.home() / ".cache" / "contourlab")
+    candidates.append(Path(tempfile.gettempdir()) / f"contourlab-{os.getuid() if hasattr(os, 'getuid') else 'user'}")
+    for candidate in candidates:
+        with contextlib.suppress(OSError):
+            candidate.mkdir(parents=True, exist_ok=True)
+            handle, probe = tempfile.mkstemp(dir=candidate)
+            os.close(handle)
+            Path(probe).unlink()
+            return candidate
+    return Path(tempfile.mkdtemp(prefix="contourlab-"))
+
+
+def address(key: str, build: Callable[[], Any], name: str) -> int:
+    """Return the address of the code filed under `key`; build and file it first where it is missing."""
+    file = folder() / f"{key}.bin"
+    with contextlib.suppress(OSError, EOFError, pickle.UnpicklingError, ValueError, KeyError, RuntimeError):
+        return _restore(file.read_bytes())
+    compiled = build()
+    _alive.append(compiled)
+    library = compiled._library
+    _write(file, pickle.dumps((compiled._wrapper_name, name, library.serialize_using_object_code())))
+    return int(compiled.address)
+
+
+def _restore(data: bytes) -> int:
+    symbol, _, state = pickle.loads(data)
+    library = cpu_target.target_context.codegen().unserialize_library(state)
+    _alive.append(library)
+    return int(library.get_pointer_to_function(symbol))
+
+
+def _write(file: Path, data: bytes) -> None:
+    with contextlib.suppress(OSError):  # a cache that cannot be written costs time, nothing else
+        handle, temporary = tempfile.mkstemp(dir=file.parent)
+        try:
+            with os.fdopen(handle, "wb") as stream:
+                stream.write(data)
+            Path(temporary).replace(file)
+        except OSError:
+            Path(temporary).unlink(missing_ok=True)
+            raise

@@ -1,0 +1,84 @@
+"""What each axis of a machine can do: velocity, acceleration, jerk."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from contourlab.errors import FeedError, ParameterError
+
+__all__ = ["AxisLimits"]
+
+Array = NDArray[np.float64]
+
+
+def _checked(name: str, value: ArrayLike, unit: str, *, finite: bool) -> Array:
+    """Return `value` as a read-only vector after a look at its range."""
+    array = np.array(value, dtype=np.float64, ndmin=1)
+    if array.ndim != 1:
+        raise ParameterError(name, array.tolist(), "one number per axis", unit)
+    good = np.isfinite(array) if finite else ~np.isnan(array)
+    if not bool(np.all(good & (array > 0.0))):
+        raise ParameterError(name, array.tolist(), "finite and > 0" if finite else "> 0 (inf for no limit)", unit)
+    array.flags.writeable = False
+    return array
+
+
+@dataclass(frozen=True, eq=False)
+class AxisLimits:
+    """Limits of each axis; the planner keeps to them and `limit_report` judges by them.
+
+    Parameters
+    ----------
+    velocity : array_like (n_axis,) [m/s], finite, > 0
+        Also the rate of rapid moves.
+    acceleration : array_like (n_axis,) [m/s^2], > 0, inf for no limit
+    jerk : array_like (n_axis,) [m/s^3], > 0, inf for no limit
+
+    A single number, or a vector of one, stands for all axes.
+
+    Raises
+    ------
+    ParameterError
+        If a limit is not positive or not a number, or if the lengths differ.
+
+    >>> AxisLimits([0.5, 0.5], 2.0, 40.0).jerk
+    array([40., 40.])
+    """
+
+    velocity: Array
+    acceleration: Array
+    jerk: Array
+
+    def __init__(self, velocity: ArrayLike, acceleration: ArrayLike, jerk: ArrayLike = np.inf) -> None:
+        parts = {
+            "velocity": _checked("velocity", velocity, "m/s", finite=True),
+            "acceleration": _checked("acceleration", acceleration, "m/s^2", finite=False),
+            "jerk": _checked("jerk", jerk, "m/s^3", finite=False),
+        }
+        size = max(part.size for part in parts.values())
+        for name, part in parts.items():
+            if part.size not in (1, size):
+                raise ParameterError(name, part.tolist(), f"of length 1 or {size}, as the other limits")
+            object.__setattr__(self, name, np.broadcast_to(part, (size,)))
+
+    @property
+    def n_axis(self) -> int:
+        """Number of axes that the limits were given for."""
+        return int(self.velocity.size)
+
+    def for_axes(self, n_axis: int) -> AxisLimits:
+        """Return the limits for `n_axis` axes; limits of one axis stand for all.
+
+        Raises
+        ------
+        FeedError
+            If the limits are given for another number of axes.
+        """
+        if self.n_axis == n_axis:
+            return self
+        if self.n_axis != 1:
+            raise FeedError(f"limits are given for {self.n_axis} axes, the path has {n_axis}: give one limit per axis")
+        return AxisLimits(*(np.repeat(part, n_axis) for part in (self.velocity, self.acceleration, self.jerk)))

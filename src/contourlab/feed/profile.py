@@ -1,0 +1,86 @@
+"""A motion along a path as a list of spans of constant jerk."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+__all__ = ["Motion", "Profile"]
+
+Array = NDArray[np.float64]
+
+
+class Motion(NamedTuple):
+    """Progress along the path and its time derivatives: arrays (n,) in m, m/s, m/s^2, m/s^3."""
+
+    arc_length: Array
+    speed: Array
+    acceleration: Array
+    jerk: Array
+
+
+@dataclass(frozen=True, eq=False)
+class Profile:
+    """Spans of constant jerk, one after another, from t = 0.
+
+    Span i holds for ``t0[i] <= t < t0[i + 1]`` (the last one until `duration`)::
+
+        s = s0 + v0 dt + a0 dt^2 / 2 + j dt^3 / 6,     dt = t - t0
+
+    Parameters
+    ----------
+    t0, s0, v0, a0, j : ndarray (n_span,) [s, m, m/s, m/s^2, m/s^3]
+        Start of each span: time, progress, speed, tangential acceleration; and its jerk.
+    duration : float [s]
+    length : float [m]
+        Progress at the end.
+    """
+
+    t0: Array
+    s0: Array
+    v0: Array
+    a0: Array
+    j: Array
+    duration: float
+    length: float
+
+    def __post_init__(self) -> None:
+        for part in (self.t0, self.s0, self.v0, self.a0, self.j):
+            part.flags.writeable = False
+
+    @property
+    def n_span(self) -> int:
+        """Number of spans."""
+        return int(self.t0.size)
+
+    def motion(self, time: Array) -> Motion:
+        """Evaluate at any times; before the start and after the end the motion stands still.
+
+        Parameters
+        ----------
+        time : ndarray (n,) [s]
+
+        Returns
+        -------
+        Motion
+            Four arrays (n,).
+        """
+        clamped = np.clip(time, 0.0, self.duration)
+        span = np.searchsorted(self.t0, clamped, side="right") - 1
+        dt = clamped - self.t0[span]
+        start_speed, start_acceleration, jerk = self.v0[span], self.a0[span], self.j[span]
+        progress = dt * (start_speed + dt * (start_acceleration / 2.0 + dt * jerk / 6.0))
+        # The end of a span is known exactly (it is where the next begins): rounding must not step over it.
+        ends = np.append(self.s0[1:], self.length)[span]
+        arc_length = np.minimum(self.s0[span] + progress, ends)
+        speed = np.maximum(start_speed + dt * (start_acceleration + dt * jerk / 2.0), 0.0)
+        acceleration, jerk = start_acceleration + dt * jerk, jerk.copy()
+        still = (time < 0.0) | (time >= self.duration)
+        if np.any(still):
+            arc_length[time >= self.duration] = self.length
+            for part in (speed, acceleration, jerk):
+                part[still] = 0.0
+        return Motion(arc_length, speed, acceleration, jerk)

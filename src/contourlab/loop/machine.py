@@ -1,0 +1,212 @@
+"""What is simulated: axes in a machine, and the controller that drives them. Values only; nothing here runs."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from dataclasses import dataclass, field, replace
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from contourlab.components.contract import Component
+from contourlab.components.controller.position import PositionController
+from contourlab.components.drive.saturation import Saturation
+from contourlab.components.friction.none import NoFriction
+from contourlab.components.plant.single_mass import SingleMass
+from contourlab.components.sensor.ideal import IdealSensor
+from contourlab.components.velocity.true import TrueVelocity
+from contourlab.errors import ParameterError
+
+__all__ = ["Axis", "AxisController", "AxisError", "Controller", "Limits", "Machine"]
+
+
+@dataclass(frozen=True)
+class Limits:
+    """What an axis may be asked for.
+
+    Attributes
+    ----------
+    velocity : float [m/s], > 0
+    acceleration : float [m/s^2], > 0
+    jerk : float [m/s^3], > 0
+    following_error : float [m], > 0
+        A larger tracking error ends the run as diverged, as a drive would trip.
+    travel : tuple of two floats [m]
+        Lowest and highest position of the axis.
+    """
+
+    velocity: float = math.inf
+    acceleration: float = math.inf
+    jerk: float = math.inf
+    following_error: float = 0.05
+    travel: tuple[float, float] = (-math.inf, math.inf)
+
+    def __post_init__(self) -> None:
+        for name in ("velocity", "acceleration", "jerk", "following_error"):
+            value = getattr(self, name)
+            if not value > 0.0:
+                raise ParameterError(f"limits.{name}", f"{value:g}", "> 0")
+        if not self.travel[0] < self.travel[1]:
+            raise ParameterError("limits.travel", f"{self.travel}", "two positions, the lower one first", "m")
+
+
+@dataclass(frozen=True)
+class AxisError:
+    """How the tool's position differs from what the encoder can see, for one axis.
+
+    Attributes
+    ----------
+    position, lead_error : ndarray (n,) [m]
+        Error of the tool's position over the axis' position, rising positions, linear between them; empty for none.
+    repeatability : float [m], >= 0
+        Unidirectional repeatability in the sense of ISO 230-2 (4 s): at each reversal the tool takes a new offset, normal with s = a quarter of it.
+    """
+
+    position: NDArray[np.float64] = field(default_factory=lambda: np.zeros(0))
+    lead_error: NDArray[np.float64] = field(default_factory=lambda: np.zeros(0))
+    repeatability: float = 0.0
+
+    def __post_init__(self) -> None:
+        if self.position.shape != self.lead_error.shape or np.any(np.diff(self.position) <= 0.0):
+            raise ParameterError("error.position", "a table", "as long as lead_error, and rising", "m")
+        if not (np.isfinite(self.position).all() and np.isfinite(self.lead_error).all()):
+            raise ParameterError("error.lead_error", "a table", "finite", "m")
+        if not self.repeatability >= 0.0:
+            raise ParameterError("error.repeatability", f"{self.repeatability:g}", ">= 0", "m")
+
+
+@dataclass(frozen=True)
+class Axis:
+    """One axis: what moves, what rubs, what drives it and what measures it.
+
+    `stage_mass` [kg] is the whole module that another axis carries when this one is `mounted_on` it; `alignment` is the cosine of the angle
+    between the two directions of motion: 0 for crossed axes, which exchange no reaction force.
+    """
+
+    name: str
+    plant: SingleMass
+    friction: Component = field(default_factory=NoFriction)
+    drive: Component = field(default_factory=Saturation)
+    sensor: Component = field(default_factory=IdealSensor)
+    disturbance: Component | None = None
+    error: AxisError = field(default_factory=AxisError)
+    limits: Limits = field(default_factory=Limits)
+    mounted_on: str = ""
+    alignment: float = 0.0
+    stage_mass: float = 0.0
+    substeps: int = 1
+
+
+@dataclass(frozen=True)
+class Machine:
+    """Axes in the order of the path's coordinates.
+
+    Parameters
+    ----------
+    name : str
+    axes : tuple of Axis
+    servo_period : float [s], > 0
+    squareness : mapping of (str, str) to float [rad]
+        Deviation from 90 degrees of two axes: the tool moves along the first one by `squareness` times the second one's position.
+    """
+
+    name: str
+    axes: tuple[Axis, ...]
+    servo_period: float
+    squareness: Mapping[tuple[str, str], float] = field(default_factory=dict)
+
+    def __post_init__(self) -> None:
+        if not (math.isfinite(self.servo_period) and self.servo_period > 0.0):
+            raise ParameterError("servo_period", f"{self.servo_period:g}", "> 0", "s")
+        names = self.axis_names
+        if not names or len(set(names)) != len(names):
+            raise ParameterError("axes", ", ".join(names) or "none", "at least one axis, each with a name of its own")
+        for axis in self.axes:
+            if axis.mounted_on and (axis.mounted_on not in names or axis.name in self.carriers(axis.name)):
+                raise ParameterError(f"axes.{axis.name}.mounted_on", axis.mounted_on, "another axis of the machine, without going in a circle")
+        for pair in self.squareness:
+            if len(pair) != 2 or pair[0] == pair[1] or not set(pair) <= set(names):
+                raise ParameterError("squareness", "-".join(pair), "two different axes of the machine")
+
+    @property
+    def axis_names(self) -> tuple[str, ...]:
+        """Names of the axes, in order."""
+        return tuple(axis.name for axis in self.axes)
+
+    def axis(self, name: str) -> Axis:
+        """Return an axis by name."""
+        return next(axis for axis in self.axes if axis.name == name)
+
+    def carriers(self, name: str) -> list[str]:
+        """Return the axes that carry `name`, nearest first."""
+        found: list[str] = []
+        below = self.axis(name).mounted_on
+        while below and below not in found:
+            found.append(below)
+            below = self.axis(below).mounted_on
+        return found
+
+    def carried_mass(self, name: str) -> float:
+        """Return the mass [kg] of all the modules that stand on an axis."""
+        return sum(axis.stage_mass for axis in self.axes if name in self.carriers(axis.name))
+
+    def swapped(self, name: str, other: Axis) -> Machine:
+        """Return the machine with one axis exchanged for another module, which takes its name and place."""
+        placed = replace(other, name=name, mounted_on=self.axis(name).mounted_on, alignment=self.axis(name).alignment)
+        return replace(self, axes=tuple(placed if axis.name == name else axis for axis in self.axes))
+
+
+@dataclass(frozen=True)
+class AxisController:
+    """What one axis' controller is made of; `local` names the parameters that move with the axis when it is swapped."""
+
+    controller: Component = field(default_factory=PositionController)
+    velocity: Component = field(default_factory=TrueVelocity)
+    observer: Component | None = None
+    local: tuple[str, ...] = ()
+
+
+@dataclass(frozen=True)
+class Controller:
+    """One controller for each axis, and what couples them.
+
+    Parameters
+    ----------
+    axes : mapping of str to AxisController
+    estimator : Component or None
+        Contour-error estimator.
+    coupling : Component or None
+        What is done with the estimate; wants an estimator.
+    """
+
+    axes: Mapping[str, AxisController]
+    estimator: Component | None = None
+    coupling: Component | None = None
+
+    def __post_init__(self) -> None:
+        if self.coupling is not None and self.estimator is None:
+            raise ParameterError("controller.coupling", self.coupling.kind, "given with an estimator, whose foot point it uses")
+
+
+def parameter_names(machine: Machine, controller: Controller) -> dict[str, Any]:
+    """Return every number that a batch can vary: dotted name -> (component, parameter name).
+
+    Names read ``axes.x.plant.gain``, ``controller.axes.x.observer.bandwidth``, ``controller.coupling.weight``.
+    """
+    found: dict[str, Any] = {}
+
+    def collect(prefix: str, part: Component | None) -> None:
+        if part is not None:
+            found.update({f"{prefix}.{name}": (part, name) for name in part.numeric()})
+
+    for axis in machine.axes:
+        for slot in ("plant", "friction", "drive", "sensor", "disturbance"):
+            collect(f"axes.{axis.name}.{slot}", getattr(axis, slot))
+        mine = controller.axes[axis.name]
+        for slot in ("velocity", "observer", "controller"):
+            collect(f"controller.axes.{axis.name}.{slot}", getattr(mine, slot))
+    collect("controller.estimator", controller.estimator)
+    collect("controller.coupling", controller.coupling)
+    return found

@@ -1,0 +1,207 @@
+"""The scalar language that steps are written in: what a component's `step` may call, in plain Python.
+
+A step works on floats and tuples of floats. Run as it stands, it is its own oracle; the engine compiles the same source and puts its own
+version of each name below in place of this one (libm for a single variant, branch-free polynomials for lanes). Everything here is
+total: no function raises for a finite argument, so that a compiled lane and plain Python take the same way.
+
+Conditions: `select(condition, a, b)` evaluates both sides and is what lanes want; `if` is understood too where the sides are cheap.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import TYPE_CHECKING, NamedTuple
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+__all__ = [
+    "Clock",
+    "add",
+    "clip",
+    "copysign",
+    "cos",
+    "delayed",
+    "dot",
+    "exp",
+    "fabs",
+    "floor",
+    "lincomb",
+    "log",
+    "lookup",
+    "maximum",
+    "minimum",
+    "normal",
+    "rint",
+    "scale",
+    "select",
+    "sin",
+    "sqrt",
+    "sub",
+    "tanh",
+    "uniform",
+]
+
+Vector = tuple[float, ...]
+
+
+class Clock(NamedTuple):
+    """Time as a step sees it: tick index, time k*dt (never a running sum) and the step's own period."""
+
+    k: float
+    t: float
+    dt: float
+
+
+class Table(tuple[float, ...]):
+    """A read-only table as a step sees it: flat numbers behind `lookup`."""
+
+
+class Ring:
+    """The past of one input port as a step sees it: `delayed(ring, clock, n)` is its value n ticks ago."""
+
+    def __init__(self, length: int, initial: float = 0.0) -> None:
+        self.values = [initial] * length
+
+    def push(self, k: int, value: float) -> None:
+        """Store the value of tick `k`."""
+        self.values[k % len(self.values)] = value
+
+
+def exp(x: float) -> float:
+    """Return e**x; exactly 0 below -700, so that no denormal number is made."""
+    return math.exp(min(x, 709.0)) if x > -700.0 else 0.0
+
+
+def log(x: float) -> float:
+    """Return the natural logarithm of a positive normal number."""
+    return math.log(x)
+
+
+def tanh(x: float) -> float:
+    """Return the hyperbolic tangent."""
+    return math.tanh(x)
+
+
+def sin(x: float) -> float:
+    """Return the sine; |x| < 1e6 for full accuracy in lanes."""
+    return math.sin(x)
+
+
+def cos(x: float) -> float:
+    """Return the cosine; |x| < 1e6 for full accuracy in lanes."""
+    return math.cos(x)
+
+
+def sqrt(x: float) -> float:
+    """Return the square root of a number that is not negative."""
+    return math.sqrt(x)
+
+
+def fabs(x: float) -> float:
+    """Return the magnitude."""
+    return math.fabs(x)
+
+
+def floor(x: float) -> float:
+    """Return the largest whole number that is not above x."""
+    return float(math.floor(x))
+
+
+def rint(x: float) -> float:
+    """Return the nearest whole number; halves go to the even one."""
+    return float(round(x))
+
+
+def copysign(x: float, y: float) -> float:
+    """Return the magnitude of x with the sign of y."""
+    return math.copysign(x, y)
+
+
+def minimum(a: float, b: float) -> float:
+    """Return the smaller of two numbers."""
+    return a if a < b else b
+
+
+def maximum(a: float, b: float) -> float:
+    """Return the larger of two numbers."""
+    return a if a > b else b
+
+
+def clip(x: float, low: float, high: float) -> float:
+    """Return x held between two bounds."""
+    return min(max(x, low), high)
+
+
+def select(condition: bool, a: float, b: float) -> float:
+    """Return a where the condition holds, else b; both are evaluated."""
+    return a if condition else b
+
+
+def dot(a: Vector, b: Vector) -> float:
+    """Return the scalar product of two vectors of the axes."""
+    total = a[0] * b[0]
+    for i in range(1, len(a)):
+        total += a[i] * b[i]
+    return total
+
+
+def add(a: Vector, b: Vector) -> Vector:
+    """Return a + b."""
+    return tuple(p + q for p, q in zip(a, b, strict=True))
+
+
+def sub(a: Vector, b: Vector) -> Vector:
+    """Return a - b."""
+    return tuple(p - q for p, q in zip(a, b, strict=True))
+
+
+def scale(factor: float, a: Vector) -> Vector:
+    """Return factor * a."""
+    return tuple(factor * p for p in a)
+
+
+def lincomb(p: float, a: Vector, q: float, b: Vector) -> Vector:
+    """Return p*a + q*b."""
+    return tuple(p * u + q * v for u, v in zip(a, b, strict=True))
+
+
+def lookup(table: Sequence[float], index: float) -> float:
+    """Return entry `index` of a read-only table; the index must lie inside it."""
+    return table[int(index)]
+
+
+def delayed(ring: Ring, clock: Clock, n: float) -> float:
+    """Return the value `n` whole ticks ago of the port that a component keeps; n = 0 is now."""
+    return ring.values[int(clock.k - n) % len(ring.values)]
+
+
+_MASK = (1 << 64) - 1
+
+
+def _mix(z: int) -> int:
+    # The finaliser of splitmix64 (Steele, Lea & Flood 2014): every input bit reaches every output bit.
+    z = ((z ^ (z >> 30)) * 0xBF58476D1CE4E5B9) & _MASK
+    z = ((z ^ (z >> 27)) * 0x94D049BB133111EB) & _MASK
+    return z ^ (z >> 31)
+
+
+def uniform(stream: float, k: float, draw: float) -> float:
+    """Return a number in (0, 1) that depends on stream, tick and draw alone: noise without a state.
+
+    Parameters
+    ----------
+    stream : float
+        Whole number below 2**53 that names seed, variant, trial, axis and signal.
+    k : float
+        Tick index.
+    draw : float
+        Which of several numbers of the same tick.
+    """
+    z = _mix((int(stream) * 0x9E3779B97F4A7C15 + int(k) * 0xD1342543DE82EF95 + int(draw) * 0x2545F4914F6CDD1D) & _MASK)
+    return ((z >> 12) + 0.5) * 2.0**-52
+
+
+def normal(stream: float, k: float) -> float:
+    """Return a standard normal number that depends on stream and tick alone (Box & Muller 1958)."""
+    return sqrt(-2.0 * log(uniform(stream, k, 0.0))) * cos(2.0 * math.pi * uniform(stream, k, 1.0))

@@ -1,0 +1,120 @@
+"""One line of a part program -> words with their columns.
+
+RS274/NGC ignores blanks and tabs anywhere outside comments, even inside a number, and does not care for case.
+The lexer knows no meaning: what a word does is the business of the block parser and the interpreter.
+"""
+
+from __future__ import annotations
+
+import re
+from typing import NamedTuple
+
+from contourlab.program.fault import Fault
+
+__all__ = ["LARGEST_NUMBER", "Word", "read_words"]
+
+LARGEST_NUMBER = 1e9
+"""No word of a part program means anything beyond this, in any unit: such a number is a slip."""
+
+# The alternatives tile every line: a word, a comment in brackets, a comment to the end, blanks, or a bad character.
+_TOKEN = re.compile(r"([A-Za-z])[ \t]*([+-]?[0-9. \t]*)|\([^()]*\)|;.*|[ \t]+|(.)", re.DOTALL)
+_LONGEST_NUMBER = 100
+
+_BAD = {
+    "#": "parameters (#) are not supported yet: write the number itself",
+    "[": "expressions ([ ]) are not supported yet: write the number itself",
+    "]": "expressions ([ ]) are not supported yet: write the number itself",
+    "=": "parameters (#1 = 2) are not supported yet: write the number itself where it is used",
+    "<": "named parameters (#<name>) and O<name> are not supported yet: write the numbers and moves themselves",
+    ">": "named parameters (#<name>) and O<name> are not supported yet: write the numbers and moves themselves",
+    "@": "polar coordinates (@ and ^) are not supported yet: write X and Y",
+    "^": "polar coordinates (@ and ^) are not supported yet: write X and Y",
+    "/": "block delete (/) is not supported yet: delete the line or the stroke",
+    "%": "% may only stand alone on the first line and on the last: delete it here",
+    "*": "* has no meaning here: checksums of printers are not part of RS274/NGC, delete it",
+    ")": "')' closes no comment: delete it, or write '(' where the comment starts",
+    ",": "',' has no meaning here: write the decimal point as '.' and leave a blank between words",
+}
+
+
+class Word(NamedTuple):
+    """A letter and its number.
+
+    Parameters
+    ----------
+    letter : str
+        One capital letter.
+    value : float
+        Finite.
+    column : int, >= 1
+        Where the letter stands in its line.
+    """
+
+    letter: str
+    value: float
+    column: int
+
+
+def read_words(line: str) -> list[Word]:
+    """Split a line into its words, comments left out.
+
+    Parameters
+    ----------
+    line : str
+        Without its line break.
+
+    Raises
+    ------
+    Fault
+        On a character or number that RS274/NGC does not know, or that is not supported yet.
+
+    >>> read_words("g1 x-1 0.5 (there)")
+    [Word(letter='G', value=1.0, column=1), Word(letter='X', value=-10.5, column=4)]
+    """
+    words = []
+    for token in _TOKEN.finditer(line):
+        letter = token[1]
+        if letter is not None:
+            words.append(Word(letter.upper(), _number(letter, token[2], token.start() + 1), token.start() + 1))
+        elif token[3] is not None:
+            raise _bad_character(line, token.start())
+    return words
+
+
+def _number(letter: str, digits: str, column: int) -> float:
+    """Read the number behind `letter`, which may have blanks anywhere."""
+    try:
+        value = float(digits)
+    except ValueError:
+        compact = digits.replace(" ", "").replace("\t", "")
+        try:
+            value = float(compact)
+        except ValueError:
+            raise _bad_number(letter, compact, column) from None
+    if abs(value) > LARGEST_NUMBER or len(digits) > _LONGEST_NUMBER:
+        shown = "".join(digits.split())
+        shown = shown if len(shown) <= 20 else shown[:20] + "..."
+        raise Fault(f"{letter.upper()}{shown} is no sensible number: its size must be below {LARGEST_NUMBER:.0e}", column)
+    return value
+
+
+def _bad_number(letter: str, digits: str, column: int) -> Fault:
+    """Say why `digits` is no number."""
+    name = letter.upper()
+    if not digits:
+        hint = "O-words (subprograms, loops) are not supported yet" if name == "O" else f"write for example {name}10"
+        return Fault(f"{name} has no number behind it: {hint}", column)
+    shown = digits if len(digits) <= 20 else digits[:20] + "..."
+    return Fault(f"{name}{shown} holds no number: write for example {name}10.5 (no exponents, one sign, one point)", column)
+
+
+def _bad_character(line: str, at: int) -> Fault:
+    """Say what is wrong with the character at index `at`."""
+    character = line[at]
+    if character == "(":
+        nested = line.find("(", at + 1)
+        if nested >= 0 and line.find(")", at + 1) >= 0:
+            return Fault("a comment inside a comment: use one pair of brackets, or ';' for the rest of the line", nested + 1)
+        return Fault("the comment that starts here has no end: write ')' on the same line", at + 1)
+    # A parameter or an expression in the place of a number is the more telling fault than the letter without one.
+    return Fault(_BAD.get(character, f"the character {character!r} has no meaning here: delete it"), at + 1)
