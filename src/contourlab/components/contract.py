@@ -18,7 +18,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any, ClassVar, dataclass_transform
 
 import numpy as np
@@ -56,7 +56,7 @@ class Parameter:
     name : str
         Name in Python and in files.
     unit : str
-        SI unit; empty for a bare number.
+        SI unit; empty for a bare number. ``{command}`` and ``{force}`` stand for the units of the plant it works with.
     default : float, str or None
         None where a value has to be given.
     minimum, maximum : float
@@ -69,6 +69,8 @@ class Parameter:
         Whether only whole numbers are in range.
     structural : bool
         Whether it decides the structure of the step, so that it cannot differ between lanes.
+    vector : bool
+        Whether it is a list of numbers, each in range; such a parameter is structural.
     display : str
         Unit in which people write it.
     doc, source : str
@@ -84,12 +86,18 @@ class Parameter:
     choices: tuple[str, ...]
     whole: bool
     structural: bool
+    vector: bool
     display: str
     doc: str
     source: str
 
-    def check(self, value: Any) -> float | str:
-        """Return the value if it is in range.
+    def for_plant(self, command_unit: str, force_unit: str) -> Parameter:
+        """Return the parameter with ``{command}`` and ``{force}`` in its units replaced by those of a plant."""
+        units = {"command": command_unit, "force": force_unit}
+        return replace(self, unit=self.unit.format(**units), display=self.display.format(**units))
+
+    def check(self, value: Any) -> Any:
+        """Return the value if it is in range: a float, a word, or a tuple of floats for a vector.
 
         Raises
         ------
@@ -100,6 +108,11 @@ class Parameter:
             if value not in self.choices:
                 raise ParameterError(self.name, repr(value), "one of " + ", ".join(self.choices))
             return str(value)
+        if self.vector:
+            if isinstance(value, str) or not hasattr(value, "__len__") or len(value) == 0:
+                raise ParameterError(self.name, repr(value), "a list of numbers", self.unit)
+            scalar = replace(self, vector=False)
+            return tuple(scalar.check(item) for item in value)
         if isinstance(value, bool | str) or not isinstance(value, float | int | np.floating | np.integer):
             raise ParameterError(self.name, repr(value), "a number", self.unit)
         number = float(value)
@@ -132,17 +145,18 @@ def param(
     exclusive: bool = False,
     whole: bool = False,
     structural: bool = False,
+    vector: bool = False,
     display: str = "",
     doc: str,
     source: str = "",
 ) -> Any:
     """Declare a number; see `Parameter` for the arguments. Bounds and default are in `unit`, which is SI."""
-    return Parameter("", unit, default, minimum, maximum, exclusive, (), whole, structural, display or unit, doc, source)
+    return Parameter("", unit, default, minimum, maximum, exclusive, (), whole, structural or vector, vector, display or unit, doc, source)
 
 
 def text_param(default: str | None, choices: tuple[str, ...], *, doc: str, source: str = "") -> Any:
     """Declare a word out of a few; it decides the structure of the step."""
-    return Parameter("", "", default, -math.inf, math.inf, False, choices, False, True, "", doc, source)
+    return Parameter("", "", default, -math.inf, math.inf, False, choices, False, True, False, "", doc, source)
 
 
 @dataclass(frozen=True)
@@ -223,7 +237,7 @@ class Component:
     def __repr__(self) -> str:
         return f"{type(self).__name__}({', '.join(f'{k}={v!r}' for k, v in self.values().items())})"
 
-    def values(self) -> dict[str, float | str]:
+    def values(self) -> dict[str, Any]:
         """Return every parameter with its value in SI."""
         return {name: getattr(self, name) for name in self.parameters}
 
@@ -259,6 +273,10 @@ class Component:
     def ring_length(self, dt: float) -> int:
         """Return how many ticks of the ring port are kept."""
         return 1
+
+    def at_rest(self, position: float) -> tuple[dict[str, float], dict[str, float]]:
+        """Return the states, and the outputs before the first tick, of an axis that stands at `position` [m]; zero where not given."""
+        return {}, {}
 
     def linearize(self) -> LinearModel | None:
         """Return the linear model around rest, or None where one makes no sense."""

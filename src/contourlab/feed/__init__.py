@@ -1,0 +1,30 @@
+"""Feed: from a path with its programmed feed and the limits of the axes to a sampled reference.
+
+Inside: `limits`; `route` (path and feed data); `bounds` (limits of axes -> limits along the path), `pieces` (where one
+set of them holds), `scurve` (speed changes in closed form), `profile` (spans of constant jerk), `planner`; `uniform`
+(the constant-frequency law); `reference` (samples on demand); `verify` (the independent judge).
+"""
+
+from contourlab.feed.limits import AxisLimits
+from contourlab.feed.planner import plan
+from contourlab.feed.profile import Motion, Profile
+from contourlab.feed.reference import Reference, ReferenceBlock
+from contourlab.feed.route import Route, route_from_path, route_from_program
+from contourlab.feed.uniform import uniform
+from contourlab.feed.verify import LimitReport, Worst, limit_report
+
+__all__ = [
+    "AxisLimits",
+    "LimitReport",
+    "Motion",
+    "Profile",
+    "Reference",
+    "ReferenceBlock",
+    "Route",
+    "Worst",
+    "limit_report",
+    "plan",
+    "route_from_path",
+    "route_from_program",
+    "uniform",
+]

@@ -146,10 +146,10 @@ def _bounds(samples: Samples, starts: NDArray[np.intp], limits: AxisLimits, shar
 def _time(bounds: Bounds, length: Array, stops: NDArray[np.bool_]) -> Array:
     """Estimate the time each piece takes: from rest where it begins or ends at a stop, else from 80 % speed."""
     start, end = (np.where(stop, 0.0, 0.8 * bounds.speed) for stop in stops.T)
-    peak = peak_speed(length, np.minimum(start, end), np.minimum(start, end), *bounds)
+    peak = peak_speed(length, start, end, *bounds)
     time = np.zeros_like(length)
     covered = np.zeros_like(length)
-    for low in (np.minimum(start, peak), np.minimum(end, peak)):
+    for low in (start, end):
         part = ramps(low, peak, bounds.acceleration, bounds.rise, bounds.taper)
         time += part.rise_time + part.hold_time + part.taper_time
         covered += part.distance

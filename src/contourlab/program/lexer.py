@@ -9,7 +9,7 @@ from __future__ import annotations
 import re
 from typing import NamedTuple
 
-from contourlab.program.fault import Fault
+from contourlab.program.fault import BlockError
 
 __all__ = ["LARGEST_NUMBER", "Word", "read_words"]
 
@@ -17,7 +17,7 @@ LARGEST_NUMBER = 1e9
 """No word of a part program means anything beyond this, in any unit: such a number is a slip."""
 
 # The alternatives tile every line: a word, a comment in brackets, a comment to the end, blanks, or a bad character.
-_TOKEN = re.compile(r"([A-Za-z])[ \t]*([+-]?[0-9. \t]*)|\([^()]*\)|;.*|[ \t]+|(.)", re.DOTALL)
+_TOKEN = re.compile(r"([A-Za-z])[ \t]*(?P<digits>[+-]?[0-9. \t]*)|\([^()]*\)|;.*|[ \t]+|(?P<bad>.)", re.DOTALL)
 _LONGEST_NUMBER = 100
 
 _BAD = {
@@ -65,7 +65,7 @@ def read_words(line: str) -> list[Word]:
 
     Raises
     ------
-    Fault
+    BlockError
         On a character or number that RS274/NGC does not know, or that is not supported yet.
 
     >>> read_words("g1 x-1 0.5 (there)")
@@ -75,46 +75,53 @@ def read_words(line: str) -> list[Word]:
     for token in _TOKEN.finditer(line):
         letter = token[1]
         if letter is not None:
-            words.append(Word(letter.upper(), _number(letter, token[2], token.start() + 1), token.start() + 1))
-        elif token[3] is not None:
+            words.append(Word(letter.upper(), _number(line, token), token.start() + 1))
+        elif token["bad"] is not None:
             raise _bad_character(line, token.start())
     return words
 
 
-def _number(letter: str, digits: str, column: int) -> float:
-    """Read the number behind `letter`, which may have blanks anywhere."""
+def _number(line: str, token: re.Match[str]) -> float:
+    """Read the number of a word, which may have blanks anywhere."""
+    name, digits, column = token[1].upper(), token["digits"], token.start() + 1
+    if name == "O":
+        raise BlockError("O-words (subprograms, loops, conditions) are not supported yet: write the moves out", column)
     try:
         value = float(digits)
     except ValueError:
-        compact = digits.replace(" ", "").replace("\t", "")
+        digits = digits.replace(" ", "").replace("\t", "")
         try:
-            value = float(compact)
+            value = float(digits)
         except ValueError:
-            raise _bad_number(letter, compact, column) from None
+            raise _bad_number(line, token, digits) from None
     if abs(value) > LARGEST_NUMBER or len(digits) > _LONGEST_NUMBER:
-        shown = "".join(digits.split())
-        shown = shown if len(shown) <= 20 else shown[:20] + "..."
-        raise Fault(f"{letter.upper()}{shown} is no sensible number: its size must be below {LARGEST_NUMBER:.0e}", column)
+        raise BlockError(f"{name}{_short(digits)} is no sensible number: keep it below {LARGEST_NUMBER:.0e}", column)
     return value
 
 
-def _bad_number(letter: str, digits: str, column: int) -> Fault:
-    """Say why `digits` is no number."""
-    name = letter.upper()
-    if not digits:
-        hint = "O-words (subprograms, loops) are not supported yet" if name == "O" else f"write for example {name}10"
-        return Fault(f"{name} has no number behind it: {hint}", column)
-    shown = digits if len(digits) <= 20 else digits[:20] + "..."
-    return Fault(f"{name}{shown} holds no number: write for example {name}10.5 (no exponents, one sign, one point)", column)
+def _bad_number(line: str, token: re.Match[str], digits: str) -> BlockError:
+    """Say why a word has no number."""
+    name = token[1].upper()
+    if digits:
+        hint = f"write for example {name}10.5 (one sign, one point, no exponent)"
+        return BlockError(f"{name}{_short(digits)} holds no number: {hint}", token.start() + 1)
+    if token.end() < len(line) and line[token.end()] in "#[":
+        return _bad_character(line, token.end())
+    return BlockError(f"{name} has no number behind it: write for example {name}10", token.start() + 1)
 
 
-def _bad_character(line: str, at: int) -> Fault:
+def _short(digits: str) -> str:
+    """Cut an endless number for a message."""
+    compact = "".join(digits.split())
+    return compact if len(compact) <= 20 else compact[:20] + "..."
+
+
+def _bad_character(line: str, at: int) -> BlockError:
     """Say what is wrong with the character at index `at`."""
     character = line[at]
     if character == "(":
         nested = line.find("(", at + 1)
         if nested >= 0 and line.find(")", at + 1) >= 0:
-            return Fault("a comment inside a comment: use one pair of brackets, or ';' for the rest of the line", nested + 1)
-        return Fault("the comment that starts here has no end: write ')' on the same line", at + 1)
-    # A parameter or an expression in the place of a number is the more telling fault than the letter without one.
-    return Fault(_BAD.get(character, f"the character {character!r} has no meaning here: delete it"), at + 1)
+            return BlockError("a comment inside a comment: use one pair of brackets, or only ';'", nested + 1)
+        return BlockError("the comment that starts here has no end: write ')' on the same line", at + 1)
+    return BlockError(_BAD.get(character, f"the character {character!r} has no meaning here: delete it"), at + 1)

@@ -1,0 +1,1 @@
+"""Couplings: what is done with the contour error that an estimator finds."""

@@ -1,0 +1,1 @@
+"""Disturbances: forces on an axis that are not friction."""

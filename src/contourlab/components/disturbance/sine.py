@@ -1,0 +1,33 @@
+"""A sinusoidal force."""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+from contourlab.components.contract import Component, Port, param
+from contourlab.primitives import sin
+
+__all__ = ["SineLoad"]
+
+
+class SineLoad(Component):
+    """A force A sin(2 pi f t + phase): an unbalanced spindle, a tooth-passing force."""
+
+    family = "disturbance"
+    kind = "sine"
+    inputs = (Port("position"),)
+    outputs = (Port("force"),)
+    derived = ("angular_frequency",)
+
+    amplitude: float = param(unit="{force}", minimum=0.0, doc="amplitude, A")
+    frequency: float = param(unit="Hz", minimum=0.0, doc="frequency, f")
+    phase: float = param(0.0, unit="rad", doc="phase at time 0")
+
+    @staticmethod
+    def derive(par: Any, dt: float) -> tuple[float, ...]:
+        return (2.0 * math.pi * par.frequency,)
+
+    @staticmethod
+    def step(par: Any, x: Any, inp: Any, clock: Any) -> Any:
+        return (), (par.amplitude * sin(par.angular_frequency * clock.t + par.phase),)

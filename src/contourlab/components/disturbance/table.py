@@ -1,0 +1,54 @@
+"""A force from a table over time or position."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from contourlab.components.contract import Component, Port, param, text_param
+from contourlab.primitives import clip, floor, lookup
+
+__all__ = ["TableLoad"]
+
+
+class TableLoad(Component):
+    """A force given at evenly spaced times or positions, linear between them: measured cutting forces, force ripple, cogging.
+
+    With `beyond = "hold"` the first and last values hold outside the table; with ``"repeat"`` the table repeats, its last point being the
+    first of the next turn.
+    """
+
+    family = "disturbance"
+    kind = "table"
+    inputs = (Port("position"),)
+    outputs = (Port("force"),)
+    tables = ("values_table",)
+    derived = ("inverse_step", "intervals")
+
+    over: str = text_param("time", ("time", "position"), doc="what the table is over")
+    beyond: str = text_param("hold", ("hold", "repeat"), doc="what holds outside the table")
+    origin: float = param(0.0, unit="", doc="time [s] or position [m] of the first value")
+    step_size: float = param(unit="", minimum=0.0, exclusive=True, doc="time [s] or distance [m] between two values")
+    values_given: tuple[float, ...] = param(unit="{force}", vector=True, doc="the forces; at least two")
+
+    def step_function(self) -> Any:
+        over_time, repeat = self.over == "time", self.beyond == "repeat"
+
+        def step(par: Any, x: Any, inp: Any, clock: Any) -> Any:
+            where = clock.t if over_time else inp.position
+            u = (where - par.origin) * par.inverse_step
+            u = u - par.intervals * floor(u / par.intervals) if repeat else clip(u, 0.0, par.intervals)
+            i = clip(floor(u), 0.0, par.intervals - 1.0)
+            low = lookup(par.values_table, i)
+            return (), (low + (u - i) * (lookup(par.values_table, i + 1.0) - low),)
+
+        return step
+
+    def block(self, dt: float, overrides: Any = None) -> dict[str, Any]:
+        rows = {"origin": self.origin, "step_size": self.step_size, **(overrides or {})}
+        return {**rows, "inverse_step": 1.0 / np.asarray(rows["step_size"]), "intervals": float(len(self.values_given) - 1)}
+
+    def table_values(self) -> dict[str, NDArray[np.float64]]:
+        return {"values_table": np.array(self.values_given)}

@@ -1,0 +1,1 @@
+"""Drives: what stands between a command and the plant: limits and delay."""

@@ -1,0 +1,47 @@
+"""A drive with a limit and a transport delay."""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+from contourlab.components.contract import Component, Port, param
+from contourlab.primitives import clip, delayed
+
+__all__ = ["DelayedSaturation"]
+
+
+class DelayedSaturation(Component):
+    """Amplifier with a limit, whose command arrives late by any length of time.
+
+    The delay is n whole servo periods and a fraction f of one; the value between two ticks is the mean weighted by f, which is exact for the
+    average that a held command has over the period.
+    """
+
+    family = "drive"
+    kind = "delayed-saturation"
+    reference = "transport delay of a sampled command"
+    inputs = (Port("command"),)
+    outputs = (Port("applied"),)
+    derived = ("whole", "fraction")
+    ring = "command"
+
+    limit: float = param(math.inf, unit="{command}", minimum=0.0, exclusive=True, doc="largest command in either direction")
+    delay: float = param(unit="s", minimum=0.0, maximum=10.0, display="ms", doc="time from command to effect")
+
+    @staticmethod
+    def derive(par: Any, dt: float) -> tuple[float, ...]:
+        periods = par.delay / dt
+        # A delay that is whole but for rounding is taken as whole.
+        whole = math.floor(periods + 1e-9)
+        return float(whole), max(periods - whole, 0.0)
+
+    @staticmethod
+    def step(par: Any, x: Any, inp: Any, clock: Any) -> Any:
+        newer = delayed(par.ring, clock, par.whole)
+        older = delayed(par.ring, clock, par.whole + 1.0)
+        late = newer + par.fraction * (older - newer)
+        return (), (clip(late, -par.limit, par.limit),)
+
+    def ring_length(self, dt: float) -> int:
+        return math.floor(self.delay / dt + 1e-9) + 2

@@ -1,0 +1,1 @@
+"""On-line estimators of the contour error."""

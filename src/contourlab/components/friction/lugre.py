@@ -1,0 +1,41 @@
+"""LuGre friction: bristles that bend before they slip."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from contourlab.components.contract import Component, Port, param
+from contourlab.primitives import exp
+
+__all__ = ["LuGre"]
+
+
+class LuGre(Component):
+    """Bristle model with presliding: z' = v - s0 |v| z / g(v), F = s0 z + s1 z' + s2 v, g = F_c + (F_s - F_c) exp(-(v/v_s)^2).
+
+    The bristle is stiff (s0 of 1e5 N/m and more); it is integrated implicitly together with the axis' velocity, so that a servo period
+    needs no thousand sub-steps.
+
+    References
+    ----------
+    Canudas de Wit, Olsson, Astrom & Lischinsky, "A new model for control of systems with friction", IEEE TAC 40 (1995), eqs (1)-(4).
+    """
+
+    family = "friction"
+    kind = "lugre"
+    law = "bristle"
+    reference = "Canudas de Wit et al. 1995, eqs 1-4"
+    states = (Port("bristle"),)
+
+    coulomb: float = param(unit="{force}", minimum=0.0, exclusive=True, doc="sliding friction at speed, F_c")
+    breakaway: float = param(unit="{force}", minimum=0.0, exclusive=True, doc="largest friction at vanishing speed, F_s")
+    stribeck_velocity: float = param(1e-3, unit="m/s", minimum=0.0, exclusive=True, display="mm/s", doc="speed at which friction has come down to F_c, v_s")
+    stiffness: float = param(unit="{force}/m", minimum=0.0, exclusive=True, doc="of the bristles, s0")
+    bristle_damping: float = param(0.0, unit="{force}*s/m", minimum=0.0, doc="of the bristles, s1")
+    viscous: float = param(0.0, unit="{force}*s/m", minimum=0.0, doc="rise of friction with speed, s2")
+
+    @staticmethod
+    def level(par: Any, v: float) -> float:
+        """Return the friction of steady sliding without its viscous part, g(v)."""
+        ratio = v / par.stribeck_velocity
+        return par.coulomb + (par.breakaway - par.coulomb) * exp(-ratio * ratio)  # type: ignore[no-any-return]

@@ -1,0 +1,35 @@
+"""Coulomb, viscous and Stribeck friction without a jump at rest."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from contourlab.components.contract import Component, param
+from contourlab.primitives import exp, tanh
+
+__all__ = ["SmoothCoulomb"]
+
+
+class SmoothCoulomb(Component):
+    """The smooth form of Coulomb friction: F = (F_c + (F_s - F_c) exp(-(v/v_s)^2)) tanh(v/v_e) + c v.
+
+    It never sticks: at rest a force lets the axis creep at up to v_e. Take it where a smooth model is wanted (gradients, stiff couplings);
+    its error shows as creep below about v_e.
+    """
+
+    family = "friction"
+    kind = "smooth-coulomb"
+    law = "smooth"
+    reference = "regularised form of Coulomb and Stribeck friction"
+
+    coulomb: float = param(unit="{force}", minimum=0.0, doc="friction at speed, F_c")
+    breakaway: float = param(unit="{force}", minimum=0.0, doc="friction near rest, F_s")
+    stribeck_velocity: float = param(1e-3, unit="m/s", minimum=0.0, exclusive=True, display="mm/s", doc="speed at which friction has come down to F_c, v_s")
+    smoothing_velocity: float = param(1e-5, unit="m/s", minimum=0.0, exclusive=True, display="mm/s", doc="speed over which friction changes its sign, v_e")
+    viscous: float = param(0.0, unit="{force}*s/m", minimum=0.0, doc="rise of friction with speed, c")
+
+    @staticmethod
+    def force(par: Any, v: float) -> float:
+        ratio = v / par.stribeck_velocity
+        level = par.coulomb + (par.breakaway - par.coulomb) * exp(-ratio * ratio)
+        return level * tanh(v / par.smoothing_velocity) + par.viscous * v  # type: ignore[no-any-return]

@@ -1,0 +1,151 @@
+"""Plant and friction linked into one step: friction lives inside the plant's integration.
+
+Three laws, each with its own way through time; the command and the load are held over the step.
+
+- *smooth* friction is a force of velocity: classical Runge-Kutta, fourth order.
+- *sticking* friction holds the axis at rest: Runge-Kutta while it slides one way; where the velocity passes zero within the step, the
+  instant is located on the cubic through both ends, and from there the axis is held, or slides the other way. No chatter, and friction
+  never gives energy.
+- *bristle* friction is stiff: velocity and bristle are advanced together, implicitly, and extrapolated to second order.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
+
+from contourlab.components.contract import Component
+from contourlab.engine.step import Step
+from contourlab.errors import ComponentError
+from contourlab.primitives import fabs, maximum, select
+
+__all__ = ["link"]
+
+
+def link(plant: Component, friction: Component) -> Step:
+    """Return the step of a plant with its friction.
+
+    Parameters
+    ----------
+    plant : SingleMass
+    friction : Component of the family friction
+
+    Raises
+    ------
+    ComponentError
+        If both have a parameter of the same name, or the friction's law is unknown.
+    """
+    shared = sorted({*plant.numeric(), *plant.derived} & {*friction.numeric(), *friction.derived})
+    if shared:
+        raise ComponentError(f"plant {plant.kind} and friction {friction.kind} both have a parameter {shared[0]!r}")
+    makers = {"smooth": _smooth, "sticking": _sticking, "bristle": _bristle}
+    law = getattr(friction, "law", "")
+    if law not in makers:
+        raise ComponentError(f"friction {friction.kind}: law {law!r} is none of {', '.join(makers)}")
+    parameters = (*plant.numeric(), *plant.derived, *friction.numeric(), *friction.derived)
+    states = (*plant.states, *friction.states)
+    function = makers[law](type(plant), type(friction))
+    return Step(f"plant/{plant.kind}+{friction.kind}", function, parameters, (), "", states, plant.inputs, plant.outputs)
+
+
+def _smooth(plant: Any, friction: Any) -> Callable[..., Any]:
+    mobility, decay, drive_force, resistance = plant.mobility, plant.decay, plant.drive_force, friction.force
+
+    def acceleration(par: Any, v: float, push: float) -> float:
+        return mobility(par) * (push - resistance(par, v)) - decay(par) * v  # type: ignore[no-any-return]
+
+    def step(par: Any, x: Any, inp: Any, clock: Any) -> Any:
+        dt, p, v = clock.dt, x.position, x.velocity
+        push = drive_force(par, inp.command) + inp.load
+        half = 0.5 * dt
+        k1 = acceleration(par, v, push)
+        v2 = v + half * k1
+        k2 = acceleration(par, v2, push)
+        v3 = v + half * k2
+        k3 = acceleration(par, v3, push)
+        v4 = v + dt * k3
+        k4 = acceleration(par, v4, push)
+        sixth = dt / 6.0
+        slope = k1 + 2.0 * (k2 + k3) + k4
+        p_next = p + sixth * (v + 2.0 * (v2 + v3) + v4)
+        v_next = v + sixth * slope
+        return (p_next, v_next), (p_next, v_next, slope / (6.0 * mobility(par)))
+
+    return step
+
+
+def _sticking(plant: Any, friction: Any) -> Callable[..., Any]:
+    mobility, decay, drive_force = plant.mobility, plant.decay, plant.drive_force
+    held, sliding = friction.held, friction.sliding
+
+    def acceleration(par: Any, v: float, push: float, way: float) -> float:
+        return mobility(par) * (push - way * sliding(par, maximum(way * v, 0.0))) - decay(par) * v  # type: ignore[no-any-return]
+
+    def slide(par: Any, p: float, v: float, push: float, way: float, h: float) -> Any:
+        half, sixth = 0.5 * h, h / 6.0
+        k1 = acceleration(par, v, push, way)
+        v2 = v + half * k1
+        k2 = acceleration(par, v2, push, way)
+        v3 = v + half * k2
+        k3 = acceleration(par, v3, push, way)
+        v4 = v + h * k3
+        k4 = acceleration(par, v4, push, way)
+        return p + sixth * (v + 2.0 * (v2 + v3) + v4), v + sixth * (k1 + 2.0 * (k2 + k3) + k4), k1, k4
+
+    def zero_of_cubic(v0: float, v1: float, d0: float, d1: float) -> float:
+        # Where the cubic with ends v0, v1 of opposite sign and end slopes d0, d1 (per unit interval) is zero; three Newton steps
+        # from the chord, held inside the interval.
+        u = v0 / (v0 - v1)
+        c2, c3 = 3.0 * (v1 - v0) - 2.0 * d0 - d1, 2.0 * (v0 - v1) + d0 + d1
+        for _ in range(3):
+            value = v0 + u * (d0 + u * (c2 + u * c3))
+            slope = d0 + u * (2.0 * c2 + 3.0 * u * c3)
+            safe = select(value * slope == 0.0, 1.0, slope)
+            u = select(value * slope == 0.0, u, u - value / safe)
+            u = select(u < 0.0, 0.0, select(u > 1.0, 1.0, u))
+        return u
+
+    def step(par: Any, x: Any, inp: Any, clock: Any) -> Any:
+        dt, p, v = clock.dt, x.position, x.velocity
+        push = drive_force(par, inp.command) + inp.load
+        rest = select(fabs(push) <= held(par), 0.0, select(push > 0.0, 1.0, -1.0))
+        way = select(v == 0.0, rest, select(v > 0.0, 1.0, -1.0))
+        p1, v1, k1, k4 = slide(par, p, v, push, way, dt)
+        reverses = way * v1 < 0.0
+        # The instant of the reversal, as a part of the step; then from rest, held or the other way.
+        u = zero_of_cubic(v, select(reverses, v1, -way), dt * k1, select(reverses, dt * k4, -way))
+        u2, u3 = u * u, u * u * u
+        p_turn = p + (p1 - p) * (3.0 * u2 - 2.0 * u3) + dt * (v * (u - 2.0 * u2 + u3) + v1 * (u3 - u2))
+        p2, v2, _, _ = slide(par, p_turn, 0.0, push, rest, (1.0 - u) * dt)
+        p_after = select(rest == 0.0, p_turn, p2)
+        v_after = select(rest == 0.0, 0.0, v2)
+        stuck = way == 0.0
+        p_next = select(stuck, p, select(reverses, p_after, p1))
+        v_next = select(stuck, 0.0, select(reverses, v_after, v1))
+        return (p_next, v_next), (p_next, v_next, (v_next - v) / (dt * mobility(par)))
+
+    return step
+
+
+def _bristle(plant: Any, friction: Any) -> Callable[..., Any]:
+    mobility, decay, drive_force, level = plant.mobility, plant.decay, plant.drive_force, friction.level
+
+    def advance(par: Any, p: float, v: float, z: float, push: float, h: float) -> Any:
+        # Backward Euler in (v, z) with the slip rate taken at the start: linear in the new velocity, so solved in closed form.
+        keep = 1.0 / (1.0 + h * par.stiffness * fabs(v) / level(par, v))
+        fixed = par.stiffness * keep * z + par.bristle_damping * (keep - 1.0) * z / h
+        per_velocity = keep * (par.stiffness * h + par.bristle_damping) + par.viscous
+        v1 = (v + h * mobility(par) * (push - fixed)) / (1.0 + h * (decay(par) + mobility(par) * per_velocity))
+        return p + h * v1, v1, keep * (z + h * v1)
+
+    def step(par: Any, x: Any, inp: Any, clock: Any) -> Any:
+        dt, p, v, z = clock.dt, x.position, x.velocity, x.bristle
+        push = drive_force(par, inp.command) + inp.load
+        p1, v1, z1 = advance(par, p, v, z, push, dt)
+        pa, va, za = advance(par, p, v, z, push, 0.5 * dt)
+        pb, vb, zb = advance(par, pa, va, za, push, 0.5 * dt)
+        # Extrapolation over the step size cancels the first-order error.
+        p_next, v_next, z_next = 2.0 * pb - p1, 2.0 * vb - v1, 2.0 * zb - z1
+        return (p_next, v_next, z_next), (p_next, v_next, (v_next - v) / (dt * mobility(par)))
+
+    return step

@@ -1,0 +1,1 @@
+"""Observers: estimates of what disturbs an axis."""

@@ -1,0 +1,1 @@
+"""Plants: what the drive moves."""

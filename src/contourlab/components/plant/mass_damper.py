@@ -1,0 +1,45 @@
+"""A linear axis in physical units: mass, damping, force constant."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from contourlab.components.contract import param
+from contourlab.components.plant.single_mass import SingleMass
+
+__all__ = ["MassDamper"]
+
+
+class MassDamper(SingleMass):
+    """Mass with viscous damping, pushed by a current-controlled motor: m v' = K_f i - c v + load - friction.
+
+    `carried_mass` is what stands on the axis (other axes of the machine, a work piece); a machine adds the axes mounted on this one.
+    """
+
+    kind = "mass-damper"
+    reference = "Newton's second law"
+    command_unit = "A"
+    force_unit = "N"
+    derived = ("mobility_value", "decay_value")
+
+    mass: float = param(unit="kg", minimum=0.0, exclusive=True, doc="moved mass of the axis itself, rotating parts included as m = J (2 pi / lead)^2")
+    carried_mass: float = param(0.0, unit="kg", minimum=0.0, doc="mass that the axis carries besides its own")
+    damping: float = param(0.0, unit="N*s/m", minimum=0.0, doc="viscous damping of guides, screw and motor")
+    force_constant: float = param(unit="N/A", minimum=0.0, exclusive=True, doc="force of the drive per command")
+
+    @staticmethod
+    def derive(par: Any, dt: float) -> tuple[float, ...]:
+        mass = par.mass + par.carried_mass
+        return 1.0 / mass, par.damping / mass
+
+    @staticmethod
+    def mobility(par: Any) -> float:
+        return par.mobility_value  # type: ignore[no-any-return]
+
+    @staticmethod
+    def decay(par: Any) -> float:
+        return par.decay_value  # type: ignore[no-any-return]
+
+    @staticmethod
+    def drive_force(par: Any, command: float) -> float:
+        return par.force_constant * command  # type: ignore[no-any-return]

@@ -1,0 +1,57 @@
+"""Plants that are one mass on one axis: what they share."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any, ClassVar
+
+import numpy as np
+
+from contourlab.components.contract import Component, LinearModel, Port
+
+__all__ = ["SingleMass"]
+
+
+class SingleMass(Component):
+    """A mass with viscous damping, pushed by a drive: v' = mobility (drive force + load - friction) - decay v.
+
+    A plant of this family gives two functions of its parameters; the integration, together with a friction, is in
+    `contourlab.components.mechanics`.
+
+    Attributes
+    ----------
+    command_unit, force_unit : str
+        Units of the command that drives it and of the forces on it.
+    mobility, decay : functions of par
+        Acceleration per force [m/s^2 per force unit] and rate at which a free motion decays [1/s].
+    drive_force : function of par and command
+        Force of the drive.
+    """
+
+    family = "plant"
+    command_unit: ClassVar[str] = "N"
+    force_unit: ClassVar[str] = "N"
+    states = (Port("position"), Port("velocity"))
+    inputs = (Port("command"), Port("load"))
+    outputs = (Port("position"), Port("velocity"), Port("inertial_force"))
+
+    mobility: ClassVar[Callable[[Any], float]]
+    decay: ClassVar[Callable[[Any], float]]
+    drive_force: ClassVar[Callable[[Any, float], float]]
+
+    def at_rest(self, position: float) -> tuple[dict[str, float], dict[str, float]]:
+        return {"position": position}, {"position": position}
+
+    def constants(self) -> Any:
+        """Return the parameters as a step sees them, derived ones included."""
+        from contourlab.engine.step import record
+
+        block = self.block(1.0)
+        return record(tuple(block))(*block.values())
+
+    def linearize(self) -> LinearModel:
+        par = self.constants()
+        mobility, decay = type(self).mobility(par), type(self).decay(par)
+        a = np.array([[0.0, 1.0], [0.0, -decay]])
+        b = np.array([[0.0, 0.0], [mobility * type(self).drive_force(par, 1.0), mobility]])
+        return LinearModel(a, b, np.eye(2), np.zeros((2, 2)), ("command", "load"), ("position", "velocity"))

@@ -1,0 +1,1 @@
+"""Sensors: what the controller sees of an axis' position."""

@@ -1,0 +1,32 @@
+"""An incremental encoder."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from contourlab.components.contract import Component, Port, param
+from contourlab.primitives import normal, rint
+
+__all__ = ["Encoder"]
+
+
+class Encoder(Component):
+    """Position in whole counts: q = r round((p + noise)/r), r the resolution after interpolation.
+
+    Noise is normal, white, and the same whenever the same seed is run.
+    """
+
+    family = "sensor"
+    kind = "encoder"
+    reference = "uniform quantiser"
+    inputs = (Port("position"),)
+    outputs = (Port("position"),)
+
+    resolution: float = param(unit="m", minimum=0.0, exclusive=True, display="um", doc="travel per count, interpolation included")
+    noise: float = param(0.0, unit="m", minimum=0.0, display="um", doc="standard deviation of the signal before it is counted")
+    stream: float = param(0.0, minimum=0.0, maximum=2.0**53, whole=True, doc="number of the noise stream; set by the run from its seed")
+
+    @staticmethod
+    def step(par: Any, x: Any, inp: Any, clock: Any) -> Any:
+        seen = inp.position + par.noise * normal(par.stream, clock.k)
+        return (), (par.resolution * rint(seen / par.resolution),)

@@ -1,0 +1,20 @@
+"""A sensor without any error."""
+
+from __future__ import annotations
+
+from contourlab.components.contract import Component, Port
+
+__all__ = ["IdealSensor"]
+
+
+class IdealSensor(Component):
+    """The controller sees the axis' position as it is; no node is run for it."""
+
+    family = "sensor"
+    kind = "ideal"
+    inputs = (Port("position"),)
+    outputs = (Port("position"),)
+
+    @staticmethod
+    def step(par, x, inp, clock):  # type: ignore[no-untyped-def]
+        return (), (inp.position,)

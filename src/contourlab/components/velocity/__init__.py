@@ -1,0 +1,1 @@
+"""Velocity from what the sensor gives."""

@@ -1,0 +1,16 @@
+"""Velocity without any error."""
+
+from __future__ import annotations
+
+from contourlab.components.contract import Component, Port
+
+__all__ = ["TrueVelocity"]
+
+
+class TrueVelocity(Component):
+    """The controller sees the plant's velocity itself, as from an ideal tachometer; no node is run for it."""
+
+    family = "velocity"
+    kind = "true"
+    inputs = (Port("position"),)
+    outputs = (Port("velocity"),)

@@ -1,0 +1,229 @@
+"""Cuts a route into pieces along which one set of limits holds.
+
+A line, an arc and a helix are one piece each; lines that follow one another in one direction at one feedrate are
+joined. Other curves are sampled, more densely where they turn more, and cut where the permitted speed has changed by
+the factor `GROUP`. All derivatives are asked for in a few calls for the whole path, never curve by curve.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from contourlab.errors import FeedError
+from contourlab.feed.bounds import SHARES, Bounds, Samples, piece_bounds, speed_limit
+from contourlab.feed.limits import AxisLimits
+from contourlab.feed.route import Route
+from contourlab.geometry import Arc, Helix, Line
+
+__all__ = ["Joints", "Pieces", "cut", "joints"]
+
+Array = NDArray[np.float64]
+Flags = NDArray[np.bool_]
+Index = NDArray[np.intp]
+
+NUDGE = 1e-7  # of a curve's length: the ends are looked at from inside the curve
+GROUP = 1.15  # the permitted speed changes by at most this factor within a piece of a general curve
+NODES_ARC = 128  # samples per turn of an arc: the worst direction is met within 0.03 %
+NODES_FIRST = 65  # samples of a general curve before refinement
+TURN = 0.05  # [rad] the tangent turns less than this between samples of a general curve ...
+STEP = 1.06  # ... and the permitted speed changes by less than this factor, ...
+DEPTH = 14  # ... unless the interval was halved this many times
+JUMP = 1e-6  # [1/m] curvature jumps below this are rounding
+
+
+class Joints(NamedTuple):
+    """Where curves meet; arrays (n_curve,), entry i for the end of curve i (the last: the end of the path)."""
+
+    stop: Flags  # exact stop
+    jump: Array  # (n_curve, n_axis) [1/m] step of d2r/ds2
+
+
+@dataclass(frozen=True, eq=False)
+class Pieces:
+    """Pieces in the order of travel; arrays (n_piece,).
+
+    Parameters
+    ----------
+    start, length : ndarray [m]
+    bounds : Bounds
+    stop : ndarray of bool
+        Whether the motion stops at the end of the piece.
+    joint_speed : ndarray [m/s]
+        Ceiling of the speed at the end of the piece (inf: that of the neighbours).
+    curve : ndarray of int
+        The curve at which the piece ends.
+    """
+
+    start: Array
+    length: Array
+    bounds: Bounds
+    stop: Flags
+    joint_speed: Array
+    curve: Index
+
+
+class _Nodes(NamedTuple):
+    """Sampled places: curve, place within it (0 to 1), derivatives (n, n_axis)."""
+
+    curve: Index
+    place: Array
+    tangent: Array
+    second: Array
+    third: Array
+
+
+def _look(route: Route, curve: Index, place: Array) -> _Nodes:
+    """Evaluate the path at places within curves."""
+    begin, end = route.path.breaks[curve], route.path.breaks[curve + 1]
+    inside = np.clip(place, NUDGE, 1.0 - NUDGE)
+    derivatives = route.path.derivatives(begin + (end - begin) * inside, 3)
+    return _Nodes(curve, place, derivatives[1], derivatives[2], derivatives[3])
+
+
+def joints(route: Route) -> Joints:
+    """Find exact stops and jumps of curvature.
+
+    The motion stops where the tangent jumps, at a dwell, where rapid and feed moves meet, and at the end.
+
+    Parameters
+    ----------
+    route : Route
+
+    Returns
+    -------
+    Joints
+    """
+    n_curve = route.n_curve
+    curves = np.arange(n_curve)
+    first, last = (_look(route, curves, np.full(n_curve, place)).second for place in (0.0, 1.0))
+    jump = np.roll(first, -1, axis=0) - last
+    jump[np.abs(jump) < JUMP] = 0.0
+    stop = (route.dwell > 0.0) | (route.rapid != np.roll(route.rapid, -1))
+    corners = np.searchsorted(route.path.breaks[1:], np.asarray(route.path.corners) * (1.0 - 1e-15) - 1e-15)
+    stop[np.clip(corners, 0, n_curve - 1)] = True
+    stop[-1] |= not route.path.closed
+    if np.any(np.asarray(route.path.corners) == 0.0):
+        stop[-1] = True
+    return Joints(stop, jump)
+
+
+def _first_nodes(route: Route) -> tuple[_Nodes, NDArray[np.int8]]:
+    """Sample every curve; kind 0 is a line, 1 an arc or helix, 2 any other."""
+    kind = np.array(
+        [0 if isinstance(c, Line) else 1 if isinstance(c, (Arc, Helix)) else 2 for c in route.path.curves], dtype=np.int8
+    )
+    middle = _look(route, np.arange(route.n_curve), np.full(route.n_curve, 0.5))
+    sweep = np.linalg.norm(middle.second, axis=1) * np.diff(route.path.breaks)
+    count = np.where(kind == 0, 2, np.where(kind == 1, 5 + np.ceil(NODES_ARC * sweep / (2.0 * np.pi)), NODES_FIRST))
+    count = count.astype(np.intp)
+    curve = np.repeat(np.arange(route.n_curve), count)
+    first = np.repeat(np.cumsum(count) - count, count)
+    place = (np.arange(curve.size) - first) / (count[curve] - 1.0)
+    return _look(route, curve, place), kind
+
+
+def _refined(route: Route, nodes: _Nodes, kind: NDArray[np.int8], limits: AxisLimits) -> _Nodes:
+    """Halve the intervals of general curves until neighbours are alike."""
+    for _ in range(DEPTH):
+        permitted = speed_limit(_samples(route, nodes), limits, SHARES[0])
+        high, low = np.maximum(permitted[1:], permitted[:-1]), np.minimum(permitted[1:], permitted[:-1])
+        turn = np.linalg.norm(np.diff(nodes.tangent, axis=0), axis=1)
+        coarse = ((high > STEP * low) | (turn > TURN)) & (nodes.curve[1:] == nodes.curve[:-1]) & (kind[nodes.curve[1:]] == 2)
+        where = np.flatnonzero(coarse)
+        if where.size == 0:
+            break
+        new = _look(route, nodes.curve[where], 0.5 * (nodes.place[where] + nodes.place[where + 1]))
+        nodes = _Nodes(*(np.insert(old, where + 1, more, axis=0) for old, more in zip(nodes, new, strict=True)))
+    return nodes
+
+
+def _samples(route: Route, nodes: _Nodes) -> Samples:
+    second = nodes.second.copy()
+    third = nodes.third.copy()
+    # Rounding of the derivatives of straight lines must not look like a curve.
+    second[np.abs(second) < JUMP] = 0.0
+    third[np.abs(third) < JUMP] = 0.0
+    return Samples(nodes.tangent, second, third, route.feedrate[nodes.curve])
+
+
+def _cells(nodes: _Nodes, kind: NDArray[np.int8], permitted: Array, smooth_line: Flags) -> Index:
+    """Return the node at which each piece ends, walking once over the cells of the general curves."""
+    end_of_curve = np.append(nodes.curve[1:] != nodes.curve[:-1], True)
+    ends = end_of_curve & ~smooth_line[nodes.curve]
+    if np.any(kind == 2):
+        ends = ends.copy()
+        general = np.flatnonzero(kind == 2)
+        firsts = np.searchsorted(nodes.curve, general)
+        lasts = np.searchsorted(nodes.curve, general, side="right")
+        for first, last in zip(firsts.tolist(), lasts.tolist(), strict=True):
+            low = high = -1.0
+            values = permitted[first:last].tolist()
+            for offset in range(last - first - 1):
+                a, b = values[offset], values[offset + 1]
+                bottom, top = (a, b) if a < b else (b, a)
+                if low < 0.0:
+                    low, high = bottom, top
+                elif max(high, top) > GROUP * min(low, bottom):
+                    ends[first + offset] = True
+                    low, high = bottom, top
+                else:
+                    low, high = min(low, bottom), max(high, top)
+    return np.flatnonzero(ends)
+
+
+def _joint_speed(jump: Array, limits: AxisLimits, curvature_step: float) -> Array:
+    """Return the ceiling of speed at each joint from the step of acceleration |jump| v^2."""
+    with np.errstate(divide="ignore", invalid="ignore"):
+        square = np.where(jump == 0.0, np.inf, curvature_step * limits.acceleration / np.abs(jump))
+    return np.asarray(np.sqrt(square.min(axis=1)))
+
+
+def cut(route: Route, limits: AxisLimits, curvature_step: float) -> Pieces:
+    """Cut a route into pieces and find the limits of each.
+
+    Parameters
+    ----------
+    route : Route
+    limits : AxisLimits
+        For the path's number of axes.
+    curvature_step : float, >= 0
+        Largest step of an axis' acceleration where the curvature jumps, as a part of its limit.
+
+    Returns
+    -------
+    Pieces
+    """
+    meet = joints(route)
+    nodes, kind = _first_nodes(route)
+    nodes = _refined(route, nodes, kind, limits)
+    samples = _samples(route, nodes)
+    straight_on = kind == 0
+    smooth_line = ~meet.stop & straight_on & np.roll(straight_on, -1) & (route.feedrate == np.roll(route.feedrate, -1))
+    smooth_line[-1] = False
+    last = _cells(nodes, kind, speed_limit(samples, limits, SHARES[0]), smooth_line)
+    within = np.append(nodes.curve[1:] == nodes.curve[:-1], False)[last]  # the piece ends inside a curve
+    first = np.concatenate([[0], np.where(within[:-1], last[:-1], last[:-1] + 1)])
+    curve = nodes.curve[last]
+    breaks = np.asarray(route.path.breaks)
+    end = np.where(within, breaks[curve] + np.diff(breaks)[curve] * nodes.place[last], breaks[curve + 1])
+    start = np.concatenate([[0.0], end[:-1]])
+    stop = meet.stop[curve] & ~within
+    counts = last - first + 1
+    begins = np.cumsum(counts) - counts
+    rows = np.repeat(first - begins, counts) + np.arange(int(counts.sum()))
+    stop_ends = np.stack([np.roll(stop, 1), stop], axis=1)
+    stop_ends[0, 0] = stop_ends[-1, 1] = True
+    length = end - start
+    bounds = piece_bounds(Samples(*(part[rows] for part in samples)), begins, length, stop_ends, limits)
+    ceiling = np.where(within, np.inf, _joint_speed(meet.jump, limits, curvature_step)[curve])
+    hopeless = np.isinf(bounds.acceleration) & np.isinf(bounds.rise)
+    if np.any(hopeless):
+        where = float(start[int(np.argmax(hopeless))])
+        raise FeedError(
+            f"neither acceleration nor jerk is limited at arc length {where:g} m: give one of them a finite limit, or use uniform()"
+        )
+    return Pieces(start, length, bounds, stop, ceiling, curve)

@@ -1,0 +1,245 @@
+"""The reference of the servo loops: position, velocity and acceleration at each sample, made when asked for."""
+
+from __future__ import annotations
+
+import hashlib
+from dataclasses import dataclass
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from contourlab.errors import FeedError
+from contourlab.feed.profile import Profile
+from contourlab.geometry import Path
+
+__all__ = ["Reference", "ReferenceBlock", "lap_ranges", "whole_samples"]
+
+Array = NDArray[np.float64]
+
+
+class ReferenceBlock(NamedTuple):
+    """Consecutive samples of a reference.
+
+    position, velocity, acceleration : ndarray (n, n_axis) [m, m/s, m/s^2]
+    arc_length : ndarray (n,) [m]
+        Progress: it grows over the laps of a closed path.
+    feedrate : ndarray (n,) [m/s]
+        Speed along the path.
+    """
+
+    position: Array
+    velocity: Array
+    acceleration: Array
+    arc_length: Array
+    feedrate: Array
+
+
+class Recorded(NamedTuple):
+    """Positions made elsewhere (n, n_axis) [m], and their progress along the path (n,) [m]."""
+
+    position: Array
+    arc_length: Array
+
+
+def checked_period(servo_period: float) -> float:
+    """Return the servo period as a float after a look at its range."""
+    if not (servo_period > 0.0 and np.isfinite(servo_period)):
+        raise FeedError(f"servo_period = {servo_period!r}: must be finite and > 0 s, for example 0.001")
+    return float(servo_period)
+
+
+def whole_samples(duration: float, servo_period: float) -> int:
+    """Return how many samples cover `duration` seconds, the last one at or after its end."""
+    last = int(np.ceil(duration / checked_period(servo_period)))
+    return last + 1 if last * servo_period >= duration else last + 2
+
+
+def lap_ranges(profile: Profile, lap_length: float, laps: int, servo_period: float) -> tuple[tuple[int, int], ...]:
+    """Return the samples [start, stop) of each lap of a planned motion."""
+    wanted = np.arange(1, laps) * lap_length
+    span = np.searchsorted(profile.s0, wanted, side="right") - 1
+    below, above = profile.t0[span], np.append(profile.t0[1:], profile.duration)[span]
+    for _ in range(64):
+        middle = 0.5 * (below + above)
+        early = profile.motion(middle).arc_length < wanted
+        below, above = np.where(early, middle, below), np.where(early, above, middle)
+    borders = [0, *(int(k) for k in np.ceil(above / servo_period)), whole_samples(profile.duration, servo_period)]
+    return tuple(zip(borders[:-1], borders[1:], strict=True))
+
+
+def _differences(position: Array, servo_period: float, start: int, stop: int) -> tuple[Array, Array]:
+    """Return central differences of recorded positions; before the first and after the last sample all is at rest."""
+    index = np.clip(np.arange(start - 1, stop + 1), 0, position.shape[0] - 1)
+    around = position[index]
+    velocity = (around[2:] - around[:-2]) / (2.0 * servo_period)
+    return velocity, np.diff(around, 2, axis=0) / servo_period**2
+
+
+@dataclass(frozen=True, eq=False, kw_only=True)
+class Reference:
+    """What the axes are asked to do, sample by sample; sample k belongs to the time ``k * servo_period``.
+
+    Nothing of the program's length is held but the profile's spans: ask for the samples with `block`, in any
+    order. Made by `plan`, `uniform` or `Reference.from_samples`.
+
+    Parameters
+    ----------
+    servo_period : float [s]
+    n_sample : int
+    path, programmed : Path
+        The path that is followed, and the one that the program asked for.
+    profile : Profile or None
+        The motion along the path; None where the positions were recorded.
+    source_lines : ndarray (n_curve,) of int
+        Line of the program of each curve, 0 where there is none.
+    laps : tuple of (start, stop)
+        Sample ranges [start, stop) of whole periods.
+    recorded : Recorded or None
+    """
+
+    servo_period: float
+    n_sample: int
+    path: Path
+    programmed: Path
+    profile: Profile | None
+    source_lines: NDArray[np.int64]
+    laps: tuple[tuple[int, int], ...] = ()
+    recorded: Recorded | None = None
+
+    @property
+    def n_axis(self) -> int:
+        """Number of axes."""
+        return int(self.path.n_axis)
+
+    @property
+    def duration(self) -> float:
+        """Time that the motion takes [s]; the last sample is at or after it."""
+        return self.profile.duration if self.profile is not None else (self.n_sample - 1) * self.servo_period
+
+    def block(self, start: int, stop: int) -> ReferenceBlock:
+        """Return the samples from `start` up to, but without, `stop`.
+
+        Parameters
+        ----------
+        start, stop : int, 0 <= start <= stop <= n_sample
+
+        Returns
+        -------
+        ReferenceBlock
+
+        Raises
+        ------
+        FeedError
+            If the range is not within the reference.
+
+        Notes
+        -----
+        velocity = r' s_dot and acceleration = r'' s_dot^2 + r' s_ddot; for recorded positions central differences.
+        """
+        if not 0 <= start <= stop <= self.n_sample:
+            raise FeedError(f"block({start}, {stop}): the reference has the samples 0 to {self.n_sample}")
+        if self.recorded is not None:
+            velocity, acceleration = _differences(self.recorded.position, self.servo_period, start, stop)
+            feedrate = np.linalg.norm(velocity, axis=1)
+            return ReferenceBlock(
+                self.recorded.position[start:stop], velocity, acceleration, self.recorded.arc_length[start:stop], feedrate
+            )
+        assert self.profile is not None  # a reference is either planned or recorded
+        motion = self.profile.motion(np.arange(start, stop) * self.servo_period)
+        position, first, second = self.path.derivatives(motion.arc_length, 2)
+        speed = motion.speed[:, None]
+        return ReferenceBlock(
+            position,
+            first * speed,
+            second * speed**2 + first * motion.acceleration[:, None],
+            motion.arc_length,
+            motion.speed,
+        )
+
+    def source_line(self, arc_length: ArrayLike) -> NDArray[np.int64]:
+        """Return the line of the program at some progress.
+
+        Parameters
+        ----------
+        arc_length : array_like (n,) [m]
+
+        Returns
+        -------
+        ndarray (n,) of int
+            From 1; 0 where there is no program.
+        """
+        where = np.atleast_1d(np.asarray(arc_length, dtype=np.float64))
+        return np.asarray(self.source_lines[self.path.curve_index(where)], dtype=np.int64)
+
+    @property
+    def digest(self) -> str:
+        """Stable hash of all that decides the samples."""
+        text = hashlib.sha256()
+        text.update(np.array([self.servo_period, self.n_sample, self.duration]).tobytes())
+        text.update(self.path.digest.encode() + b"/" + self.programmed.digest.encode())
+        profile = self.profile
+        parts = (profile.t0, profile.s0, profile.v0, profile.a0, profile.j) if profile is not None else self.recorded or ()
+        for part in (*parts, self.source_lines):
+            text.update(np.ascontiguousarray(part).tobytes())
+        return text.hexdigest()
+
+    @classmethod
+    def from_samples(
+        cls,
+        position: ArrayLike,
+        servo_period: float,
+        path: Path,
+        *,
+        arc_length: ArrayLike | None = None,
+        programmed: Path | None = None,
+        source_lines: ArrayLike | None = None,
+    ) -> Reference:
+        """Wrap positions that another planner or a log gave.
+
+        Parameters
+        ----------
+        position : array_like (n_sample, n_axis) [m], n_sample >= 2
+        servo_period : float [s], > 0
+        path : Path
+            The path that they follow.
+        arc_length : array_like (n_sample,) [m], optional
+            Progress along the path; by default the length of the polygon through the positions, which suits
+            positions without noise.
+        programmed : Path, optional
+        source_lines : array_like (n_curve,) of int, optional
+
+        Returns
+        -------
+        Reference
+
+        Raises
+        ------
+        FeedError
+            If a shape is wrong or a position is not finite.
+        """
+        points = np.array(position, dtype=np.float64)
+        if points.ndim != 2 or points.shape[0] < 2 or points.shape[1] != path.n_axis:
+            raise FeedError(f"position has shape {points.shape}: give (n_sample >= 2, {path.n_axis}), as the path")
+        if not np.all(np.isfinite(points)):
+            worst = int(np.argmin(np.all(np.isfinite(points), axis=1)))
+            raise FeedError(f"position is not finite at sample {worst}")
+        if arc_length is None:
+            progress = np.append(0.0, np.cumsum(np.linalg.norm(np.diff(points, axis=0), axis=1)))
+        else:
+            progress = np.array(arc_length, dtype=np.float64)
+        if progress.shape != points.shape[:1] or not np.all(np.isfinite(progress)):
+            raise FeedError(f"arc_length must be {points.shape[0]} finite numbers, one for each position")
+        lines = np.zeros(len(path.curves), np.int64) if source_lines is None else np.array(source_lines, np.int64)
+        if lines.shape != (len(path.curves),):
+            raise FeedError(f"source_lines has shape {lines.shape}: give one line for each of {len(path.curves)} curves")
+        points.flags.writeable = progress.flags.writeable = False
+        return cls(
+            servo_period=checked_period(servo_period),
+            n_sample=points.shape[0],
+            path=path,
+            programmed=programmed or path,
+            profile=None,
+            source_lines=lines,
+            recorded=Recorded(points, progress),
+        )

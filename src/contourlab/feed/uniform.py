@@ -1,0 +1,83 @@
+"""The constant-frequency law of the papers: a closed path once per period, at one speed, from the first sample."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+
+from contourlab.errors import FeedError
+from contourlab.feed.profile import Profile
+from contourlab.feed.reference import Reference, checked_period
+from contourlab.geometry import Path
+
+__all__ = ["uniform"]
+
+
+def uniform(path: Path, frequency: float, laps: int, servo_period: float) -> Reference:
+    """Return laps of a closed path at constant speed: progress = length * frequency * t.
+
+    There is no ramp: the first sample moves at full speed already, as x = R cos(2 pi f t) does. The speed is uniform
+    in arc length, on every curve; on an ellipse this is not the law x = a cos(2 pi f t), y = b sin(2 pi f t), whose
+    speed varies.
+
+    Parameters
+    ----------
+    path : Path
+        Closed.
+    frequency : float [Hz], > 0
+        Laps per second.
+    laps : int, >= 1
+    servo_period : float [s], > 0
+        The laps must take a whole number of periods.
+
+    Returns
+    -------
+    Reference
+        Samples 0 to laps/(frequency * servo_period) - 1; the sample after them would repeat the first. Its `laps`
+        hold one range per lap where a lap is a whole number of samples, else one for all.
+
+    Raises
+    ------
+    FeedError
+        If the path is open, or the laps do not end on a sample.
+    """
+    period = checked_period(servo_period)
+    if not path.closed:
+        raise FeedError("uniform() drives laps: the path must be closed; use plan() for an open one")
+    if not (frequency > 0.0 and math.isfinite(frequency)):
+        raise FeedError(f"frequency = {frequency!r}: must be finite and > 0 Hz")
+    if int(laps) != laps or laps < 1:
+        raise FeedError(f"laps = {laps!r}: must be a whole number >= 1")
+    exact = laps / (frequency * period)
+    n_sample = round(exact)
+    if n_sample < 1 or abs(exact - n_sample) > 1e-9 * exact:
+        per_lap = max(round(1.0 / (frequency * period)), 1)
+        raise FeedError(
+            f"{laps} laps at {frequency:g} Hz take {exact:.9g} servo periods of {period:g} s, no whole number: "
+            f"use frequency = {1.0 / (per_lap * period):.12g} Hz or servo_period = {1.0 / (per_lap * frequency):.12g} s"
+        )
+    per_lap = n_sample // laps
+    whole = per_lap * laps == n_sample
+    ranges = tuple((lap * per_lap, (lap + 1) * per_lap) for lap in range(laps)) if whole else ((0, n_sample),)
+    zero = np.zeros(1)
+    length = float(path.length)
+    profile = Profile(
+        t0=zero.copy(),
+        s0=zero.copy(),
+        v0=np.array([length * frequency]),
+        a0=zero.copy(),
+        j=zero.copy(),
+        duration=laps / frequency,
+        length=laps * length,
+    )
+    none = np.zeros(len(path.curves), dtype=np.int64)
+    return Reference(
+        servo_period=period,
+        n_sample=n_sample,
+        path=path,
+        programmed=path,
+        profile=profile,
+        source_lines=none,
+        laps=ranges,
+    )

@@ -1,0 +1,228 @@
+"""The independent judge of a reference: what a drive gets, held against the limits of its axis.
+
+It looks at nothing but the position samples and their differences over the servo period, so it judges planned,
+imported and measured references alike and does not trust a planner's own derivatives. Differences are weighted means
+of the derivatives over the samples they span, hence never above the true peak.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+
+import numpy as np
+from numpy.typing import NDArray
+
+from contourlab.feed.limits import AxisLimits
+from contourlab.feed.reference import Reference
+from contourlab.geometry import Path
+
+__all__ = ["LimitReport", "Worst", "curvature_jumps", "limit_report"]
+
+Array = NDArray[np.float64]
+
+BLOCK = 65536  # samples looked at together
+NUDGE = 1e-7  # of a curve's length: its ends are looked at from inside
+JUMP = 1e-6  # [1/m] jumps of curvature below this are rounding
+
+
+@dataclass(frozen=True)
+class Worst:
+    """The place where one axis comes nearest to a limit, or goes furthest beyond it.
+
+    Parameters
+    ----------
+    axis : int
+    value, limit : float
+        In m/s, m/s^2 or m/s^3.
+    allowance : float
+        What rounding of the positions, and for a curvature step the jerk that is allowed anyway, may add.
+    sample : int
+        -1 where there was nothing to look at.
+    time : float [s]
+    position : tuple of float [m]
+    source_line : int
+        0 where there is no program.
+    """
+
+    axis: int
+    value: float
+    limit: float
+    allowance: float = 0.0
+    sample: int = -1
+    time: float = 0.0
+    position: tuple[float, ...] = ()
+    source_line: int = 0
+
+    @property
+    def ratio(self) -> float:
+        """Value, less the allowance, as a part of the limit; above 1 the limit is broken."""
+        return max(self.value - self.allowance, 0.0) / self.limit
+
+
+@dataclass(frozen=True)
+class LimitReport:
+    """The worst of each kind, one `Worst` per axis.
+
+    Parameters
+    ----------
+    velocity, acceleration, jerk : tuple of Worst
+        The jerk without those places where the curvature of the path jumps.
+    curvature_step : tuple of Worst
+        Steps of acceleration where the curvature jumps (line to arc), held against the acceleration limit: there no
+        finite jerk limit can hold short of a stop. Without a jerk limit no step is an offence, its limit is inf.
+    n_step : int
+        How many such places were driven through.
+    """
+
+    velocity: tuple[Worst, ...]
+    acceleration: tuple[Worst, ...]
+    jerk: tuple[Worst, ...]
+    curvature_step: tuple[Worst, ...]
+    n_step: int = 0
+
+    def ok(self, tolerance: float = 0.005) -> bool:
+        """Tell whether every limit holds within `tolerance` (a part of the limit, >= 0)."""
+        return all(worst.ratio <= 1.0 + tolerance for worst in self.all())
+
+    def all(self) -> tuple[Worst, ...]:
+        """Return every entry: velocity, acceleration, jerk, curvature step."""
+        return (*self.velocity, *self.acceleration, *self.jerk, *self.curvature_step)
+
+
+def curvature_jumps(path: Path) -> Array:
+    """Return the arc lengths where one curve meets the next with another second derivative.
+
+    Parameters
+    ----------
+    path : Path
+
+    Returns
+    -------
+    ndarray (n_jump,) [m]
+        In [0, length); 0 only on a closed path. Corners, where the tangent jumps as well, are among them.
+    """
+    breaks = np.asarray(path.breaks)
+    inside = np.diff(breaks) * NUDGE
+    first = path.derivatives(breaks[:-1] + inside, 2)[2]
+    last = path.derivatives(breaks[1:] - inside, 2)[2]
+    jump = np.any(np.abs(first - np.roll(last, 1, axis=0)) > JUMP, axis=1)
+    jump[0] &= path.closed
+    return breaks[:-1][jump]
+
+
+@dataclass
+class _Record:
+    """The worst seen so far of one kind, for each axis."""
+
+    limit: Array
+    allowance: Array
+    value: Array = field(init=False)
+    sample: NDArray[np.int64] = field(init=False)
+
+    def __post_init__(self) -> None:
+        self.value = np.zeros_like(self.limit)
+        self.sample = np.full(self.limit.size, -1, dtype=np.int64)
+
+    def see(self, values: Array, samples: NDArray[np.int64]) -> None:
+        """Take in values (n, n_axis) that belong to `samples`."""
+        if values.shape[0] == 0:
+            return
+        row = np.argmax(values, axis=0)
+        peak = values[row, np.arange(values.shape[1])]
+        better = (peak > self.value) | (self.sample < 0)
+        self.value = np.where(better, peak, self.value)
+        self.sample = np.where(better, samples[row], self.sample)
+
+
+def _told(record: _Record, reference: Reference) -> tuple[Worst, ...]:
+    """Say where each worst value was."""
+    entries = []
+    for axis, (value, sample) in enumerate(zip(record.value.tolist(), record.sample.tolist(), strict=True)):
+        worst = Worst(axis, value, float(record.limit[axis]), float(record.allowance[axis]))
+        if sample >= 0:
+            block = reference.block(sample, sample + 1)
+            place = tuple(float(x) for x in block.position[0])
+            line = int(reference.source_line(block.arc_length)[0])
+            time = sample * reference.servo_period
+            worst = Worst(axis, value, worst.limit, worst.allowance, sample, time, place, line)
+        entries.append(worst)
+    return tuple(entries)
+
+
+def _jumps_passed(arc_length: Array, jumps: Array, length: float) -> NDArray[np.int64]:
+    """Count the jumps of curvature up to each progress, laps included."""
+    laps = np.floor(arc_length / length)
+    return np.asarray(np.searchsorted(jumps, arc_length - laps * length, side="right") + laps * jumps.size, dtype=np.int64)
+
+
+def limit_report(reference: Reference, limits: AxisLimits) -> LimitReport:
+    """Find the worst velocity, acceleration and jerk of each axis.
+
+    Parameters
+    ----------
+    reference : Reference
+        Of any origin; read in blocks, so that memory does not grow with its length.
+    limits : AxisLimits
+
+    Returns
+    -------
+    LimitReport
+
+    Raises
+    ------
+    FeedError
+        If the limits are for another number of axes.
+
+    Notes
+    -----
+    Sample k stands for the differences p[k+1] - p[k], p[k+1] - 2 p[k] + p[k-1] and p[k+2] - 3 p[k+1] + 3 p[k] - p[k-1].
+    A curvature step between k and k+1 is the second difference at k+2 less the one at k-1, the nearest that lie
+    clear of it; three servo periods of permitted jerk are allowed for. Recorded references, whose progress is
+    known to about a sample only, are given one sample more on each side.
+    """
+    limits = limits.for_axes(reference.n_axis)
+    period, wide = reference.servo_period, 0 if reference.recorded is None else 1
+    ends = reference.block(0, 1), reference.block(reference.n_sample - 1, reference.n_sample)
+    extent = max(float(np.max(np.abs(end.position))) + float(end.arc_length[0]) for end in ends) + reference.path.length
+    noise = 2.0 * np.finfo(float).eps * extent * np.ones(limits.n_axis)
+    with np.errstate(invalid="ignore"):
+        eased = np.where(np.isinf(limits.jerk), 0.0, limits.jerk * period * (3 + 2 * wide))
+    step_limit = np.where(np.isinf(limits.jerk), np.inf, limits.acceleration)
+    records = (
+        _Record(limits.velocity, noise / period),
+        _Record(limits.acceleration, 2.0 * noise / period**2),
+        _Record(limits.jerk, 4.0 * noise / period**3),
+        _Record(step_limit, eased + 4.0 * noise / period**2),
+    )
+    jumps = curvature_jumps(reference.path)
+    n_step = 0
+    for start in range(0, reference.n_sample, BLOCK):
+        n_step += _look(reference, start, min(start + BLOCK, reference.n_sample), records, jumps, wide)
+    return LimitReport(*(_told(record, reference) for record in records), n_step=n_step)
+
+
+def _look(
+    reference: Reference, start: int, stop: int, records: tuple[_Record, ...], jumps: Array, wide: int
+) -> int:
+    """Take in the samples [start, stop), with enough of their neighbours; return the number of curvature steps."""
+    margin = 4 + wide
+    low, high = max(start - margin, 0), min(stop + margin, reference.n_sample)
+    block = reference.block(low, high)
+    period = reference.servo_period
+    velocity = np.diff(block.position, axis=0) / period  # row i: samples low + i and the next
+    acceleration = np.diff(velocity, axis=0) / period  # row i: centred at low + i + 1
+    jerk = np.diff(acceleration, axis=0) / period  # row i: from low + i to low + i + 3
+    index = np.arange(low, high)
+    records[0].see(np.abs(velocity), index[:-1])
+    records[1].see(np.abs(acceleration), index[1:-1])
+    passed = _jumps_passed(block.arc_length, jumps, float(reference.path.length))
+    first = np.clip(np.arange(jerk.shape[0]) - wide, 0, None)
+    last = np.clip(np.arange(jerk.shape[0]) + 3 + wide, None, index.size - 1)
+    smooth = passed[first] == passed[last]
+    records[2].see(np.abs(jerk[smooth]), index[1 : 1 + jerk.shape[0]][smooth])
+    # A step between rows i and i + 1 shows between the second differences centred at i + 2 + wide and i - 1 - wide.
+    at = np.flatnonzero(np.diff(passed) != 0)
+    at = at[(at - 2 - wide >= 0) & (at + 1 + wide < acceleration.shape[0])]
+    step = np.abs(acceleration[at + 1 + wide] - acceleration[at - 2 - wide])
+    records[3].see(step, index[at])
+    return int(np.count_nonzero((index[at] >= start) & (index[at] < stop)))

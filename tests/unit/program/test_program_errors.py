@@ -1,0 +1,170 @@
+"""Every refusal says line, column, what is wrong and what to do."""
+
+import pytest
+
+from contourlab.errors import ProgramError
+from contourlab.program import parse_program
+from contourlab.program.vocabulary import G_GROUPS, M_GROUPS, g_name
+
+# Text, line, column, and a part of the message.
+REFUSED = [
+    # Not supported yet.
+    ("G0 X1\nX2 G41 D1", 2, 4, r"G41 \(cutter compensation\) is not supported yet: let the CAM"),
+    ("G21 G40", 1, 5, r"G40 \(cutter compensation off\).*delete it"),
+    ("G43 H1 G0 Z5", 1, 1, r"G43 \(tool length offset\)"),
+    ("G54 G0 X1", 1, 1, r"G54 \(work offset\)"),
+    ("G64 P0.01", 1, 1, r"G64 \(path blending\).*corners are met exactly"),
+    ("G92.1", 1, 1, r"G92\.1 \(coordinate offset\)"),
+    ("G93", 1, 1, r"G93 \(inverse-time feed\)"),
+    ("G98 G81 Z-1 R2 F10", 1, 1, r"G98 \(retract"),
+    ("G5.2 X1 Y1 P1", 1, 1, r"G5\.2 \(NURBS\)"),
+    ("G0 X1 A90", 1, 7, r"A \(rotary axis\)"),
+    ("M3 S1000", 1, 1, r"M3 \(spindle on\)"),
+    ("S1000 M3", 1, 1, r"S \(spindle speed\)"),
+    ("T1 M6", 1, 1, r"T \(tool number\)"),
+    ("G0 X1 M0", 1, 7, r"M0 \(pause\)"),
+    ("M101", 1, 1, r"M101 \(user-defined code\)"),
+    ("#1 = 5", 1, 1, "parameters"),
+    ("G0 X#1", 1, 5, "parameters"),
+    ("G0 X[1+2]", 1, 5, "expressions"),
+    ("G0 X#<depth>", 1, 5, "parameters"),
+    ("o100 sub", 1, 1, "O-words"),
+    ("o<name> call", 1, 1, "O-words"),
+    ("G0 X1\n  O100 if [1]", 2, 3, "O-words"),
+    ("/G0 X1", 1, 1, "block delete"),
+    ("G0 @5 ^30", 1, 4, "polar"),
+    # Unknown.
+    ("G123", 1, 1, "G123 is no G-code"),
+    ("G6.5", 1, 1, r"G6\.5 is no G-code"),
+    ("G1.05 X1", 1, 1, r"G1\.05 is no G-code"),
+    ("G-1 X1", 1, 1, "G-1 is no G-code"),
+    ("M2.5", 1, 1, r"M2\.5 is no M-code"),
+    ("M-2", 1, 1, "M-2 is no M-code"),
+    ("M77", 1, 1, "M77 is no M-code"),
+    # Text.
+    ("G0 X1 (no end", 1, 7, "has no end"),
+    ("G0 (a (b) c) X1", 1, 7, "comment inside a comment"),
+    ("G0 X1 b)", 1, 7, "B has no number"),
+    ("G0 X1 )", 1, 7, r"'\)' closes no comment"),
+    ("G0 X1, Y2", 1, 6, "decimal point"),
+    ("G0 X1,5", 1, 6, "decimal point"),
+    ("G0 X1*55", 1, 6, "checksums"),
+    ("G0 X1 !", 1, 7, "'!' has no meaning"),
+    ("G0 X1\u00a0Y2", 1, 6, r"'\\xa0' has no meaning"),
+    ("G0 X\u0661", 1, 4, "X has no number"),
+    ("G0 X1 \x00", 1, 7, r"'\\x00' has no meaning"),
+    ("G0 X", 1, 4, "X has no number behind it"),
+    ("G0 XY", 1, 4, "X has no number behind it"),
+    ("G0 X(one)1", 1, 4, "X has no number behind it"),
+    ("G0 X1(one)0", 1, 11, "'0' has no meaning"),
+    ("G0 X.", 1, 4, r"X\. holds no number"),
+    ("G0 X-", 1, 4, "X- holds no number"),
+    ("G0 X1.2.3", 1, 4, r"X1\.2\.3 holds no number"),
+    ("G0 X--1", 1, 4, "X- holds no number"),
+    ("G0 X1e3", 1, 6, r"E \(extruder"),
+    ("G0 X1 N10", 1, 7, "must stand first"),
+    ("(c) N10 G0 X1", 1, 5, "must stand first"),
+    ("N10 N20 G0 X1", 1, 5, "must stand first"),
+    ("N-1 G0 X1", 1, 1, "no sign"),
+    ("N G0 X1", 1, 1, "N has no number"),
+    ("(c)\n%\nG0 X1\n%", 2, 1, "% may only stand alone"),
+    ("% part\nG0 X1\n%", 1, 1, "% may only stand alone"),
+    ("G0 X1 %\nM2", 1, 7, "% may only stand alone"),
+    # Absurd numbers.
+    ("G0 X99999999999", 1, 4, "no sensible number"),
+    ("G0 X" + "9" * 400, 1, 4, r"X9{20}\.\.\. is no sensible number"),
+    ("G0 X0." + "0" * 200 + "1", 1, 4, "no sensible number"),
+    ("G0 X1000001", 1, 4, "no machine is so large"),
+    ("G91 G0 X900000\nX900000", 2, 1, "no machine is so large"),
+    ("G1 X1 F99999999", 1, 7, "too fast"),
+    ("G4 P100000", 1, 4, "P is in seconds"),
+    ("F10 G2 X1 R900000000", 1, 11, "a radius of 900000 m"),
+    # Grammar of a block.
+    ("G0 X1 Y2 X3", 1, 10, "two X words"),
+    ("G1 F10 X1 F20", 1, 11, "two F words"),
+    ("G0 G1 X1", 1, 4, "G0 and G1 exclude each other"),
+    ("G1 G1 X1", 1, 4, "G1 and G1 exclude each other"),
+    ("G90 G91", 1, 5, "G90 and G91 exclude"),
+    ("G90.1 G91.1", 1, 7, r"G90\.1 and G91\.1 exclude"),
+    ("G17 G18", 1, 5, "G17 and G18 exclude"),
+    ("G20 G21", 1, 5, "G20 and G21 exclude"),
+    ("M2 M30", 1, 4, "M2 and M30 exclude"),
+    ("X1", 1, 1, "X without a motion"),
+    ("F10 Z1 Y2", 1, 8, "Y without a motion"),
+    ("G1 X1", 1, 1, "G1 without a feedrate"),
+    ("F0\nG1 X1", 2, 1, "G1 without a feedrate"),
+    ("G1\nX1", 2, 1, "G1 without a feedrate"),
+    ("G2 I5", 1, 1, "G2 without a feedrate"),
+    ("F-5", 1, 1, "cannot be negative"),
+    ("G4", 1, 1, "G4 has no time"),
+    ("G4 P-1", 1, 4, "P is in seconds"),
+    ("G1 F10 X1 I5", 1, 11, "I has no G2 or G3"),
+    ("G0 X1 R5", 1, 7, "R has no G2 or G3"),
+    ("G0 X1 P5", 1, 7, "P has no G4, G2 or G3"),
+    ("K5", 1, 1, "K has no G2 or G3"),
+    ("F10 G2 I5\nR5", 2, 1, "R has no G2 or G3"),
+    ("F10 G2 I5 G4 P1", 1, 14, "share P"),
+    # Arcs.
+    ("F10 G2 X1", 1, 5, "G2 has neither centre nor radius"),
+    ("F10 G3", 1, 5, "G3 has neither centre nor radius"),
+    ("F10 G2 I5\nX1", 2, 1, "G2 has neither centre nor radius"),
+    ("F10 G2 X1 R5 I1", 1, 11, "either radius or centre"),
+    ("F10 G2 X1 I5 K1", 1, 14, "K has no meaning for an arc in the XY plane"),
+    ("G18 F10 G2 X1 J5", 1, 15, "J has no meaning for an arc in the ZX plane"),
+    ("G19 F10 G2 Y1 I5", 1, 15, "I has no meaning for an arc in the YZ plane"),
+    ("F10 G2 Z1 R5", 1, 11, "needs X or Y"),
+    ("G18 F10 G2 Y1 R5", 1, 15, "needs Z or X"),
+    ("F10 G2 X0 R5", 1, 11, "cannot end where it starts"),
+    ("F10 G2 X10 R4.998", 1, 12, r"R = 4\.998 mm cannot reach the end point, half the chord is 5 mm"),
+    ("F10 G2 X10 R0", 1, 12, "no radius"),
+    ("F10 G2 I0 J0", 1, 8, "no radius: the centre is the arc's start"),
+    ("F10 G2 X1 I1", 1, 11, "no radius: the centre is the arc's end"),
+    ("F10 G2 X20.05 I10", 1, 15, r"10 mm at the arc's start but 10\.05 mm at its end"),
+    ("F10 G2 X200.15 I100", 1, 16, r"100 mm at the arc's start but 100\.15 mm at its end"),
+    ("F10 G20 G2 X2.0029 I1", 1, 20, r"1 in at the arc's start but 1\.0029 in at its end"),
+    ("F10 G2 X12005 I6000", 1, 15, "6000 mm at the arc's start but 6005 mm"),
+    ("G90.1 F10 G2 X10 I5", 1, 18, "J is missing: with G90.1"),
+    ("G90.1 G18 F10 G2 X10 I5", 1, 22, "K is missing: with G90.1"),
+    ("F10 G2 X10 I5 P0", 1, 15, "whole number of turns"),
+    ("F10 G2 X10 I5 P1.5", 1, 15, "whole number of turns"),
+    # The program as a whole.
+    ("", 0, 0, "holds no motion"),
+    ("M2", 0, 0, "holds no motion"),
+    ("%\n%", 0, 0, "holds no motion"),
+    ("(only words)\nG4 P1\nG21 F100\nM2", 0, 0, "holds no motion"),
+    ("G0 X1\nX2\n", 2, 0, "no end: add M2 or M30 at the end"),
+    ("%\nG0 X1", 2, 0, "no end: add a line with % at the end"),
+]
+
+
+@pytest.mark.parametrize(("text", "line", "column", "message"), REFUSED, ids=[repr(case[0][:40]) for case in REFUSED])
+def test_refusals(text: str, line: int, column: int, message: str) -> None:
+    with pytest.raises(ProgramError, match=message) as caught:
+        parse_program(text, "part.ngc")
+    error = caught.value
+    assert (error.file, error.line, error.column) == ("part.ngc", line, column)
+    assert ": " in error.message  # what is wrong: what to do
+
+
+def test_codes_not_supported_are_refused_by_name() -> None:
+    refused = 0
+    for code in range(1000):
+        if code in G_GROUPS:
+            continue
+        with pytest.raises(ProgramError) as caught:
+            parse_program(f"G0 X1 {g_name(code)}\nM2")
+        assert caught.value.message.startswith(f"{g_name(code)} ")
+        assert (caught.value.line, caught.value.column) == (1, 7)
+        refused += 1
+    assert refused == 1000 - len(G_GROUPS)
+    for number in range(200):
+        if number not in M_GROUPS:
+            with pytest.raises(ProgramError, match=rf"^<text>:1:7: M{number} "):
+                parse_program(f"G0 X1 M{number}\nM2")
+
+
+def test_every_letter_is_used_or_refused() -> None:
+    # What a letter does must show: the moves differ from those without it, or the block is refused.
+    for letter in "ABCDEHLOQSTUVW":
+        with pytest.raises(ProgramError, match=f"{letter}"):
+            parse_program(f"G0 X1 {letter}1\nM2")
