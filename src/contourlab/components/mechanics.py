@@ -17,7 +17,7 @@ from typing import Any
 from contourlab.components.contract import Component
 from contourlab.engine.step import Step
 from contourlab.errors import ComponentError
-from contourlab.primitives import fabs, maximum, select
+from contourlab.primitives import fabs, select
 
 __all__ = ["link"]
 
@@ -79,7 +79,8 @@ def _sticking(plant: Any, friction: Any) -> Callable[..., Any]:
     held, sliding = friction.held, friction.sliding
 
     def acceleration(par: Any, v: float, push: float, way: float) -> float:
-        return mobility(par) * (push - way * sliding(par, maximum(way * v, 0.0))) - decay(par) * v  # type: ignore[no-any-return]
+        # A stage past the reversal sees the friction continued smoothly, which keeps the order.
+        return mobility(par) * (push - way * sliding(par, way * v)) - decay(par) * v  # type: ignore[no-any-return]
 
     def slide(par: Any, p: float, v: float, push: float, way: float, h: float) -> Any:
         half, sixth = 0.5 * h, h / 6.0
@@ -113,7 +114,8 @@ def _sticking(plant: Any, friction: Any) -> Callable[..., Any]:
         p1, v1, k1, k4 = slide(par, p, v, push, way, dt)
         reverses = way * v1 < 0.0
         # The instant of the reversal, as a part of the step; then from rest, held or the other way.
-        u = zero_of_cubic(v, select(reverses, v1, -way), dt * k1, select(reverses, dt * k4, -way))
+        # Where there is no reversal the cubic gets any numbers that keep it free of 0/0.
+        u = zero_of_cubic(select(reverses, v, 1.0), select(reverses, v1, -1.0), dt * k1, dt * k4)
         u2, u3 = u * u, u * u * u
         p_turn = p + (p1 - p) * (3.0 * u2 - 2.0 * u3) + dt * (v * (u - 2.0 * u2 + u3) + v1 * (u3 - u2))
         p2, v2, _, _ = slide(par, p_turn, 0.0, push, rest, (1.0 - u) * dt)

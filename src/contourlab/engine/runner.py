@@ -79,6 +79,14 @@ class Group:
             good &= np.isfinite(x).all(axis=0)
         return np.asarray(good)
 
+    def first_bad_node(self) -> str:
+        """Return the name of the first node that holds a number that is not finite; empty if there is none."""
+        for node, x in zip(self.schedule.nodes, self.state, strict=True):
+            signals = [self.signals[self.schedule.row(f"{node.name}.{port.name}") + i] for port in node.step.outputs for i in range(port.rows)]
+            if not (np.isfinite(x).all() and all(np.isfinite(s).all() for s in signals)):
+                return node.name
+        return ""
+
     def run(self, external: Array, log_rows: list[int]) -> Array:
         """Run one tick per row of `external` (n_tick, n_external); return the log (n_tick, n_log, width)."""
         raise NotImplementedError

@@ -91,13 +91,13 @@ def speed_limit(samples: Samples, limits: AxisLimits, share: Share) -> Array:
     turning = np.sqrt(_ratio(share.turning * limits.acceleration, samples.second))
     turning_jerk = np.cbrt(_ratio(share.turning_jerk * limits.jerk, samples.third))
     lowest = np.minimum(np.minimum(velocity, turning), turning_jerk).min(axis=1)
-    return np.minimum(samples.feedrate, lowest)
+    return np.asarray(np.minimum(samples.feedrate, lowest))
 
 
 def _acceleration(samples: Samples, speed: Array, limits: AxisLimits, share: Share) -> tuple[Array, Array]:
     """Return at each sample the acceleration for low speeds, and the one that holds up to full speed."""
     whole = share.speeding * _ratio(limits.acceleration, samples.tangent)
-    left = np.where(np.isinf(limits.acceleration), np.inf, limits.acceleration - np.abs(samples.second) * speed[:, None] ** 2)
+    left = limits.acceleration - np.abs(samples.second) * speed[:, None] ** 2  # inf stays inf
     at_speed = _ratio(np.maximum(left, 0.0), samples.tangent)
     mixed = _ratio(share.mixed_jerk * limits.jerk, 3.0 * samples.second * speed[:, None])
     return np.minimum(whole, mixed).min(axis=1), np.minimum(at_speed, mixed).min(axis=1)
@@ -115,12 +115,11 @@ def _taper(samples: Samples, speed: Array, acceleration: Array, limits: AxisLimi
         first = np.sqrt(np.maximum((limits.acceleration - A * t) / k, 0.0))  # where g falls below A
         root = (2.0 * V + np.sqrt(np.maximum(4.0 * V**2 - 3.0 * limits.acceleration / k, 0.0))) / 3.0
         lowest = np.clip(root, first, V)
-        candidates = [
-            ((limits.acceleration - k * v**2) / t) ** 2 / (2.0 * (V - v)) for v in (first, np.where(lowest < V, lowest, first))
-        ]
-        taper = np.fmin(candidates[0], candidates[1])
+        lowest = np.where(lowest < V, lowest, first)
+        at_first, at_lowest = (((limits.acceleration - k * v**2) / t) ** 2 / (2.0 * (V - v)) for v in (first, lowest))
+        taper = np.fmin(at_first, at_lowest)
         free = (k == 0.0) | (t == 0.0) | (first >= V) | np.isinf(limits.acceleration)
-    return np.where(free, np.inf, taper).min(axis=1)
+    return np.asarray(np.where(free, np.inf, taper).min(axis=1))
 
 
 def _bounds(samples: Samples, starts: NDArray[np.intp], limits: AxisLimits, share: Share) -> Bounds:
@@ -136,8 +135,9 @@ def _bounds(samples: Samples, starts: NDArray[np.intp], limits: AxisLimits, shar
     acceleration = np.maximum(lowest(low)[0], lowest(high)[0])
     there = np.repeat(acceleration, counts)
     with np.errstate(invalid="ignore"):
-        used = 3.0 * np.abs(samples.second) * (speed_there * there)[:, None] + np.abs(samples.third) * speed_there[:, None] ** 3
-        left = np.where(np.isinf(limits.jerk), np.inf, limits.jerk - used)
+        mixed = 3.0 * np.abs(samples.second) * (speed_there * there)[:, None]
+        turning = np.abs(samples.third) * speed_there[:, None] ** 3
+        left = np.where(np.isinf(limits.jerk), np.inf, limits.jerk - mixed - turning)
     rise, _ = lowest(_ratio(left, samples.tangent).min(axis=1))
     taper, _ = lowest(_taper(samples, speed_there, there, limits))
     return Bounds(speed, acceleration, rise, np.minimum(rise, taper))

@@ -15,31 +15,24 @@ from numpy.typing import NDArray
 
 from contourlab.errors import FeedError
 from contourlab.feed.bounds import SHARES, Bounds, Samples, piece_bounds, speed_limit
+from contourlab.feed.joints import NUDGE, joints
 from contourlab.feed.limits import AxisLimits
 from contourlab.feed.route import Route
-from contourlab.geometry import Arc, Helix, Line
+from contourlab.geometry import Arc, Curve, Helix, Line
 
-__all__ = ["Joints", "Pieces", "cut", "joints"]
+__all__ = ["Pieces", "cut"]
 
 Array = NDArray[np.float64]
 Flags = NDArray[np.bool_]
 Index = NDArray[np.intp]
 
-NUDGE = 1e-7  # of a curve's length: the ends are looked at from inside the curve
 GROUP = 1.15  # the permitted speed changes by at most this factor within a piece of a general curve
 NODES_ARC = 128  # samples per turn of an arc: the worst direction is met within 0.03 %
 NODES_FIRST = 65  # samples of a general curve before refinement
 TURN = 0.05  # [rad] the tangent turns less than this between samples of a general curve ...
 STEP = 1.06  # ... and the permitted speed changes by less than this factor, ...
 DEPTH = 14  # ... unless the interval was halved this many times
-JUMP = 1e-6  # [1/m] curvature jumps below this are rounding
-
-
-class Joints(NamedTuple):
-    """Where curves meet; arrays (n_curve,), entry i for the end of curve i (the last: the end of the path)."""
-
-    stop: Flags  # exact stop
-    jump: Array  # (n_curve, n_axis) [1/m] step of d2r/ds2
+FLAT = 1e-6  # [1/m, 1/m^2] derivatives below this are rounding
 
 
 @dataclass(frozen=True, eq=False)
@@ -84,38 +77,13 @@ def _look(route: Route, curve: Index, place: Array) -> _Nodes:
     return _Nodes(curve, place, derivatives[1], derivatives[2], derivatives[3])
 
 
-def joints(route: Route) -> Joints:
-    """Find exact stops and jumps of curvature.
-
-    The motion stops where the tangent jumps, at a dwell, where rapid and feed moves meet, and at the end.
-
-    Parameters
-    ----------
-    route : Route
-
-    Returns
-    -------
-    Joints
-    """
-    n_curve = route.n_curve
-    curves = np.arange(n_curve)
-    first, last = (_look(route, curves, np.full(n_curve, place)).second for place in (0.0, 1.0))
-    jump = np.roll(first, -1, axis=0) - last
-    jump[np.abs(jump) < JUMP] = 0.0
-    stop = (route.dwell > 0.0) | (route.rapid != np.roll(route.rapid, -1))
-    corners = np.searchsorted(route.path.breaks[1:], np.asarray(route.path.corners) * (1.0 - 1e-15) - 1e-15)
-    stop[np.clip(corners, 0, n_curve - 1)] = True
-    stop[-1] |= not route.path.closed
-    if np.any(np.asarray(route.path.corners) == 0.0):
-        stop[-1] = True
-    return Joints(stop, jump)
+def _kind(curve: Curve) -> int:
+    return 0 if isinstance(curve, Line) else 1 if isinstance(curve, (Arc, Helix)) else 2
 
 
 def _first_nodes(route: Route) -> tuple[_Nodes, NDArray[np.int8]]:
     """Sample every curve; kind 0 is a line, 1 an arc or helix, 2 any other."""
-    kind = np.array(
-        [0 if isinstance(c, Line) else 1 if isinstance(c, (Arc, Helix)) else 2 for c in route.path.curves], dtype=np.int8
-    )
+    kind = np.array([_kind(curve) for curve in route.path.curves], dtype=np.int8)
     middle = _look(route, np.arange(route.n_curve), np.full(route.n_curve, 0.5))
     sweep = np.linalg.norm(middle.second, axis=1) * np.diff(route.path.breaks)
     count = np.where(kind == 0, 2, np.where(kind == 1, 5 + np.ceil(NODES_ARC * sweep / (2.0 * np.pi)), NODES_FIRST))
@@ -132,7 +100,8 @@ def _refined(route: Route, nodes: _Nodes, kind: NDArray[np.int8], limits: AxisLi
         permitted = speed_limit(_samples(route, nodes), limits, SHARES[0])
         high, low = np.maximum(permitted[1:], permitted[:-1]), np.minimum(permitted[1:], permitted[:-1])
         turn = np.linalg.norm(np.diff(nodes.tangent, axis=0), axis=1)
-        coarse = ((high > STEP * low) | (turn > TURN)) & (nodes.curve[1:] == nodes.curve[:-1]) & (kind[nodes.curve[1:]] == 2)
+        general = (nodes.curve[1:] == nodes.curve[:-1]) & (kind[nodes.curve[1:]] == 2)
+        coarse = general & ((high > STEP * low) | (turn > TURN))
         where = np.flatnonzero(coarse)
         if where.size == 0:
             break
@@ -145,8 +114,8 @@ def _samples(route: Route, nodes: _Nodes) -> Samples:
     second = nodes.second.copy()
     third = nodes.third.copy()
     # Rounding of the derivatives of straight lines must not look like a curve.
-    second[np.abs(second) < JUMP] = 0.0
-    third[np.abs(third) < JUMP] = 0.0
+    second[np.abs(second) < FLAT] = 0.0
+    third[np.abs(third) < FLAT] = 0.0
     return Samples(nodes.tangent, second, third, route.feedrate[nodes.curve])
 
 
@@ -224,6 +193,7 @@ def cut(route: Route, limits: AxisLimits, curvature_step: float) -> Pieces:
     if np.any(hopeless):
         where = float(start[int(np.argmax(hopeless))])
         raise FeedError(
-            f"neither acceleration nor jerk is limited at arc length {where:g} m: give one of them a finite limit, or use uniform()"
+            f"neither acceleration nor jerk is limited at arc length {where:g} m: give one of them a finite limit, "
+            "or use uniform(), which has no ramps"
         )
     return Pieces(start, length, bounds, stop, ceiling, curve)

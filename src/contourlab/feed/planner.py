@@ -11,6 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from contourlab.errors import FeedError
+from contourlab.feed.bounds import Bounds
 from contourlab.feed.limits import AxisLimits
 from contourlab.feed.pieces import Pieces, cut
 from contourlab.feed.profile import Profile
@@ -55,7 +56,9 @@ def _border_speeds(pieces: Pieces) -> tuple[Array, Array]:
     return np.append(0.0, ceiling[:-1]), ceiling
 
 
-def _with_rests(spans: tuple[Array, ...], start: Array, rest_after: Array, rest_before: float, length: float) -> Profile:
+def _with_rests(
+    spans: tuple[Array, ...], start: Array, rest_after: Array, rest_before: float, length: float
+) -> Profile:
     """Flatten the moves' spans, put the dwells between them, and drop what lasts no time."""
     n_piece = start.size
     duration, s0, v0, a0, j = (np.zeros((n_piece, 8)) for _ in range(5))
@@ -68,10 +71,10 @@ def _with_rests(spans: tuple[Array, ...], start: Array, rest_after: Array, rest_
     if rest_before > 0.0:
         flat = [np.append(value, part) for value, part in zip((rest_before, 0.0, 0.0, 0.0, 0.0), flat, strict=True)]
     kept = flat[0] > 0.0
-    lasting, *others = (part[kept] for part in flat)
+    lasting, s_0, v_0, a_0, jerk = (part[kept] for part in flat)
     ends = np.cumsum(lasting)
     t0 = np.append(0.0, ends[:-1])
-    return Profile(t0, *others, duration=float(ends[-1]), length=length)
+    return Profile(t0, s_0, v_0, a_0, jerk, duration=float(ends[-1]), length=length)
 
 
 def _repeated(pieces: Pieces, laps: int, lap_length: float) -> Pieces:
@@ -79,9 +82,14 @@ def _repeated(pieces: Pieces, laps: int, lap_length: float) -> Pieces:
     if laps == 1:
         return pieces
     start = np.concatenate([pieces.start + lap * lap_length for lap in range(laps)])
-    tiled = [np.tile(part, laps) for part in (pieces.length, pieces.stop, pieces.joint_speed, pieces.curve)]
-    bounds = type(pieces.bounds)(*(np.tile(part, laps) for part in pieces.bounds))
-    return Pieces(start, tiled[0], bounds, *tiled[1:])
+    return Pieces(
+        start,
+        np.tile(pieces.length, laps),
+        Bounds(*(np.tile(part, laps) for part in pieces.bounds)),
+        np.tile(pieces.stop, laps),
+        np.tile(pieces.joint_speed, laps),
+        np.tile(pieces.curve, laps),
+    )
 
 
 def plan_profile(

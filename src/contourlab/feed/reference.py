@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import hashlib
 from dataclasses import dataclass
+from itertools import pairwise
 from typing import NamedTuple
 
 import numpy as np
@@ -65,7 +66,7 @@ def lap_ranges(profile: Profile, lap_length: float, laps: int, servo_period: flo
         early = profile.motion(middle).arc_length < wanted
         below, above = np.where(early, middle, below), np.where(early, above, middle)
     borders = [0, *(int(k) for k in np.ceil(above / servo_period)), whole_samples(profile.duration, servo_period)]
-    return tuple(zip(borders[:-1], borders[1:], strict=True))
+    return tuple(pairwise(borders))
 
 
 def _differences(position: Array, servo_period: float, start: int, stop: int) -> tuple[Array, Array]:
@@ -142,11 +143,10 @@ class Reference:
         if self.recorded is not None:
             velocity, acceleration = _differences(self.recorded.position, self.servo_period, start, stop)
             feedrate = np.linalg.norm(velocity, axis=1)
-            return ReferenceBlock(
-                self.recorded.position[start:stop], velocity, acceleration, self.recorded.arc_length[start:stop], feedrate
-            )
+            position, progress = (part[start:stop] for part in self.recorded)
+            return ReferenceBlock(position, velocity, acceleration, progress, feedrate)
         assert self.profile is not None  # a reference is either planned or recorded
-        motion = self.profile.motion(np.arange(start, stop) * self.servo_period)
+        motion = self.profile.motion(np.arange(start, stop, dtype=np.float64) * self.servo_period)
         position, first, second = self.path.derivatives(motion.arc_length, 2)
         speed = motion.speed[:, None]
         return ReferenceBlock(
@@ -178,8 +178,9 @@ class Reference:
         text = hashlib.sha256()
         text.update(np.array([self.servo_period, self.n_sample, self.duration]).tobytes())
         text.update(self.path.digest.encode() + b"/" + self.programmed.digest.encode())
-        profile = self.profile
-        parts = (profile.t0, profile.s0, profile.v0, profile.a0, profile.j) if profile is not None else self.recorded or ()
+        profile, parts = self.profile, tuple(self.recorded or ())
+        if profile is not None:
+            parts = (profile.t0, profile.s0, profile.v0, profile.a0, profile.j)
         for part in (*parts, self.source_lines):
             text.update(np.ascontiguousarray(part).tobytes())
         return text.hexdigest()
@@ -232,7 +233,7 @@ class Reference:
             raise FeedError(f"arc_length must be {points.shape[0]} finite numbers, one for each position")
         lines = np.zeros(len(path.curves), np.int64) if source_lines is None else np.array(source_lines, np.int64)
         if lines.shape != (len(path.curves),):
-            raise FeedError(f"source_lines has shape {lines.shape}: give one line for each of {len(path.curves)} curves")
+            raise FeedError(f"source_lines has shape {lines.shape}: give one line for each of the path's curves")
         points.flags.writeable = progress.flags.writeable = False
         return cls(
             servo_period=checked_period(servo_period),

@@ -10,9 +10,9 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from contourlab.errors import FeedError, ProgramError
-from contourlab.geometry import Arc, Curve, Helix, Line, Path
-from contourlab.program import Dwell, Program, Traverse
+from contourlab.geometry import Curve, Line, Path
 from contourlab.program import Arc as ArcMove
+from contourlab.program import Dwell, Program, Traverse
 
 __all__ = ["Route", "route_from_path", "route_from_program"]
 

@@ -12,17 +12,16 @@ from dataclasses import dataclass, field
 import numpy as np
 from numpy.typing import NDArray
 
+from contourlab.feed.joints import curvature_jump
 from contourlab.feed.limits import AxisLimits
 from contourlab.feed.reference import Reference
 from contourlab.geometry import Path
 
-__all__ = ["LimitReport", "Worst", "curvature_jumps", "limit_report"]
+__all__ = ["LimitReport", "Worst", "limit_report"]
 
 Array = NDArray[np.float64]
 
 BLOCK = 65536  # samples looked at together
-NUDGE = 1e-7  # of a curve's length: its ends are looked at from inside
-JUMP = 1e-6  # [1/m] jumps of curvature below this are rounding
 
 
 @dataclass(frozen=True)
@@ -89,25 +88,10 @@ class LimitReport:
         return (*self.velocity, *self.acceleration, *self.jerk, *self.curvature_step)
 
 
-def curvature_jumps(path: Path) -> Array:
-    """Return the arc lengths where one curve meets the next with another second derivative.
-
-    Parameters
-    ----------
-    path : Path
-
-    Returns
-    -------
-    ndarray (n_jump,) [m]
-        In [0, length); 0 only on a closed path. Corners, where the tangent jumps as well, are among them.
-    """
-    breaks = np.asarray(path.breaks)
-    inside = np.diff(breaks) * NUDGE
-    first = path.derivatives(breaks[:-1] + inside, 2)[2]
-    last = path.derivatives(breaks[1:] - inside, 2)[2]
-    jump = np.any(np.abs(first - np.roll(last, 1, axis=0)) > JUMP, axis=1)
-    jump[0] &= path.closed
-    return breaks[:-1][jump]
+def _jump_places(path: Path) -> Array:
+    """Return the arc lengths in [0, length) where the curvature jumps, corners among them [m]."""
+    jumps = np.any(curvature_jump(path) != 0.0, axis=1)
+    return np.asarray(np.asarray(path.breaks)[:-1][np.roll(jumps, 1)], dtype=np.float64)
 
 
 @dataclass
@@ -152,7 +136,8 @@ def _told(record: _Record, reference: Reference) -> tuple[Worst, ...]:
 def _jumps_passed(arc_length: Array, jumps: Array, length: float) -> NDArray[np.int64]:
     """Count the jumps of curvature up to each progress, laps included."""
     laps = np.floor(arc_length / length)
-    return np.asarray(np.searchsorted(jumps, arc_length - laps * length, side="right") + laps * jumps.size, dtype=np.int64)
+    within = np.searchsorted(jumps, arc_length - laps * length, side="right")
+    return np.asarray(within + laps * jumps.size, dtype=np.int64)
 
 
 def limit_report(reference: Reference, limits: AxisLimits) -> LimitReport:
@@ -194,11 +179,12 @@ def limit_report(reference: Reference, limits: AxisLimits) -> LimitReport:
         _Record(limits.jerk, 4.0 * noise / period**3),
         _Record(step_limit, eased + 4.0 * noise / period**2),
     )
-    jumps = curvature_jumps(reference.path)
+    jumps = _jump_places(reference.path)
     n_step = 0
     for start in range(0, reference.n_sample, BLOCK):
         n_step += _look(reference, start, min(start + BLOCK, reference.n_sample), records, jumps, wide)
-    return LimitReport(*(_told(record, reference) for record in records), n_step=n_step)
+    velocity, acceleration, jerk, step = (_told(record, reference) for record in records)
+    return LimitReport(velocity, acceleration, jerk, step, n_step)
 
 
 def _look(

@@ -1,0 +1,19 @@
+"""The servo loop: machine and controller as values, and the runs that bring them to life."""
+
+from contourlab.loop.batch import BatchResult, simulate_batch
+from contourlab.loop.machine import Axis, AxisController, AxisError, Controller, Limits, Machine, parameter_names
+from contourlab.loop.simulate import simulate, simulate_blocks
+
+__all__ = [
+    "Axis",
+    "AxisController",
+    "AxisError",
+    "BatchResult",
+    "Controller",
+    "Limits",
+    "Machine",
+    "parameter_names",
+    "simulate",
+    "simulate_batch",
+    "simulate_blocks",
+]

@@ -59,8 +59,9 @@ def test_require_end_can_be_waived() -> None:
 
 
 @pytest.mark.parametrize(
-    ("content", "encoding"), [("(Fräser) G0 X10\nM2", "utf-8"), ("(Fräser) G0 X10\nM2", "latin-1"), ("G0 X10\nM2", "utf-8-sig")]
-)  # fmt: skip
+    ("content", "encoding"),
+    [("(Fräser) G0 X10\nM2", "utf-8"), ("(Fräser) G0 X10\nM2", "latin-1"), ("G0 X10\nM2", "utf-8-sig")],
+)
 def test_encodings(tmp_path: Path, content: str, encoding: str) -> None:
     file = tmp_path / "part.ngc"
     file.write_bytes(content.encode(encoding))

@@ -39,7 +39,7 @@ class Coulomb(Component):
 
     @staticmethod
     def sliding(par: Any, speed: float) -> float:
-        """Return the resistance at a speed that is not negative."""
+        """Return the resistance at a speed; smooth through zero, for a step that overshoots the reversal."""
         ratio = speed / par.stribeck_velocity
         drop = maximum(par.breakaway - par.coulomb, 0.0)
         return par.coulomb + drop * exp(-ratio * ratio) + par.viscous * speed  # type: ignore[no-any-return]

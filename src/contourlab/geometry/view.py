@@ -1,0 +1,110 @@
+"""How an estimator sees a path: functions of arc length that compile, with the numbers and tables they need.
+
+Any path is a table of quintic pieces; a circle is also known in closed form, which is faster and exact.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from contourlab.geometry.arc import Arc
+from contourlab.geometry.path import Path
+from contourlab.primitives import clip, cos, floor, lookup, sin
+
+__all__ = ["PathView", "view_of"]
+
+
+@dataclass(frozen=True)
+class PathView:
+    """A path for a step: ``evaluate(par, s)`` returns r, dr/ds and d2r/ds2 as tuples over the axes.
+
+    `parameters` and `tables` are to be added to the step's own; every name begins with ``path_``.
+    """
+
+    evaluate: Callable[[Any, float], Any]
+    parameters: Mapping[str, float]
+    tables: Mapping[str, NDArray[np.float64]]
+
+
+def view_of(path: Path, tolerance: float = 1e-10, pieces: int | None = None, analytic: bool = True) -> PathView:
+    """Return the view of a path.
+
+    Parameters
+    ----------
+    path : Path
+    tolerance : float [m], > 0
+        Largest distance of the table from the path.
+    pieces : int, optional
+        At least so many pieces.
+    analytic : bool
+        Whether a circle is seen in closed form.
+    """
+    if analytic and path.closed and path.n_axis == 2 and len(path.curves) == 1 and isinstance(path.curves[0], Arc):
+        return _circle(path)
+    table = path.table(tolerance, pieces=pieces) if pieces else path.table(tolerance)
+    parameters = {"path_inverse_cell": float(table.inverse_cell), "path_length": path.length, "path_wrap": 1.0 if path.closed else 0.0}
+    tables = {"path_start": table.start, "path_coefficients": table.coefficients, "path_cell": table.cell}
+    return PathView(_table_evaluator(path.n_axis, len(table.cell)), parameters, tables)
+
+
+def _circle(path: Path) -> PathView:
+    at_start = path.derivatives(np.zeros(1), order=2)[:, 0]
+    radius = 1.0 / float(np.hypot(*at_start[2]))
+    centre = at_start[0] + radius * radius * at_start[2]
+    spoke = at_start[0] - centre
+    sense = math.copysign(1.0, spoke[0] * at_start[1][1] - spoke[1] * at_start[1][0])
+    parameters = {
+        "path_radius": radius,
+        "path_rate": sense / radius,
+        "path_phase": math.atan2(spoke[1], spoke[0]),
+        "path_centre_0": float(centre[0]),
+        "path_centre_1": float(centre[1]),
+    }
+
+    def evaluate(par: Any, s: float) -> Any:
+        angle = par.path_phase + par.path_rate * s
+        c, d = cos(angle), sin(angle)
+        slope = par.path_radius * par.path_rate
+        bend = slope * par.path_rate
+        point = (par.path_centre_0 + par.path_radius * c, par.path_centre_1 + par.path_radius * d)
+        return point, (-slope * d, slope * c), (-bend * c, -bend * d)
+
+    return PathView(evaluate, parameters, {})
+
+
+def _quintic(table: Any, base: float, h: float) -> Any:
+    c0, c1, c2 = lookup(table, base), lookup(table, base + 1.0), lookup(table, base + 2.0)
+    c3, c4, c5 = lookup(table, base + 3.0), lookup(table, base + 4.0), lookup(table, base + 5.0)
+    value = c0 + h * (c1 + h * (c2 + h * (c3 + h * (c4 + h * c5))))
+    first = c1 + h * (2.0 * c2 + h * (3.0 * c3 + h * (4.0 * c4 + h * 5.0 * c5)))
+    second = 2.0 * c2 + h * (6.0 * c3 + h * (12.0 * c4 + h * 20.0 * c5))
+    return value, first, second
+
+
+def _gather(n_axis: int) -> Callable[..., Any]:
+    """Return a function that evaluates all axes of a piece, written out so that no loop stands inside a lane."""
+    lines = [f"    a{j} = quintic(table, base + {6.0 * j}, h)" for j in range(n_axis)]
+    values = ", ".join(f"({', '.join(f'a{j}[{d}]' for j in range(n_axis))},)" for d in range(3))
+    scope: dict[str, Any] = {"quintic": _quintic, "__name__": __name__}
+    exec("def gather(table, base, h):\n" + "\n".join(lines) + f"\n    return {values}\n", scope)
+    return scope["gather"]  # type: ignore[no-any-return]
+
+
+def _table_evaluator(n_axis: int, n_cell: int) -> Callable[[Any, float], Any]:
+    gather, stride, last = _gather(n_axis), 6.0 * n_axis, float(n_cell - 1)
+
+    def evaluate(par: Any, s: float) -> Any:
+        # On a closed path s counts laps; on an open one it is held to the path.
+        along = s - par.path_wrap * par.path_length * floor(s / par.path_length)
+        along = clip(along, 0.0, par.path_length)
+        piece = lookup(par.path_cell, clip(floor(along * par.path_inverse_cell), 0.0, last))
+        piece = piece + (1.0 if along >= lookup(par.path_start, piece + 1.0) else 0.0)
+        return gather(par.path_coefficients, stride * piece, along - lookup(par.path_start, piece))
+
+    return evaluate

@@ -1,0 +1,206 @@
+"""Many variants of one machine and controller at once: in lanes, over threads, judged while they run."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable, Mapping, Sequence
+from concurrent.futures import ThreadPoolExecutor
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from contourlab.engine.runner import Group, make_group
+from contourlab.engine.schedule import Late, Node
+from contourlab.errors import ParameterError
+from contourlab.feed import Reference
+from contourlab.geometry.view import PathView, view_of
+from contourlab.loop.machine import Controller, Machine, parameter_names
+from contourlab.loop.simulate import external_rows, jit_enabled
+from contourlab.loop.template import Loop, build
+from contourlab.metrics.streaming import SUMS, judge_step
+
+__all__ = ["LANES", "BatchResult", "simulate_batch"]
+
+Array = NDArray[np.float64]
+LANES = 32
+_BLOCK = 1024
+
+
+@dataclass(frozen=True)
+class BatchResult:
+    """Figures of each variant, arrays (n_variant,).
+
+    Attributes
+    ----------
+    figures : mapping of str to ndarray (n_variant,)
+        ``contour_error_rms``, ``contour_error_mean``, ``contour_error_max`` and ``contour_error_signed_mean`` [m] (the last is that of the
+        magnitude on a path in space), ``contour_error_integral`` [m s], ``contour_error_max_time`` [s], ``tracking_error_rms`` and
+        ``tracking_error_max`` [m]. NaN for a variant that failed.
+    failed_at : ndarray (n_variant,) of int
+        Sample at which the variant ran away; -1 where it did not. Looked for every 1024 samples, so it is the first sample of that block.
+    unsure : ndarray (n_variant,)
+        Samples at which the judge's foot point had not fully converged.
+    signals : mapping of str to ndarray (n_sample, n, n_variant)
+        The signals asked for.
+    """
+
+    figures: Mapping[str, Array]
+    failed_at: NDArray[np.int64]
+    unsure: Array
+    signals: Mapping[str, Array]
+
+
+def simulate_batch(
+    machine: Machine,
+    controller: Controller,
+    reference: Reference,
+    variants: Mapping[str, ArrayLike],
+    *,
+    window: tuple[int, int] | None = None,
+    keep: Sequence[str] = (),
+    threads: int | None = None,
+    judge: bool = True,
+    view: PathView | None = None,
+    seed: int = 0,
+    jit: bool | None = None,
+    progress: Callable[[int], None] | None = None,
+) -> BatchResult:
+    """Run variants that differ in parameters only, and judge each.
+
+    Parameters
+    ----------
+    machine, controller, reference
+        What the variants have in common.
+    variants : mapping of str to array_like (n_variant,)
+        Parameters that differ, by their dotted names (`contourlab.loop.parameter_names` lists them).
+    window : (int, int), optional
+        Samples [start, stop) that count; by default the last whole lap, or all.
+    keep : sequence of str
+        Signals to keep; none by default.
+    threads : int, optional
+        Threads over groups of 32 lanes; by default one for each processor.
+    judge : bool
+        Whether the contour error is worked out.
+    view : PathView, optional
+        How estimator and judge see the path.
+    seed : int
+        Of all noise.
+    jit : bool, optional
+        Compiled, or plain Python.
+    progress : callable, optional
+        Told the number of samples done.
+
+    Returns
+    -------
+    BatchResult
+        The same numbers whatever the number of threads, the order of the variants or their company.
+
+    Raises
+    ------
+    ParameterError
+        If a name is unknown, a value out of range, or the arrays differ in length.
+
+    Notes
+    -----
+    The judge sees the axes' true positions; the machine's error map (lead error, squareness) is not in it.
+    """
+    columns, n = _checked(machine, controller, variants)
+    view = view or view_of(reference.path)
+    first = reference.block(0, 1)
+    extra = (_judge_node(machine, reference, view, window),) if judge else ()
+    start, progress_at = first.position[0], float(first.arc_length[0])
+    loop = build(machine, controller, reference.path, start, progress_at, columns, view, extra, seed)
+    compiled = jit_enabled() if jit is None else jit
+    groups = [make_group(loop.schedule, LANES, slice(i, i + LANES), compiled) for i in range(0, n, LANES)]
+    failed = np.full(len(groups) * LANES, -1, dtype=np.int64)
+    rows = [loop.schedule.row(signal) for name in keep for signal in _signal(loop, name)]
+    kept = np.empty((reference.n_sample, len(rows), len(groups) * LANES)) if rows else np.empty((0, 0, 0))
+    limits = np.array([axis.limits.following_error for axis in machine.axes])
+    positions = [loop.schedule.row(f"{axis.name}.plant.position") for axis in machine.axes]
+
+    def advance(g: int, external: Array, k: int) -> None:
+        log = groups[g].run(external, rows)
+        lanes = slice(g * LANES, (g + 1) * LANES)
+        if rows:
+            kept[k : k + len(log), :, lanes] = log
+        behind = np.abs(groups[g].signals[positions] - external[-1, : len(positions), None])
+        bad = ~groups[g].finite() | ~(behind <= limits[:, None]).all(axis=0)
+        failed[lanes] = np.where((failed[lanes] < 0) & bad, k, failed[lanes])
+
+    with ThreadPoolExecutor(threads or os.cpu_count() or 1) as pool:
+        for k in range(0, reference.n_sample, _BLOCK):
+            external = external_rows(reference.block(k, min(k + _BLOCK, reference.n_sample)))
+            list(pool.map(lambda g, e=external, at=k: advance(g, e, at), range(len(groups))))
+            if progress is not None:
+                progress(min(k + _BLOCK, reference.n_sample))
+    sums = _sums(groups, loop)[:, :n] if judge else np.zeros((len(SUMS), n))
+    figures = _figures(sums, failed[:n], machine.servo_period) if judge else {}
+    return BatchResult(figures, failed[:n], sums[SUMS.index("unsure")], _split(kept[:, :, :n], keep, loop))
+
+
+def _checked(machine: Machine, controller: Controller, variants: Mapping[str, ArrayLike]) -> tuple[dict[str, Array], int]:
+    known = parameter_names(machine, controller)
+    columns: dict[str, Array] = {}
+    for name, values in variants.items():
+        if name not in known:
+            raise ParameterError("variants", name, "a parameter of the machine or controller, such as " + ", ".join(list(known)[:3]))
+        part, parameter = known[name]
+        columns[name] = np.atleast_1d(np.asarray(values, dtype=float))
+        for value in np.unique(columns[name]):
+            part.parameters[parameter].check(float(value))
+    lengths = {len(values) for values in columns.values()}
+    if len(lengths) != 1:
+        raise ParameterError("variants", f"arrays of lengths {sorted(lengths)}", "given, and all of one length")
+    return columns, lengths.pop()
+
+
+def _judge_node(machine: Machine, reference: Reference, view: PathView, window: tuple[int, int] | None) -> Node:
+    start, stop = window or (reference.laps[-1] if reference.laps else (0, reference.n_sample))
+    n = len(machine.axes)
+    wires: dict[str, Any] = {
+        "position": tuple(Late(f"{axis.name}.plant.position") for axis in machine.axes),
+        "reference": "in.reference",
+        "arc_length": "in.arc_length",
+    }
+    reach = min(0.25 * reference.path.length, 4.0 * max(axis.limits.following_error for axis in machine.axes))
+    parameters = {"window": reach, "first": float(start), "last": float(stop - 1), **view.parameters}
+    foot = float(reference.block(0, 1).arc_length[0])
+    return Node("judge", judge_step(view, n), wires, parameters, view.tables, {"foot": foot})
+
+
+def _signal(loop: Loop, name: str) -> tuple[str, ...]:
+    if name not in loop.signals:
+        raise ParameterError("keep", name, "one of " + ", ".join(loop.signals))
+    return loop.signals[name]
+
+
+def _sums(groups: list[Group], loop: Loop) -> Array:
+    judge = next(i for i, node in enumerate(loop.schedule.nodes) if node.name == "judge")
+    return np.concatenate([group.state[judge][1:] for group in groups], axis=1)
+
+
+def _figures(sums: Array, failed: NDArray[np.int64], period: float) -> dict[str, Array]:
+    one = dict(zip(SUMS, sums, strict=True))
+    count = np.maximum(one["count"], 1.0)
+    figures = {
+        "contour_error_rms": np.sqrt(one["sum_square"] / count),
+        "contour_error_mean": one["sum_magnitude"] / count,
+        "contour_error_max": one["largest"],
+        "contour_error_max_time": one["largest_at"] * period,
+        "contour_error_signed_mean": one["sum_signed"] / count,
+        "contour_error_integral": one["sum_magnitude"] * period,
+        "tracking_error_rms": np.sqrt(one["sum_tracking"] / count),
+        "tracking_error_max": np.sqrt(one["largest_tracking"]),
+    }
+    return {name: np.where(failed < 0, values, np.nan) for name, values in figures.items()}
+
+
+def _split(kept: Array, keep: Sequence[str], loop: Loop) -> dict[str, Array]:
+    found, column = {}, 0
+    for name in keep:
+        width = len(loop.signals[name])
+        found[name] = kept[:, column : column + width]
+        column += width
+    return found

@@ -1,0 +1,97 @@
+"""The judge of a batch: contour error reduced to figures while the lanes run, so that no signal has to be kept.
+
+It is a step like those of the components and runs in the same lanes, but it is no part of the loop: it reads true positions and the path, and
+nothing reads it.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+from contourlab.engine.step import Port, Step
+from contourlab.geometry.view import PathView
+from contourlab.primitives import clip, dot, fabs, maximum, select, sqrt, sub
+
+__all__ = ["SUMS", "judge_step"]
+
+SUMS = ("count", "sum_magnitude", "sum_square", "sum_signed", "largest", "largest_at", "sum_tracking", "largest_tracking", "unsure")
+"""States of the judge behind the foot point, in order."""
+
+_ITERATIONS = 3
+
+
+def judge_step(view: PathView, n_axis: int) -> Step:
+    """Return the judge's step on a path.
+
+    Parameters of the node: ``window`` [m] around the reference in which the foot point is sought, ``first`` and ``last``, the ticks
+    (inclusive) that count, and those of the view.
+
+    Notes
+    -----
+    Three Newton steps from the foot point of the tick before, and three from the reference's place; the nearer one counts. The distance is
+    projected on the normal, so it is exact to the square of what is left of the foot error. Ticks at which the last Newton step was still
+    longer than 1e-9 of the window, with an error that matters, are counted as ``unsure``; a caller judges such a variant again, exactly.
+    """
+    parameters = ("window", "first", "last", *view.parameters)
+    states = (Port("foot"), *(Port(name) for name in SUMS))
+    inputs = (Port("position", n_axis), Port("reference", n_axis), Port("arc_length"))
+    return Step("judge", _make(view.evaluate, n_axis), parameters, tuple(view.tables), "", states, inputs, (Port("contour_error"),))
+
+
+def _make(evaluate: Any, n_axis: int) -> Any:
+    planar = n_axis == 2
+
+    def improve(par: Any, s: float, position: Any, centre: float) -> float:
+        q, q1, q2 = evaluate(par, s)
+        gap = sub(q, position)
+        square = dot(q1, q1)
+        slope = maximum(square + dot(q2, gap), 0.1 * square)
+        return clip(s - dot(q1, gap) / slope, centre - par.window, centre + par.window)
+
+    def seek(par: Any, s: float, position: Any, centre: float) -> Any:
+        before = s
+        for _ in range(_ITERATIONS):
+            before = s
+            s = improve(par, s, position, centre)
+        return s, fabs(s - before)
+
+    def square_distance(par: Any, s: float, position: Any) -> float:
+        q, _, _ = evaluate(par, s)
+        gap = sub(q, position)
+        return dot(gap, gap)
+
+    def step(par: Any, x: Any, inp: Any, clock: Any) -> Any:
+        position, centre = inp.position, inp.arc_length
+        s, moved = seek(par, x.foot, position, centre)
+        other, other_moved = seek(par, centre, position, centre)
+        swap = square_distance(par, other, position) < square_distance(par, s, position)
+        s = select(swap, other, s)
+        moved = select(swap, other_moved, moved)
+        q, q1, _ = evaluate(par, s)
+        gap = sub(q, position)
+        square = dot(q1, q1)
+        if planar:
+            signed = (q1[1] * gap[0] - q1[0] * gap[1]) / sqrt(square)
+        else:
+            along = dot(q1, gap)
+            signed = sqrt(maximum(dot(gap, gap) - along * along / square, 0.0))
+        counts = select(clock.k >= par.first, select(clock.k <= par.last, 1.0, 0.0), 0.0)
+        magnitude = counts * fabs(signed)
+        behind = sub(inp.reference, position)
+        tracking = counts * dot(behind, behind)
+        record = magnitude > x.largest
+        doubt = select(moved > 1e-9 * par.window, counts, 0.0)
+        return (
+            s,
+            x.count + counts,
+            x.sum_magnitude + magnitude,
+            x.sum_square + magnitude * magnitude,
+            x.sum_signed + counts * signed,
+            select(record, magnitude, x.largest),
+            select(record, clock.k, x.largest_at),
+            x.sum_tracking + tracking,
+            maximum(x.largest_tracking, tracking),
+            x.unsure + doubt,
+        ), (signed,)
+
+    return step

@@ -1,0 +1,150 @@
+"""Order of the plants' integration, against closed forms and an independent solver."""
+
+from __future__ import annotations
+
+import math
+from itertools import pairwise
+
+import numpy as np
+import pytest
+from scipy.integrate import solve_ivp
+
+from contourlab.components.friction.coulomb import Coulomb
+from contourlab.components.friction.lugre import LuGre
+from contourlab.components.friction.none import NoFriction
+from contourlab.components.friction.smooth_coulomb import SmoothCoulomb
+from contourlab.components.mechanics import link
+from contourlab.components.plant.mass_damper import MassDamper
+from contourlab.engine.step import record
+from contourlab.primitives import Clock
+
+INPUTS = record(("command", "load"))
+
+
+def march(plant, friction, state, command, duration, n):
+    """Integrate in plain Python with n steps; return the final state and the trace of velocities."""
+    step = link(plant, friction)
+    dt = duration / n
+    par = step.par_type(**plant.block(dt), **friction.block(dt))
+    names = record(tuple(port.name for port in step.states))
+    x = names(*state)
+    velocities = [x.velocity]
+    for k in range(n):
+        push = command(k * dt) if callable(command) else command
+        x_next, _ = step.function(par, x, INPUTS(push, 0.0), Clock(float(k), k * dt, dt))
+        x = names(*x_next)
+        velocities.append(x.velocity)
+    return x, np.array(velocities)
+
+
+def fitted_order(errors, factor=2.0):
+    return np.mean([math.log(a / b) / math.log(factor) for a, b in pairwise(errors)])
+
+
+def test_viscous_motion_is_of_fourth_order():
+    plant = MassDamper(mass=2.0, damping=8.0, force_constant=1.0)
+    exact = 0.5 * math.exp(-4.0 * 1.0) + (3.0 / 8.0) * (1.0 - math.exp(-4.0))
+    errors = [abs(march(plant, NoFriction(), (0.0, 0.5), 3.0, 1.0, n)[0].velocity - exact) for n in (20, 40, 80)]
+    assert 3.8 < fitted_order(errors) < 4.3
+
+
+def test_sliding_to_rest_is_of_fourth_order_and_holds():
+    mass, damping, coulomb, v0 = 2.0, 5.0, 3.0, 0.7
+    plant, friction = MassDamper(mass=mass, damping=damping, force_constant=1.0), Coulomb(coulomb=coulomb)
+    stop = mass / damping * math.log(1.0 + damping * v0 / coulomb)
+    exact = mass / damping * (v0 + coulomb / damping) * (1.0 - math.exp(-damping * stop / mass)) - coulomb / damping * stop
+    errors = []
+    # Step sizes that do not divide the stopping time, so that the reversal is located anew in each.
+    for n in (37, 73, 147, 293):
+        end, velocities = march(plant, friction, (0.0, v0), 0.0, 0.53, n)
+        assert end.velocity == 0.0
+        assert np.all(velocities >= 0.0)
+        errors.append(abs(end.position - exact))
+    assert errors[-1] < 1e-8
+    assert fitted_order(errors) > 3.0
+
+
+def test_reversal_through_friction_matches_events():
+    """Push against the motion until the axis turns: sliding, reversal, sliding the other way, all within coarse steps."""
+    plant, friction = MassDamper(mass=1.0, damping=0.5, force_constant=1.0), Coulomb(coulomb=1.0, breakaway=1.0)
+    push, v0, end_time = -2.5, 0.8, 0.6
+
+    def way(sign):
+        return lambda t, y: [y[1], push - sign * 1.0 - 0.5 * y[1]]
+
+    def turn(t, y):
+        return y[1]
+
+    turn.terminal = True
+    forward = solve_ivp(way(1.0), (0.0, end_time), [0.0, v0], events=turn, rtol=1e-12, atol=1e-14)
+    back = solve_ivp(way(-1.0), (forward.t[-1], end_time), [forward.y[0, -1], 0.0], rtol=1e-12, atol=1e-14)
+    errors = []
+    for n in (13, 29, 61, 127):
+        x, _ = march(plant, friction, (0.0, v0), push, end_time, n)
+        errors.append(abs(x.position - back.y[0, -1]) + abs(x.velocity - back.y[1, -1]))
+    assert errors[-1] < 1e-8
+    assert fitted_order(errors) > 3.0
+
+
+def test_held_force_below_breakaway_never_moves():
+    plant, friction = MassDamper(mass=1.0, force_constant=1.0), Coulomb(coulomb=1.0, breakaway=1.5)
+    end, velocities = march(plant, friction, (0.25, 0.0), lambda t: 1.4999 * math.sin(40.0 * t), 1.0, 1000)
+    assert end.position == 0.25
+    assert not velocities.any()
+
+
+def test_breaks_away_just_above_breakaway():
+    plant, friction = MassDamper(mass=1.0, force_constant=1.0), Coulomb(coulomb=1.0, breakaway=1.5)
+    assert march(plant, friction, (0.0, 0.0), 1.5001, 0.01, 10)[0].velocity > 0.0
+
+
+@pytest.mark.parametrize(
+    "friction",
+    [
+        Coulomb(coulomb=2.0, breakaway=3.0, stribeck_velocity=0.05),
+        SmoothCoulomb(coulomb=2.0, breakaway=3.0, stribeck_velocity=0.05, smoothing_velocity=0.01),
+        LuGre(coulomb=2.0, breakaway=3.0, stribeck_velocity=0.05, stiffness=1e4, bristle_damping=20.0),
+    ],
+)
+def test_friction_never_creates_energy(friction):
+    """Without a push the kinetic energy only falls, bristle energy aside."""
+    plant = MassDamper(mass=1.5, force_constant=1.0)
+    step = link(plant, friction)
+    par = step.par_type(**plant.block(1e-3), **friction.block(1e-3))
+    names = record(tuple(port.name for port in step.states))
+    x = names(0.0, 0.4, *([0.0] * (len(names._fields) - 2)))
+    energy = [0.5 * 1.5 * x.velocity**2]
+    for k in range(3000):
+        x = names(*step.function(par, x, INPUTS(0.0, 0.0), Clock(float(k), k * 1e-3, 1e-3))[0])
+        bristle = 0.5 * 1e4 * getattr(x, "bristle", 0.0) ** 2
+        energy.append(0.5 * 1.5 * x.velocity**2 + bristle)
+    # The dissipation of LuGre is not monotone in this sum for every parameter; a part in a thousand is numerical.
+    assert np.all(np.diff(energy) <= 1e-3 * energy[0])
+    assert energy[-1] < 1e-6 * energy[0] or isinstance(friction, LuGre)
+
+
+def test_lugre_agrees_with_a_stiff_solver_to_second_order():
+    par = dict(coulomb=1.0, breakaway=1.5, stribeck_velocity=0.01, stiffness=1e5, bristle_damping=300.0, viscous=0.4)
+    plant, friction = MassDamper(mass=1.0, force_constant=1.0), LuGre(**par)
+
+    def slope(t, y):
+        p, v, z = y
+        g = 1.0 + 0.5 * math.exp(-((v / 0.01) ** 2))
+        dz = v - 1e5 * abs(v) * z / g
+        return [v, 2.0 - (1e5 * z + 300.0 * dz + 0.4 * v), dz]
+
+    exact = solve_ivp(slope, (0.0, 0.2), [0.0, 0.0, 0.0], method="Radau", rtol=1e-11, atol=1e-14).y[:, -1]
+    errors = []
+    for n in (800, 1600, 3200, 6400):
+        x, _ = march(plant, friction, (0.0, 0.0, 0.0), 2.0, 0.2, n)
+        errors.append(abs(x.velocity - exact[1]))
+    assert errors[-1] < 1e-5
+    assert fitted_order(errors[1:]) > 1.6
+
+
+def test_lugre_is_stable_at_a_servo_period_far_above_its_own_time():
+    """Bristles of 1e8 N/m at 1 ms: an explicit method would need steps of a microsecond."""
+    plant, friction = MassDamper(mass=10.0, force_constant=1.0), LuGre(coulomb=5.0, breakaway=6.0, stiffness=1e8, bristle_damping=1e3)
+    end, velocities = march(plant, friction, (0.0, 0.0, 0.0), lambda t: 8.0 * math.sin(20.0 * t), 2.0, 2000)
+    assert np.isfinite(velocities).all()
+    assert np.abs(velocities).max() < 8.0 / 10.0 / 20.0 * 2.0
