@@ -129,7 +129,7 @@ def sweep_of(move: dict[str, Any], first: int, second: int) -> float:
     angle = sense * (end - start)
     while angle < 1e-6:
         angle += 2.0 * math.pi
-    return sense * (angle + 2.0 * math.pi * (abs(move["turns"]) - 1))
+    return sense * (angle + 2.0 * math.pi * (abs(int(move["turns"])) - 1))
 
 
 def compare(oracle: ModuleType, text: str, folder: Path) -> int:
@@ -175,36 +175,75 @@ def test_unsupported_words_are_refused_where_they_stand(file: Path) -> None:
         assert there[0] in named[error.message.split()[0]]
 
 
-# Blocks both readers know, among them many that both refuse.
-NUMBERS = ["0", "1", "-1", "2.5", "-2.5", "5", "10", "-10", "0.001", "3.1416", "-7.25"]
+NUMBERS = ["0", "0.001", "1", "-1", "2.5", "-2.5", "5", "10", "-10", "3.1416", "-7.25"]
+AXES = {"G17": "XYZ", "G18": "ZXY", "G19": "YZX"}
+OFFSETS = dict(zip("XYZ", "IJK", strict=True))
 
 
 def random_program(rng: random.Random) -> str:
-    lines = ["G21 F100 G1 X1 Y1"]
-    for _ in range(rng.randrange(5, 40)):
-        words = []
-        for code, chance in (("G20", 0.03), ("G21", 0.05), ("G90", 0.05), ("G91", 0.05), ("G17", 0.05), ("G18", 0.04),
-                             ("G19", 0.04), ("G90.1", 0.02), ("G91.1", 0.04), ("G94", 0.03), ("F60", 0.1), ("F2", 0.05),
-                             ("G4 P0.5", 0.03), ("M2", 0.01), ("(note)", 0.05)):  # fmt: skip
-            if rng.random() < chance:
+    """Return blocks of all supported words; about one in sixty breaks a rule."""
+    lines, plane, absolute_centre = ["G21 F100 G1 X1 Y1"], "G17", False
+    for _ in range(rng.randrange(20, 60)):
+        words: list[str] = []
+        for code, chance in (("G20", 0.05), ("G21", 0.05), ("G90", 0.1), ("G91", 0.1), ("F60", 0.1), ("F2.5", 0.05),
+                             ("(note)", 0.05), ("M2", 0.003), ("G1", 0.004)):  # fmt: skip
+            if rng.random() < chance and not (code[:2] in {"G2", "G9"} and any(w[:2] == code[:2] for w in words)):
                 words.append(code)
-        kind = rng.choice(["G0", "G1", "", "R", "C", "C", "H"])
-        if kind in {"G0", "G1", ""}:
-            words += [kind] if kind else []
-            words += [letter + rng.choice(NUMBERS) for letter in "XYZ" if rng.random() < 0.5]
-        elif kind == "R":
-            words += [rng.choice(["G2", "G3"]), "R" + rng.choice(["20", "-20", "8", "-8.125", "0.5"])]
-            words += [letter + rng.choice(NUMBERS) for letter in "XYZ" if rng.random() < 0.7]
-        else:
-            words += [rng.choice(["G2", "G3"])] + (["P3"] if rng.random() < 0.1 else [])
-            pair = rng.choice(["IJ", "IJ", "JK", "IK", "I", "K"])
-            words += [letter + rng.choice(NUMBERS) for letter in pair]
-            words += [rng.choice("XYZ") + rng.choice(NUMBERS)] if kind == "H" else []
+        if rng.random() < 0.1:
+            plane = rng.choice(list(AXES))
+            words.append(plane)
+        if rng.random() < 0.05:
+            absolute_centre = rng.random() < 0.3
+            words.append("G90.1" if absolute_centre else "G91.1")
+        if rng.random() < 0.03:
+            words += ["G94"] + ([] if any(w[0] == "F" for w in words) else ["F75"])
+        words += random_motion(rng, AXES[plane], absolute_centre)
         rng.shuffle(words)
         lines.append(" ".join(words))
     return "\n".join([*lines, "M2", ""])
 
 
+def random_motion(rng: random.Random, axes: str, absolute_centre: bool) -> list[str]:
+    kind = rng.choice(["G0", "G1", "G0", "G1", "modal", "R", "circle", "circle", "dwell"])
+    if kind == "dwell":
+        return ["G4", "P" + rng.choice(["0.5", "0", "2"])]
+    if kind == "R":
+        radius = "R" + rng.choice(["9000", "-9000", "12345.678", "-12345.678", "20", "-20"])
+        # No short chords: with such radii the last bit of a coordinate would move the centre.
+        return [rng.choice(["G2", "G3"]), radius, *(a + rng.choice(NUMBERS[2:]) for a in axes if rng.random() < 0.9)]
+    if kind == "circle":
+        offsets = [OFFSETS[a] + rng.choice(NUMBERS[2:8]) for a in axes[:2] if absolute_centre or rng.random() < 0.7]
+        height = [axes[2] + rng.choice(NUMBERS)] if rng.random() < 0.5 else []
+        turns = ["P" + rng.choice("135")] if rng.random() < 0.2 else []
+        return [rng.choice(["G2", "G3"]), *(offsets or [OFFSETS[axes[0]] + "5"]), *height, *turns]
+    straight = [] if kind == "modal" and rng.random() < 0.1 else [kind if kind != "modal" else rng.choice(["G0", "G1"])]
+    return straight + [letter + rng.choice(NUMBERS) for letter in "XYZ" if rng.random() < 0.5]
+
+
 @pytest.mark.parametrize("seed", range(40))
 def test_random_programs(oracle: ModuleType, tmp_path: Path, seed: int) -> None:
     compare(oracle, random_program(random.Random(seed)), tmp_path)
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "F100\nG94\nG1 X1", "X1", "F100 G1 X1\nG4 X2 P-1", "F10 G2 X20.029 I10", "F10 G2 X200.11 I100",
+        "F10 G2 X10 R4.9987", "F10 G2 X0.002 I0.001", "G20 F10 G2 X2.0029 I1", "F10 G2 X12005 I6000", "G0 X1 X2",
+        "G1.05 X1", "G0 X1 (a (b))", "F10 G2 X10 I5\nX20", "F10 G2 X10 I5 P0", "F10 G90.1 G2 X10 I5", "F0\nG1 X1",
+    ],
+)  # fmt: skip
+def test_both_refuse(oracle: ModuleType, tmp_path: Path, text: str) -> None:
+    assert our_moves(text)[1] is not None
+    compare(oracle, f"{text}\nM2\n", tmp_path)
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "F10 G2 X20.028 I10", "F10 G2 X200.1 I100", "F10 G2 X10 R4.9988", "F10 G2 X0.0028 I0.0014",
+        "G20 F10 G2 X2.0028 I1", "F10 G2 X10002.8 I5000", "F10 G2 X0 Y0 I5", "%\nG0 X1\n%", "g 0 x - 1 . 5 (c)",
+    ],
+)  # fmt: skip
+def test_both_accept(oracle: ModuleType, tmp_path: Path, text: str) -> None:
+    assert compare(oracle, f"{text}\nM2\n", tmp_path) == 1

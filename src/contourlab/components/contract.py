@@ -189,6 +189,12 @@ class Component:
         Input port whose past is kept.
     reference : str
         Paper and equation, for people.
+    example : dict
+        Values with which every parameter has an effect, for `check_component` and the documentation.
+    unbounded : tuple of str
+        Parameters that may be any finite number, said on purpose.
+    without_effect : tuple of str
+        Parameters that act outside the step, said on purpose.
     """
 
     family: ClassVar[str] = ""
@@ -200,6 +206,9 @@ class Component:
     tables: ClassVar[tuple[str, ...]] = ()
     ring: ClassVar[str] = ""
     reference: ClassVar[str] = ""
+    example: ClassVar[dict[str, Any]] = {}
+    unbounded: ClassVar[tuple[str, ...]] = ()
+    without_effect: ClassVar[tuple[str, ...]] = ()
     parameters: ClassVar[dict[str, Parameter]] = {}
 
     def __init_subclass__(cls, **kwargs: Any) -> None:

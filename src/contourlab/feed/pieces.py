@@ -15,12 +15,12 @@ from numpy.typing import NDArray
 
 from contourlab.errors import FeedError
 from contourlab.feed.bounds import SHARES, Bounds, Samples, piece_bounds, speed_limit
-from contourlab.feed.joints import NUDGE, joints
+from contourlab.feed.joints import NUDGE, Joints, joints
 from contourlab.feed.limits import AxisLimits
 from contourlab.feed.route import Route
 from contourlab.geometry import Arc, Curve, Helix, Line
 
-__all__ = ["Pieces", "cut"]
+__all__ = ["Nodes", "Pieces", "Survey", "cut", "look", "survey"]
 
 Array = NDArray[np.float64]
 Flags = NDArray[np.bool_]
@@ -59,7 +59,7 @@ class Pieces:
     curve: Index
 
 
-class _Nodes(NamedTuple):
+class Nodes(NamedTuple):
     """Sampled places: curve, place within it (0 to 1), derivatives (n, n_axis)."""
 
     curve: Index
@@ -69,32 +69,32 @@ class _Nodes(NamedTuple):
     third: Array
 
 
-def _look(route: Route, curve: Index, place: Array) -> _Nodes:
+def look(route: Route, curve: Index, place: Array) -> Nodes:
     """Evaluate the path at places within curves."""
     begin, end = route.path.breaks[curve], route.path.breaks[curve + 1]
     inside = np.clip(place, NUDGE, 1.0 - NUDGE)
     derivatives = route.path.derivatives(begin + (end - begin) * inside, 3)
-    return _Nodes(curve, place, derivatives[1], derivatives[2], derivatives[3])
+    return Nodes(curve, place, derivatives[1], derivatives[2], derivatives[3])
 
 
 def _kind(curve: Curve) -> int:
     return 0 if isinstance(curve, Line) else 1 if isinstance(curve, (Arc, Helix)) else 2
 
 
-def _first_nodes(route: Route) -> tuple[_Nodes, NDArray[np.int8]]:
+def _first_nodes(route: Route) -> tuple[Nodes, NDArray[np.int8]]:
     """Sample every curve; kind 0 is a line, 1 an arc or helix, 2 any other."""
     kind = np.array([_kind(curve) for curve in route.path.curves], dtype=np.int8)
-    middle = _look(route, np.arange(route.n_curve), np.full(route.n_curve, 0.5))
+    middle = look(route, np.arange(route.n_curve), np.full(route.n_curve, 0.5))
     sweep = np.linalg.norm(middle.second, axis=1) * np.diff(route.path.breaks)
     count = np.where(kind == 0, 2, np.where(kind == 1, 5 + np.ceil(NODES_ARC * sweep / (2.0 * np.pi)), NODES_FIRST))
     count = count.astype(np.intp)
     curve = np.repeat(np.arange(route.n_curve), count)
     first = np.repeat(np.cumsum(count) - count, count)
     place = (np.arange(curve.size) - first) / (count[curve] - 1.0)
-    return _look(route, curve, place), kind
+    return look(route, curve, place), kind
 
 
-def _refined(route: Route, nodes: _Nodes, kind: NDArray[np.int8], limits: AxisLimits) -> _Nodes:
+def _refined(route: Route, nodes: Nodes, kind: NDArray[np.int8], limits: AxisLimits) -> Nodes:
     """Halve the intervals of general curves until neighbours are alike."""
     for _ in range(DEPTH):
         permitted = speed_limit(_samples(route, nodes), limits, SHARES[0])
@@ -105,12 +105,12 @@ def _refined(route: Route, nodes: _Nodes, kind: NDArray[np.int8], limits: AxisLi
         where = np.flatnonzero(coarse)
         if where.size == 0:
             break
-        new = _look(route, nodes.curve[where], 0.5 * (nodes.place[where] + nodes.place[where + 1]))
-        nodes = _Nodes(*(np.insert(old, where + 1, more, axis=0) for old, more in zip(nodes, new, strict=True)))
+        new = look(route, nodes.curve[where], 0.5 * (nodes.place[where] + nodes.place[where + 1]))
+        nodes = Nodes(*(np.insert(old, where + 1, more, axis=0) for old, more in zip(nodes, new, strict=True)))
     return nodes
 
 
-def _samples(route: Route, nodes: _Nodes) -> Samples:
+def _samples(route: Route, nodes: Nodes) -> Samples:
     second = nodes.second.copy()
     third = nodes.third.copy()
     # Rounding of the derivatives of straight lines must not look like a curve.
@@ -119,7 +119,7 @@ def _samples(route: Route, nodes: _Nodes) -> Samples:
     return Samples(nodes.tangent, second, third, route.feedrate[nodes.curve])
 
 
-def _cells(nodes: _Nodes, kind: NDArray[np.int8], permitted: Array, smooth_line: Flags) -> Index:
+def _cells(nodes: Nodes, kind: NDArray[np.int8], permitted: Array, smooth_line: Flags) -> Index:
     """Return the node at which each piece ends, walking once over the cells of the general curves."""
     end_of_curve = np.append(nodes.curve[1:] != nodes.curve[:-1], True)
     ends = end_of_curve & ~smooth_line[nodes.curve]
@@ -151,8 +151,17 @@ def _joint_speed(jump: Array, limits: AxisLimits, curvature_step: float) -> Arra
     return np.asarray(np.sqrt(square.min(axis=1)))
 
 
-def cut(route: Route, limits: AxisLimits, curvature_step: float) -> Pieces:
-    """Cut a route into pieces and find the limits of each.
+class Survey(NamedTuple):
+    """What a route is like: its joints, its samples, and by curve the kind and the ceiling of speed at its end."""
+
+    meet: Joints
+    nodes: Nodes
+    kind: NDArray[np.int8]  # 0 line, 1 arc or helix, 2 any other
+    joint_speed: Array
+
+
+def survey(route: Route, limits: AxisLimits, curvature_step: float) -> Survey:
+    """Look at a route.
 
     Parameters
     ----------
@@ -164,11 +173,33 @@ def cut(route: Route, limits: AxisLimits, curvature_step: float) -> Pieces:
 
     Returns
     -------
-    Pieces
+    Survey
     """
     meet = joints(route)
     nodes, kind = _first_nodes(route)
-    nodes = _refined(route, nodes, kind, limits)
+    return Survey(meet, _refined(route, nodes, kind, limits), kind, _joint_speed(meet.jump, limits, curvature_step))
+
+
+def cut(route: Route, seen: Survey, limits: AxisLimits) -> Pieces:
+    """Cut a route into pieces and find the limits of each.
+
+    Parameters
+    ----------
+    route : Route
+    seen : Survey
+    limits : AxisLimits
+        For the path's number of axes.
+
+    Returns
+    -------
+    Pieces
+
+    Raises
+    ------
+    FeedError
+        If neither acceleration nor jerk is limited somewhere.
+    """
+    meet, nodes, kind = seen.meet, seen.nodes, seen.kind
     samples = _samples(route, nodes)
     straight_on = kind == 0
     smooth_line = ~meet.stop & straight_on & np.roll(straight_on, -1) & (route.feedrate == np.roll(route.feedrate, -1))
@@ -188,7 +219,7 @@ def cut(route: Route, limits: AxisLimits, curvature_step: float) -> Pieces:
     stop_ends[0, 0] = stop_ends[-1, 1] = True
     length = end - start
     bounds = piece_bounds(Samples(*(part[rows] for part in samples)), begins, length, stop_ends, limits)
-    ceiling = np.where(within, np.inf, _joint_speed(meet.jump, limits, curvature_step)[curve])
+    ceiling = np.where(within, np.inf, seen.joint_speed[curve])
     hopeless = np.isinf(bounds.acceleration) & np.isinf(bounds.rise)
     if np.any(hopeless):
         where = float(start[int(np.argmax(hopeless))])

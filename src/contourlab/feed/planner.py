@@ -3,6 +3,7 @@
 The route is cut into pieces with one set of limits each (`pieces`, `bounds`). Two passes over the pieces of each smooth
 stretch, forward for speeding up and backward for braking, give the speed at every border; then each piece is one move
 of at most seven spans of constant jerk (`scurve`). The tangential acceleration is zero at the borders of pieces.
+Stretches with general curves are planned a second way (`smooth`), and the faster of the two is taken.
 """
 
 from __future__ import annotations
@@ -13,11 +14,13 @@ from numpy.typing import NDArray
 from contourlab.errors import FeedError
 from contourlab.feed.bounds import Bounds
 from contourlab.feed.limits import AxisLimits
-from contourlab.feed.pieces import Pieces, cut
+from contourlab.feed.pieces import Pieces, cut, survey
 from contourlab.feed.profile import Profile
 from contourlab.feed.reference import Reference, lap_ranges, whole_samples
 from contourlab.feed.route import Route
 from contourlab.feed.scurve import move_spans, peak_speed, reachable_speed
+from contourlab.feed.smooth import smooth_profile
+from contourlab.feed.stretches import general_stretches
 
 __all__ = ["plan", "plan_profile"]
 
@@ -56,25 +59,37 @@ def _border_speeds(pieces: Pieces) -> tuple[Array, Array]:
     return np.append(0.0, ceiling[:-1]), ceiling
 
 
-def _with_rests(
-    spans: tuple[Array, ...], start: Array, rest_after: Array, rest_before: float, length: float
-) -> Profile:
-    """Flatten the moves' spans, put the dwells between them, and drop what lasts no time."""
-    n_piece = start.size
-    duration, s0, v0, a0, j = (np.zeros((n_piece, 8)) for _ in range(5))
-    for target, part in zip((duration, s0, v0, a0, j), spans, strict=True):
-        target[:, :7] = part
-    s0[:, :7] += start[:, None]
-    s0[:, 7] = np.append(start[1:], length)
-    duration[:, 7] = rest_after
-    flat = [part.ravel() for part in (duration, s0, v0, a0, j)]
-    if rest_before > 0.0:
-        flat = [np.append(value, part) for value, part in zip((rest_before, 0.0, 0.0, 0.0, 0.0), flat, strict=True)]
-    kept = flat[0] > 0.0
-    lasting, s_0, v_0, a_0, jerk = (part[kept] for part in flat)
+def _spans(moves: tuple[Array, ...], pieces: Pieces, rest_after: Array, length: float) -> Array:
+    """Return eight spans for each piece as rows (duration, s0, v0, a0, j): its move, and the rest after it."""
+    rows = np.zeros((pieces.start.size, 8, 5))
+    rows[:, :7] = np.stack(moves, axis=-1)
+    rows[:, :7, 1] += pieces.start[:, None]
+    rows[:, 7, 1] = np.append(pieces.start[1:], length)
+    rows[:, 7, 0] = rest_after
+    return rows.reshape(-1, 5)
+
+
+def _with_smooth_stretches(rows: Array, pieces: Pieces, stretches: list[tuple[float, Profile]]) -> Array:
+    """Put the spans of smooth stretches in the place of their pieces, where they are faster."""
+    parts, done = [], 0
+    for begin, profile in stretches:
+        first, after = np.searchsorted(pieces.start, [begin - 1e-12, begin + profile.length - 1e-12])
+        top, bottom = 8 * int(first), 8 * int(after) - 1  # the last row is the rest after the stretch
+        if profile.duration >= float(rows[top:bottom, 0].sum()):
+            continue
+        lasting = np.diff(np.append(profile.t0, profile.duration))
+        new = np.stack([lasting, profile.s0 + begin, profile.v0, profile.a0, profile.j], axis=-1)
+        parts += [rows[done:top], new]
+        done = bottom
+    return np.concatenate([*parts, rows[done:]])
+
+
+def _profile(rows: Array, rest_before: float, length: float) -> Profile:
+    """Return the profile of spans (duration, s0, v0, a0, j), without those that last no time."""
+    rows = np.concatenate([[[rest_before, 0.0, 0.0, 0.0, 0.0]], rows])
+    lasting, s0, v0, a0, j = np.ascontiguousarray(rows[rows[:, 0] > 0.0].T)
     ends = np.cumsum(lasting)
-    t0 = np.append(0.0, ends[:-1])
-    return Profile(t0, s_0, v_0, a_0, jerk, duration=float(ends[-1]), length=length)
+    return Profile(np.append(0.0, ends[:-1]), s0, v0, a0, j, duration=float(ends[-1]), length=length)
 
 
 def _repeated(pieces: Pieces, laps: int, lap_length: float) -> Pieces:
@@ -112,14 +127,22 @@ def plan_profile(
     if not curvature_step >= 0.0:
         raise FeedError(f"curvature_step = {curvature_step}: give a part of the acceleration limit, >= 0")
     lap_length = float(route.path.length)
-    pieces = _repeated(cut(route, limits.for_axes(route.path.n_axis), curvature_step), laps, lap_length)
+    limits = limits.for_axes(route.path.n_axis)
+    seen = survey(route, limits, curvature_step)
+    pieces = _repeated(cut(route, seen, limits), laps, lap_length)
     start_speed, end_speed = _border_speeds(pieces)
     bounds = pieces.bounds
     shape = (bounds.acceleration, bounds.rise, bounds.taper)
     peak = peak_speed(pieces.length, start_speed, end_speed, bounds.speed, *shape)
-    spans = move_spans(pieces.length, start_speed, peak, end_speed, *shape)
+    moves = move_spans(pieces.length, start_speed, peak, end_speed, *shape)
     rest = np.where(pieces.stop, route.dwell[pieces.curve], 0.0)
-    return _with_rests(spans, pieces.start, rest, route.dwell_before, laps * lap_length)
+    rows = _spans(moves, pieces, rest, laps * lap_length)
+    smooth = [
+        (float(stretch.arc_length[0]), profile)
+        for stretch in general_stretches(route, seen, laps)
+        if (profile := smooth_profile(route.path, stretch, limits)) is not None
+    ]
+    return _profile(_with_smooth_stretches(rows, pieces, smooth), route.dwell_before, laps * lap_length)
 
 
 def plan(

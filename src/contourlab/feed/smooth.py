@@ -33,6 +33,7 @@ TURNING = 0.9  # part of the acceleration limit that turning may use at the ceil
 TURNING_JERK = 0.6  # part of the jerk limit for c v^3 at the ceiling of speed
 MIXED_JERK = 0.6  # part of the jerk limit for 3 k v a
 PERIODS = (0.35, 0.6, 1.0)  # periods h tried, in units of 2 A / J, after which bang-bang acceleration keeps to the jerk
+ROUNDING = 1e-6  # of a limit
 ROUNDS = 12  # corrections at most
 SPREAD = 2.0  # half width of the moving average, in periods
 PER_SPAN = 12  # places looked at in each span, besides the samples of the path
@@ -98,7 +99,7 @@ def _square_speed(stretch: Stretch, limits: AxisLimits, scale: Array, ceiling: A
         gain = min([p - q * b for p, q in zip(base[i], slope[i], strict=True)])
         if b > 0.0:
             gain = min(gain, by_jerk[i] / math.sqrt(b))
-        return b + step[i] * max(gain, 0.0)
+        return float(b + step[i] * max(gain, 0.0))
 
     for i in range(len(step)):
         square[i + 1] = min(square[i + 1], reached(square[i], i))
@@ -175,12 +176,13 @@ def _corrected(
         square = _square_speed(stretch, limits, scale, ceiling)
         profile = _averaged(stretch, square, period)
         place, demand = _demand(path, stretch, profile, limits)
-        if np.max(demand) <= 1.0:
+        if np.max(demand) <= 1.0 + ROUNDING:
             return profile
-        bad = np.flatnonzero(demand > 1.0)
+        bad = np.flatnonzero(demand > 1.0 + ROUNDING)
         # Each offence lowers the limits of the samples that its span was averaged over.
         reach = SPREAD * period * np.interp(place[bad], local, np.sqrt(square)) + 1e-3 * local[-1]
-        first, last = np.searchsorted(local, place[bad] - reach), np.searchsorted(local, place[bad] + reach, side="right")
+        first = np.searchsorted(local, place[bad] - reach)
+        last = np.searchsorted(local, place[bad] + reach, side="right")
         lower = np.ones_like(scale)
         for i, k, by in zip(first.tolist(), last.tolist(), demand[bad].tolist(), strict=True):
             np.minimum(lower[i:k], 0.99 / by, out=lower[i:k])

@@ -51,7 +51,7 @@ def read_block(line: str) -> Block:
     """
     codes: dict[str, Code] = {}
     words: dict[str, Word] = {}
-    for index, word in enumerate(read_words(line)):
+    for word in read_words(line):
         letter = word.letter
         if letter in USED_LETTERS:
             if letter in words:
@@ -62,7 +62,7 @@ def read_block(line: str) -> Block:
         elif letter == "M":
             _add_m(codes, word)
         elif letter == "N":
-            _check_line_number(line, word, index)
+            _check_line_number(line, word)
         else:
             raise BlockError(refuse_letter(letter), word.column)
     return Block(codes, words)
@@ -95,9 +95,9 @@ def _add_m(codes: dict[str, Code], word: Word) -> None:
     codes[group] = Code(number, word.column)
 
 
-def _check_line_number(line: str, word: Word, index: int) -> None:
+def _check_line_number(line: str, word: Word) -> None:
     # N stands first, even before a comment; its number means nothing.
-    if index > 0 or line[: word.column - 1].strip(" \t"):
+    if line[: word.column - 1].strip(" \t"):
         raise BlockError("the line number N must stand first on its line: move it there or delete it", word.column)
     if word.value < 0.0:
         raise BlockError("a line number has no sign: write for example N10", word.column)

@@ -1,8 +1,8 @@
 """Executes blocks: what a line does to the modal state, and the moves that it makes.
 
-Within a block RS274/NGC fixes the order, whatever the order of the words: feedrate, dwell, plane, units, distance
-modes, motion, end of program. So F is read in the units that were in force before a G20 or G21 on its line, while
-X, Y and Z are read in the new ones.
+Within a block RS274/NGC fixes the order, whatever the order of the words: feed mode, feedrate, dwell, plane, units,
+distance modes, motion, end of program. So F is read in the units that were in force before a G20 or G21 on its line,
+while X, Y and Z are read in the new ones; and G94 clears an earlier feedrate, but not the F on its own line.
 """
 
 from __future__ import annotations
@@ -50,6 +50,8 @@ def execute(block: Block, state: ModalState, line: int) -> list[Move]:
     """
     codes, words = block
     moves: list[Move] = []
+    if "feed_mode" in codes:
+        state.feedrate = 0.0
     if "F" in words:
         _set_feedrate(block, state)
     if "dwell" in codes:
@@ -117,7 +119,7 @@ def _motion(block: Block, state: ModalState, line: int) -> list[Move]:
     end = state.target(block.words)
     if state.motion != 0 and state.feedrate == 0.0:
         at = block.codes.get("motion") or next(iter(block.words.values()))
-        cure = "write F (length per minute) before it or on its line"
+        cure = "write F (length per minute) on its line or before it; G94 clears an earlier one"
         raise BlockError(f"G{state.motion // 10} without a feedrate: {cure}", at.column)
     moves: list[Move] = []
     if state.motion in _ARCS:

@@ -87,5 +87,5 @@ SETTERS: dict[str, Callable[[ModalState, int], None]] = {
 }
 """Groups that only set the state, in the order in which RS274/NGC executes them within a block.
 
-The feed mode has no setter: G94, the only one so far, is always on.
+The feed mode is set before the feedrate, thus not here.
 """

@@ -67,7 +67,10 @@ _REFUSED_M: dict[int, tuple[str, str]] = {
     9: ("coolant", "delete it"), 19: ("spindle orientation", _SPINDLE), 60: ("pallet change", "delete it"),
     48: ("overrides", "delete it"), 49: ("overrides", "delete it"), 50: ("feed override", "delete it"),
     51: ("spindle override", "delete it"), 52: ("adaptive feed", "delete it"), 53: ("feed stop", "delete it"),
-    61: ("tool number", "delete it"), 98: ("subprogram", "write the moves out"), 99: ("return", "write M2 at the end"),
+    61: ("tool number", "delete it"), 70: ("save the modal state", "delete it"),
+    71: ("saved modal state", "delete it"), 72: ("restore the modal state", "write the modes themselves"),
+    73: ("save the modal state", "delete it"),
+    98: ("subprogram", "write the moves out"), 99: ("return", "write M2 at the end"),
 } | dict.fromkeys(range(62, 69), ("digital or analogue input or output", "delete it"))  # fmt: skip
 
 _REFUSED_LETTERS: dict[str, tuple[str, str]] = {

@@ -120,6 +120,7 @@ REFUSED = [
     ("F10 G2 X10 R0", 1, 12, "no radius"),
     ("F10 G2 I0 J0", 1, 8, "no radius: the centre is the arc's start"),
     ("F10 G2 X1 I1", 1, 11, "no radius: the centre is the arc's end"),
+    ("F10 G2 X20.0284 I10", 1, 17, r"10 mm at the arc's start but 10\.0284 mm at its end"),
     ("F10 G2 X20.05 I10", 1, 15, r"10 mm at the arc's start but 10\.05 mm at its end"),
     ("F10 G2 X200.15 I100", 1, 16, r"100 mm at the arc's start but 100\.15 mm at its end"),
     ("F10 G20 G2 X2.0029 I1", 1, 20, r"1 in at the arc's start but 1\.0029 in at its end"),

@@ -65,6 +65,19 @@ def test_tiny_increments_are_not_lost() -> None:
     assert end[0] == pytest.approx(0.001 + 5000 * 0.9e-12, abs=2e-12)
 
 
+def test_an_arc_after_steps_too_short_starts_where_the_last_move_ended() -> None:
+    first, arc = moves("G91 G0 X1", "X0.0000000009", "G3 I5 F100")
+    assert isinstance(first, Traverse)
+    assert isinstance(arc, Arc)
+    assert arc.start == first.end
+    assert arc.end[0] > first.end[0]
+
+
+@pytest.mark.parametrize(("plane", "offset"), [("G17", "I5"), ("G17", "J5"), ("G18", "K5"), ("G19", "K5")])
+def test_an_offset_alone_repeats_the_modal_arc(plane: str, offset: str) -> None:
+    assert [type(move) for move in moves(f"{plane} F100", f"G2 {offset}", offset)] == [Arc, Arc]
+
+
 def test_quarter_arcs_of_both_senses() -> None:
     ccw = only_arc("G0 X10", "G3 X0 Y10 I-10 J0 F600")
     assert ccw == Arc((0.01, 0.0, 0.0), (0.0, 0.01, 0.0), (0.0, 0.0, 0.0), "XY", 1, 0.01, 2)

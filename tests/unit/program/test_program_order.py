@@ -4,6 +4,7 @@ import itertools
 
 import pytest
 
+from contourlab.errors import ProgramError
 from contourlab.program import Arc, Dwell, Feed, Traverse, parse_program
 
 
@@ -24,6 +25,13 @@ def test_a_change_of_units_leaves_the_feedrate_alone() -> None:
 
 def test_units_change_before_the_motion() -> None:
     assert parse_program("G0 X1 G20\nM2").moves[0].end == (0.0254, 0.0, 0.0)  # type: ignore[union-attr]
+
+
+def test_g94_clears_an_earlier_feedrate_but_not_the_one_on_its_line() -> None:
+    assert isinstance(parse_program("F60\nF120 G1 X1 G94\nM2").moves[0], Feed)
+    with pytest.raises(ProgramError, match="G94 clears") as caught:
+        parse_program("F60\nG94\nG1 X1\nM2")
+    assert (caught.value.line, caught.value.column) == (3, 1)
 
 
 def test_f_holds_for_the_motion_of_its_block() -> None:

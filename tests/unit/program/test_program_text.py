@@ -1,5 +1,6 @@
 """Spelling, comments, framing, files."""
 
+from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
@@ -88,9 +89,9 @@ def test_files_that_cannot_be_read(tmp_path: Path) -> None:
 
 
 def test_iter_moves_reads_no_further_than_asked() -> None:
-    read = []
+    read: list[int] = []
 
-    def lines():  # type: ignore[no-untyped-def]
+    def lines() -> Iterator[str]:
         for number in range(1, 1000):
             read.append(number)
             yield f"G0 X{number}\n"

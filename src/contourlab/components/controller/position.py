@@ -33,6 +33,7 @@ class PositionController(Component):
 
     family = "controller"
     kind = "position"
+    example = {"velocity_gain": 100.0, "position_gain": 4000.0, "integral_gain": 11.8, "model_gain": 0.9, "model_damping": 30.0}
     reference = "Ghaffari & Ulsoy, eqs 15-16 and 20-23"
     states = (Port("integral"), Port("start"), Port("last_command"))
     inputs = (

@@ -14,6 +14,8 @@ class ConstantLoad(Component):
 
     family = "disturbance"
     kind = "constant"
+    example = {"force": 2.0, "start": 0.05}
+    unbounded = ("force",)
     inputs = (Port("position"),)
     outputs = (Port("force"),)
 

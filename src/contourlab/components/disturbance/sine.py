@@ -16,6 +16,8 @@ class SineLoad(Component):
 
     family = "disturbance"
     kind = "sine"
+    example = {"amplitude": 2.0, "frequency": 12.0, "phase": 0.3}
+    unbounded = ("phase",)
     inputs = (Port("position"),)
     outputs = (Port("force"),)
     derived = ("angular_frequency",)

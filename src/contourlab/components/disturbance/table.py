@@ -22,6 +22,8 @@ class TableLoad(Component):
 
     family = "disturbance"
     kind = "table"
+    example = {"over": "position", "beyond": "hold", "origin": -0.3, "step_size": 0.2, "values_given": (0.0, 1.0, -0.5, 2.0)}
+    unbounded = ("origin", "values_given")
     inputs = (Port("position"),)
     outputs = (Port("force"),)
     tables = ("values_table",)

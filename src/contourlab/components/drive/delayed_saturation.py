@@ -20,6 +20,7 @@ class DelayedSaturation(Component):
 
     family = "drive"
     kind = "delayed-saturation"
+    example = {"limit": 0.5, "delay": 0.0123}
     reference = "transport delay of a sampled command"
     inputs = (Port("command"),)
     outputs = (Port("applied"),)

@@ -18,6 +18,7 @@ class Saturation(Component):
 
     family = "drive"
     kind = "saturation"
+    example = {"limit": 0.5}
     reference = "zero-order hold with saturation"
     inputs = (Port("command"),)
     outputs = (Port("applied"),)

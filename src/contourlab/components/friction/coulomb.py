@@ -24,6 +24,7 @@ class Coulomb(Component):
 
     family = "friction"
     kind = "coulomb"
+    example = {"coulomb": 0.2, "breakaway": 0.3, "stribeck_velocity": 1e-3, "viscous": 2.0}
     law = "sticking"
     reference = "Armstrong-Helouvry, Dupont & Canudas de Wit 1994"
 

@@ -23,6 +23,7 @@ class LuGre(Component):
 
     family = "friction"
     kind = "lugre"
+    example = {"coulomb": 0.2, "breakaway": 0.3, "stiffness": 1e4, "bristle_damping": 30.0, "viscous": 2.0}
     law = "bristle"
     reference = "Canudas de Wit et al. 1995, eqs 1-4"
     states = (Port("bristle"),)

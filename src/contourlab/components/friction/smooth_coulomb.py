@@ -19,6 +19,7 @@ class SmoothCoulomb(Component):
 
     family = "friction"
     kind = "smooth-coulomb"
+    example = {"coulomb": 0.2, "breakaway": 0.3, "stribeck_velocity": 1e-3, "smoothing_velocity": 1e-4, "viscous": 2.0}
     law = "smooth"
     reference = "regularised form of Coulomb and Stribeck friction"
 

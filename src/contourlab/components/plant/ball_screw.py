@@ -23,6 +23,7 @@ class BallScrew(SingleMass):
     """
 
     kind = "ball-screw"
+    example = {"mass": 20.0, "inertia": 2e-4, "lead": 0.01, "torque_constant": 0.5, "damping": 100.0}
     reference = "Altintas, Manufacturing Automation, feed drives"
     command_unit = "A"
     force_unit = "N"

@@ -17,6 +17,7 @@ class MassDamper(SingleMass):
     """
 
     kind = "mass-damper"
+    example = {"mass": 20.0, "damping": 100.0, "force_constant": 60.0}
     reference = "Newton's second law"
     command_unit = "A"
     force_unit = "N"

@@ -22,6 +22,7 @@ class RigidAxis(SingleMass):
     """
 
     kind = "rigid-axis"
+    example = {"gain": 1.695, "damping": 10.1}
     reference = "Ghaffari & Ulsoy, eqs 1-2"
     command_unit = "full_scale"
     force_unit = "full_scale"

@@ -18,6 +18,7 @@ class Encoder(Component):
 
     family = "sensor"
     kind = "encoder"
+    example = {"resolution": 1e-5, "noise": 1e-5, "stream": 7.0}
     reference = "uniform quantiser"
     inputs = (Port("position"),)
     outputs = (Port("position"),)

@@ -16,6 +16,7 @@ class FilteredDifference(Component):
 
     family = "velocity"
     kind = "filtered-difference"
+    example = {"bandwidth": 800.0}
     reference = "dirty derivative, backward Euler"
     states = (Port("previous"), Port("velocity"))
     inputs = (Port("position"),)

@@ -1,0 +1,193 @@
+"""The same test for our components and a stranger's: does it keep the contract?"""
+
+from __future__ import annotations
+
+import inspect
+import math
+from collections.abc import Callable
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from contourlab.components.contract import FAMILIES, Component, Parameter
+from contourlab.engine.runner import Group, make_group
+from contourlab.engine.schedule import Node, Schedule
+from contourlab.engine.step import Step, rows
+from contourlab.errors import ComponentError, ContourlabError
+
+__all__ = ["check_component"]
+
+Array = NDArray[np.float64]
+PERIOD = 1e-3
+TICKS = 160
+SCALES = (1.0, 1e-3)
+AGREEMENT = 1e-9
+
+
+def check_component(kind: type[Component], *, jit: bool = True) -> None:
+    """Check that a component keeps the contract.
+
+    Declarations (family, bounds, documentation), sizes, finite outputs, determinism, save and restore in mid-run, agreement of lanes,
+    compiled scalar and plain Python to 1e-9, and that every parameter has an effect, are checked on its `example`. Plants and frictions are
+    checked linked to each other, estimators on an ellipse.
+
+    Parameters
+    ----------
+    kind : subclass of Component
+    jit : bool
+        Whether to check the compiled forms too.
+
+    Raises
+    ------
+    ComponentError
+        At the first clause that is broken, in words.
+
+    >>> from contourlab.components.drive.saturation import Saturation
+    >>> check_component(Saturation, jit=False)
+    """
+    _check_declaration(kind)
+    try:
+        part = kind(**kind.example)
+    except ContourlabError as error:
+        raise _fault(kind, f"its example does not make a component: {error}") from error
+    for scale in SCALES:
+        _check_running(kind, part, scale, jit)
+    _check_effects(kind, part)
+
+
+def _fault(kind: type[Component], message: str) -> ComponentError:
+    return ComponentError(f"{kind.__module__}.{kind.__name__}: {message}")
+
+
+def _check_declaration(kind: type[Component]) -> None:
+    if not (isinstance(kind, type) and issubclass(kind, Component) and kind.kind):
+        raise ComponentError(f"{kind!r} is no component: a class with family and kind is wanted")
+    if kind.family not in FAMILIES:
+        raise _fault(kind, f"family {kind.family!r} is none of {', '.join(FAMILIES)}")
+    if not inspect.getdoc(kind) or kind.__doc__ == Component.__doc__:
+        raise _fault(kind, "has no docstring")
+    for name, parameter in kind.parameters.items():
+        if not parameter.doc:
+            raise _fault(kind, f"parameter {name} has no doc")
+        _check_bounds(kind, name, parameter)
+
+
+def _check_bounds(kind: type[Component], name: str, parameter: Parameter) -> None:
+    bounded = parameter.choices or parameter.minimum > -math.inf or parameter.maximum < math.inf
+    if not bounded and name not in kind.unbounded:
+        raise _fault(kind, f"parameter {name} has no bound: give minimum or maximum, or name it in `unbounded`")
+    if parameter.default is not None:
+        try:
+            parameter.check(parameter.default)
+        except ContourlabError as error:
+            raise _fault(kind, f"default of {name} is out of its own range: {error}") from error
+
+
+def subject(part: Component) -> tuple[Step, dict[str, Any], dict[str, Any]]:
+    """Return step, parameter values and tables of a component, linked to a partner where it cannot run alone."""
+    if part.family in ("plant", "friction"):
+        return _linked(part)
+    if part.family == "estimator":
+        from contourlab.geometry import contour
+        from contourlab.geometry.view import view_of
+
+        view = view_of(contour("ellipse"), pieces=64)
+        return part.path_step(view, 2), {**part.block(PERIOD), **view.parameters}, dict(view.tables)  # type: ignore[attr-defined]
+    return part.make_step(2), part.block(PERIOD), part.table_values()
+
+
+def _linked(part: Component) -> tuple[Step, dict[str, Any], dict[str, Any]]:
+    from contourlab.components.mechanics import link
+    from contourlab.components.registry import component
+
+    plant: Component = part if part.family == "plant" else component("plant", "mass-damper")(mass=2.0, force_constant=3.0)
+    friction: Component = part if part.family == "friction" else component("friction", "smooth-coulomb")(coulomb=0.1, breakaway=0.2)
+    return link(plant, friction), {**plant.block(PERIOD), **friction.block(PERIOD)}, {}
+
+
+def _group(part: Component, jit: bool, width: int = 1) -> Group:
+    step, values, tables = subject(part)
+    wires = {port.name: f"in.{port.name}" for port in step.inputs}
+    node = Node("part", step, wires, values, tables, ring_length=part.ring_length(PERIOD))
+    schedule = Schedule((node,), step.inputs, PERIOD, 1)
+    return make_group(schedule, width, slice(0, width), jit)
+
+
+def _outputs(group: Group) -> list[int]:
+    step = group.schedule.nodes[0].step
+    return [group.schedule.row(f"part.{port.name}") + i for port in step.outputs for i in range(port.rows)]
+
+
+def _excitation(group: Group, scale: float) -> Array:
+    """Return inputs that wander and turn: sums of sines of unlike frequencies, the same at every call."""
+    n = rows(group.schedule.externals)
+    t = np.arange(TICKS)[:, None] * 0.05
+    channel = np.arange(n)[None, :]
+    return np.asarray(scale * (np.sin((1.0 + 0.37 * channel) * t + channel) + 0.4 * np.sin((3.1 + 0.23 * channel) * t + 2.0 * channel)))
+
+
+def _run(part: Component, scale: float, jit: bool, width: int = 1) -> Array:
+    group = _group(part, jit, width)
+    return group.run(_excitation(group, scale), _outputs(group))
+
+
+def _check_running(kind: type[Component], part: Component, scale: float, jit: bool) -> None:
+    try:
+        plain = _run(part, scale, False)
+    except (TypeError, ValueError, AttributeError, ArithmeticError, IndexError) as error:
+        raise _fault(kind, f"its step fails in plain Python: {type(error).__name__}: {error}") from error
+    if not np.isfinite(plain).all():
+        raise _fault(kind, "its outputs are not all finite")
+    if not np.array_equal(plain, _run(part, scale, False)):
+        raise _fault(kind, "two runs differ: a step must depend on its arguments alone")
+    forms: dict[str, Callable[[], Array]] = {}
+    if jit:
+        forms = {"the compiled form": lambda: _run(part, scale, True), "the lanes": lambda: _run(part, scale, True, 32)}
+    for name, form in forms.items():
+        gap = np.abs(form() - plain).max() if plain.size else 0.0
+        if not gap <= AGREEMENT * max(1.0, float(np.abs(plain).max(initial=0.0))):
+            raise _fault(kind, f"{name} and plain Python differ by {gap:.3g}")
+    _check_resume(kind, part, scale, plain, jit)
+
+
+def _check_resume(kind: type[Component], part: Component, scale: float, plain: Array, jit: bool) -> None:
+    group = _group(part, jit)
+    inputs, half = _excitation(group, scale), TICKS // 2
+    first = group.run(inputs[:half], _outputs(group))
+    saved = group.snapshot()
+    rest = group.run(inputs[half:], _outputs(group))
+    group.restore(saved)
+    again = group.run(inputs[half:], _outputs(group))
+    if not np.array_equal(rest, again):
+        raise _fault(kind, "a run that is saved and restored goes on differently: all it remembers must be in its states or its ring")
+    gap = np.abs(np.concatenate([first, rest]) - plain).max(initial=0.0)
+    if not gap <= AGREEMENT * max(1.0, float(np.abs(plain).max(initial=0.0))):
+        raise _fault(kind, "a run in two halves differs from a run in one")
+
+
+def _check_effects(kind: type[Component], part: Component) -> None:
+    before = [_run(part, scale, False) for scale in SCALES]
+    for name, parameter in kind.parameters.items():
+        if name in kind.without_effect:
+            continue
+        for value in _others(parameter, getattr(part, name)):
+            try:
+                changed = part.replace(**{name: value})
+            except ContourlabError:
+                continue
+            if any(not np.array_equal(_run(changed, scale, False), old) for scale, old in zip(SCALES, before, strict=True)):
+                break
+        else:
+            raise _fault(kind, f"parameter {name} has no effect on its outputs in the example")
+
+
+def _others(parameter: Parameter, value: Any) -> list[Any]:
+    """Return other values that a parameter might take."""
+    if parameter.choices:
+        return [choice for choice in parameter.choices if choice != value]
+    if parameter.vector:
+        return [tuple(0.5 * v + 0.1 for v in value)]
+    if parameter.whole:
+        return [value + 1.0, value - 1.0]
+    return [0.6 * value + 0.01, 1.7 * value, 0.01 * value, 1.0]

@@ -1,0 +1,105 @@
+"""Fewer points, same picture: what is left of a long signal still holds its first, last, lowest and highest value.
+
+The samples are cut into intervals of equal length, and of each interval the first, last, lowest and highest sample are kept. A line through
+them covers the same pixels as a line through all samples as long as an interval is no wider than a pixel (the M4 aggregation).
+
+References
+----------
+U. Jugel, Z. Jerzak, G. Hackenbroich, V. Markl, "M4: A Visualization-Oriented Time Series Data Aggregation", Proc. VLDB Endowment 7 (10),
+2014, section 4.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from contourlab.errors import ParameterError
+
+__all__ = ["keep_extremes", "share"]
+
+Index = NDArray[np.int64]
+
+KEPT = 4  # samples kept of an interval: first, lowest, highest, last
+
+
+def keep_extremes(values: ArrayLike, budget: int) -> Index:
+    """Choose the samples that a drawing of `values` needs.
+
+    Parameters
+    ----------
+    values : array_like (n_sample,) or (n_sample, n_column)
+        Any unit; nan stands for a gap and is never taken for an extreme. Of several columns each one's extremes are kept, and the
+        budget is divided between them.
+    budget : int, >= 4 per column
+        Most samples to keep.
+
+    Returns
+    -------
+    ndarray of int (n_kept,)
+        Indices in ascending order, without repetition, ``n_kept <= budget``; all of them when ``n_sample <= budget``. The first
+        and the last sample and every column's minimum and maximum are among them.
+
+    Raises
+    ------
+    ParameterError
+        If the budget is too small.
+
+    Notes
+    -----
+    Linear in the number of samples.
+
+    >>> keep_extremes([0.0, 1.0, 9.0, 2.0, 3.0, -7.0, 4.0, 5.0], 4)
+    array([0, 2, 5, 7])
+    """
+    columns = np.asarray(values, dtype=np.float64)
+    columns = columns[:, np.newaxis] if columns.ndim == 1 else columns
+    n_sample, n_column = columns.shape
+    if budget < KEPT * n_column:
+        raise ParameterError("budget", budget, f"at least {KEPT} per column, {KEPT * n_column} here", "points")
+    if n_sample <= budget:
+        return np.arange(n_sample, dtype=np.int64)
+    # First and last are the same samples for every column; lowest and highest are each column's own.
+    n_interval = budget // (2 + 2 * n_column)
+    return np.unique(np.concatenate([_of_column(columns[:, i], n_interval) for i in range(n_column)]))
+
+
+def _of_column(column: NDArray[np.float64], n_interval: int) -> Index:
+    """Return first, last, lowest and highest of each interval, unsorted."""
+    column = np.ascontiguousarray(column)
+    width = -(-column.size // n_interval)
+    n_full = column.size // width
+    kept = [_of_rows(column[: n_full * width].reshape(n_full, width), 0)]
+    if n_full * width < column.size:  # the last interval is shorter than the others
+        kept.append(_of_rows(column[np.newaxis, n_full * width :], n_full * width))
+    return np.concatenate(kept)
+
+
+def _of_rows(rows: NDArray[np.float64], offset: int) -> Index:
+    """Return first, last, lowest and highest of each row; the first row starts at sample `offset`."""
+    start = offset + np.arange(rows.shape[0], dtype=np.int64) * rows.shape[1]
+    low, high = start + _place(rows, np.argmin, np.inf), start + _place(rows, np.argmax, -np.inf)
+    return np.concatenate([start, low, high, start + rows.shape[1] - 1])
+
+
+def _place(rows: NDArray[np.float64], pick: Callable[..., Any], filler: float) -> Index:
+    """Return the place of each row's extreme, passing over nan."""
+    place: Index = pick(rows, axis=1)
+    # numpy answers nan's own place where a row holds one: only those rows are looked at again.
+    spoilt = np.flatnonzero(np.isnan(rows[np.arange(rows.shape[0]), place]))
+    if spoilt.size:
+        part = rows[spoilt]
+        place[spoilt] = pick(np.where(np.isnan(part), filler, part), axis=1)
+    return place.astype(np.int64, copy=False)
+
+
+def share(total: int, n_curve: int, most: int) -> int:
+    """Return the points each of `n_curve` curves may have when all may have `total` together, but none more than `most`.
+
+    >>> share(300_000, 200, 4000)
+    1500
+    """
+    return max(2 * KEPT, min(most, total // max(n_curve, 1)))
