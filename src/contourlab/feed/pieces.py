@@ -18,7 +18,7 @@ from contourlab.feed.bounds import SHARES, Bounds, Samples, piece_bounds, speed_
 from contourlab.feed.joints import NUDGE, Joints, joints
 from contourlab.feed.limits import AxisLimits
 from contourlab.feed.route import Route
-from contourlab.geometry import Arc, Curve, Helix, Line
+from contourlab.geometry import Arc, Curve, Line
 
 __all__ = ["Nodes", "Pieces", "Survey", "cut", "look", "survey"]
 
@@ -78,7 +78,7 @@ def look(route: Route, curve: Index, place: Array) -> Nodes:
 
 
 def _kind(curve: Curve) -> int:
-    return 0 if isinstance(curve, Line) else 1 if isinstance(curve, (Arc, Helix)) else 2
+    return 0 if isinstance(curve, Line) else 1 if isinstance(curve, Arc) else 2
 
 
 def _first_nodes(route: Route) -> tuple[Nodes, NDArray[np.int8]]:

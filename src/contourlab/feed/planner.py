@@ -8,6 +8,8 @@ Stretches with general curves are planned a second way (`smooth`), and the faste
 
 from __future__ import annotations
 
+from collections.abc import Iterable
+
 import numpy as np
 from numpy.typing import NDArray
 
@@ -19,8 +21,9 @@ from contourlab.feed.profile import Profile
 from contourlab.feed.reference import Reference, lap_ranges, whole_samples
 from contourlab.feed.route import Route
 from contourlab.feed.scurve import move_spans, peak_speed, reachable_speed
-from contourlab.feed.smooth import smooth_profile
+from contourlab.feed.smooth import Stretch, smooth_profile
 from contourlab.feed.stretches import general_stretches
+from contourlab.geometry import Path
 
 __all__ = ["plan", "plan_profile"]
 
@@ -69,13 +72,17 @@ def _spans(moves: tuple[Array, ...], pieces: Pieces, rest_after: Array, length: 
     return rows.reshape(-1, 5)
 
 
-def _with_smooth_stretches(rows: Array, pieces: Pieces, stretches: list[tuple[float, Profile]]) -> Array:
+def _with_smooth_stretches(
+    rows: Array, pieces: Pieces, path: Path, stretches: Iterable[Stretch], limits: AxisLimits
+) -> Array:
     """Put the spans of smooth stretches in the place of their pieces, where they are faster."""
     parts, done = [], 0
-    for begin, profile in stretches:
-        first, after = np.searchsorted(pieces.start, [begin - 1e-12, begin + profile.length - 1e-12])
+    for stretch in stretches:
+        begin, end = float(stretch.arc_length[0]), float(stretch.arc_length[-1])
+        first, after = np.searchsorted(pieces.start, [begin - 1e-12, end - 1e-12])
         top, bottom = 8 * int(first), 8 * int(after) - 1  # the last row is the rest after the stretch
-        if profile.duration >= float(rows[top:bottom, 0].sum()):
+        profile = smooth_profile(path, stretch, limits, float(rows[top:bottom, 0].sum()))
+        if profile is None:
             continue
         lasting = np.diff(np.append(profile.t0, profile.duration))
         new = np.stack([lasting, profile.s0 + begin, profile.v0, profile.a0, profile.j], axis=-1)
@@ -137,12 +144,8 @@ def plan_profile(
     moves = move_spans(pieces.length, start_speed, peak, end_speed, *shape)
     rest = np.where(pieces.stop, route.dwell[pieces.curve], 0.0)
     rows = _spans(moves, pieces, rest, laps * lap_length)
-    smooth = [
-        (float(stretch.arc_length[0]), profile)
-        for stretch in general_stretches(route, seen, laps)
-        if (profile := smooth_profile(route.path, stretch, limits)) is not None
-    ]
-    return _profile(_with_smooth_stretches(rows, pieces, smooth), route.dwell_before, laps * lap_length)
+    rows = _with_smooth_stretches(rows, pieces, route.path, general_stretches(route, seen, laps), limits)
+    return _profile(rows, route.dwell_before, laps * lap_length)
 
 
 def plan(

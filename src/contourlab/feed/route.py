@@ -3,24 +3,20 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from contourlab.errors import FeedError, ProgramError
-from contourlab.geometry import Curve, Line, Path
+from contourlab.geometry import Arc, Curve, Line, Path
 from contourlab.program import Arc as ArcMove
 from contourlab.program import Dwell, Program, Traverse
 
 __all__ = ["Route", "route_from_path", "route_from_program"]
 
 Array = NDArray[np.float64]
-
-# In-plane axes of each plane, in the order in which a counter-clockwise arc turns from the first to the second.
-PLANES = {"XY": (0, 1), "YZ": (1, 2), "ZX": (2, 0)}
-
 
 def _per_curve(name: str, value: ArrayLike, n_curve: int, dtype: Any) -> NDArray[Any]:
     array = np.array(value, dtype=dtype)
@@ -62,7 +58,7 @@ class Route:
     rapid: NDArray[np.bool_]
     dwell: Array
     source_line: NDArray[np.int64]
-    programmed: Path = field(default=None)  # type: ignore[assignment]  # replaced by `path` below
+    programmed: Path = None  # type: ignore[assignment]  # replaced by `path` below
     dwell_before: float = 0.0
 
     def __post_init__(self) -> None:
@@ -136,7 +132,7 @@ def _check_axes(program: Program, move: Any, columns: list[int]) -> None:
     lacking = [column for column in range(3) if column not in columns]
     moved = [column for column in lacking if move.end[column] != move.start[column]]
     if isinstance(move, ArcMove):
-        moved += [column for column in PLANES[move.plane] if column in lacking and column not in moved]
+        moved += [column for column in move.axes[:2] if column in lacking and column not in moved]
     if moved:
         names = ", ".join("XYZ"[column] for column in moved)
         have = ", ".join("XYZ"[column] for column in columns)
@@ -148,8 +144,11 @@ def _check_axes(program: Program, move: Any, columns: list[int]) -> None:
 
 
 def _arc(move: ArcMove, columns: list[int]) -> Curve:
-    """Return the arc or helix of a move, in the machine's axes."""
-    raise NotImplementedError
+    """Return the arc or helix of a move, in the machine's axes; it joins the programmed ends exactly."""
+    unit = np.eye(len(columns))
+    u, v = (unit[columns.index(axis)] for axis in move.axes[:2])
+    ends = (_point(point, columns) for point in (move.start, move.end, move.centre))
+    return Arc.through(*ends, move.sweep, u, v)
 
 
 def route_from_program(program: Program, axes: Sequence[str] = ("x", "y", "z")) -> Route:
@@ -194,11 +193,11 @@ def route_from_program(program: Program, axes: Sequence[str] = ("x", "y", "z")) 
             if np.array_equal(start, end):
                 continue
             curves.append(Line(start, end))
-        rapid = isinstance(move, Traverse)
-        rows.append((np.inf if rapid else move.feedrate, rapid, move.source_line))
+        feedrate = np.inf if isinstance(move, Traverse) else move.feedrate
+        rows.append((feedrate, isinstance(move, Traverse), move.source_line))
         dwell.append(0.0)
     if not curves:
         raise FeedError(f"{program.name}: the program moves no axis: there is nothing to drive along")
-    feedrate, rapid_flags, lines = (np.array(column) for column in zip(*rows, strict=True))
+    feedrates, rapid, lines = (np.array(column) for column in zip(*rows, strict=True))
     path = Path(tuple(curves))
-    return Route(path, feedrate, rapid_flags, np.array(dwell), lines, path, before)
+    return Route(path, feedrates, rapid, np.array(dwell), lines, path, before)

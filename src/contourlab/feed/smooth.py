@@ -32,9 +32,10 @@ Array = NDArray[np.float64]
 TURNING = 0.9  # part of the acceleration limit that turning may use at the ceiling of speed
 TURNING_JERK = 0.6  # part of the jerk limit for c v^3 at the ceiling of speed
 MIXED_JERK = 0.6  # part of the jerk limit for 3 k v a
-PERIODS = (0.35, 0.6, 1.0)  # periods h tried, in units of 2 A / J, after which bang-bang acceleration keeps to the jerk
+PERIODS = (0.35, 0.18, 0.7)  # periods h tried, in units of 2 A / J: at 1 a swing from -A to A keeps to the jerk
 ROUNDING = 1e-6  # of a limit
-ROUNDS = 12  # corrections at most
+ROUNDS = 16  # corrections at most
+FINEST = 5e-3  # least unit of h, in sqrt(length / acceleration): finer gains no time where jerk is plentiful
 SPREAD = 2.0  # half width of the moving average, in periods
 PER_SPAN = 12  # places looked at in each span, besides the samples of the path
 
@@ -163,10 +164,11 @@ def _lowest_beside(place: Array, nodes: Array, value: Array) -> Array:
     return np.minimum(value[i], value[i + 1])
 
 
-def _corrected(
-    path: Path, stretch: Stretch, limits: AxisLimits, period: float
-) -> Profile | None:
-    """Plan with one period h, lowering the limits where the result breaks them, until it does not."""
+def _corrected(path: Path, stretch: Stretch, limits: AxisLimits, period: float, beat: float) -> Profile | None:
+    """Plan with one period h, lowering the limits where the result breaks them, until it does not.
+
+    Gives up once it takes `beat` seconds: corrections only ever make it slower.
+    """
     scale = np.ones_like(stretch.arc_length)
     local = stretch.arc_length - stretch.arc_length[0]
     for _ in range(ROUNDS):
@@ -175,6 +177,8 @@ def _corrected(
         ceiling = _lowest_within(local, ceiling, 1.05 * SPREAD * period * speed)
         square = _square_speed(stretch, limits, scale, ceiling)
         profile = _averaged(stretch, square, period)
+        if profile.duration >= beat:
+            return None
         place, demand = _demand(path, stretch, profile, limits)
         if np.max(demand) <= 1.0 + ROUNDING:
             return profile
@@ -185,12 +189,12 @@ def _corrected(
         last = np.searchsorted(local, place[bad] + reach, side="right")
         lower = np.ones_like(scale)
         for i, k, by in zip(first.tolist(), last.tolist(), demand[bad].tolist(), strict=True):
-            np.minimum(lower[i:k], 0.99 / by, out=lower[i:k])
+            np.minimum(lower[i:k], 0.98 / by, out=lower[i:k])
         scale *= np.maximum(lower, 0.6)
     return None
 
 
-def smooth_profile(path: Path, stretch: Stretch, limits: AxisLimits) -> Profile | None:
+def smooth_profile(path: Path, stretch: Stretch, limits: AxisLimits, beat: float = math.inf) -> Profile | None:
     """Plan one stretch from rest to rest.
 
     Parameters
@@ -199,12 +203,14 @@ def smooth_profile(path: Path, stretch: Stretch, limits: AxisLimits) -> Profile 
     stretch : Stretch
     limits : AxisLimits
         With finite acceleration; the jerk may be unlimited.
+    beat : float [s]
+        Only a faster motion is wanted.
 
     Returns
     -------
     Profile or None
-        With progress counted from the start of the stretch; None where no motion passed the check, or where the
-        limits have no say in it.
+        With progress counted from the start of the stretch; None where no faster motion passed the check, or where
+        the acceleration has no limit.
     """
     if not np.all(np.isfinite(limits.acceleration)):
         return None
@@ -213,7 +219,10 @@ def smooth_profile(path: Path, stretch: Stretch, limits: AxisLimits) -> Profile 
     jerk = (limits.jerk / t).min(axis=1)
     unit = float(np.max(2.0 * along / jerk))
     length = float(stretch.arc_length[-1] - stretch.arc_length[0])
-    # Without a jerk limit the average needs only be fine against the stretch's own time.
-    unit = max(unit, 1e-3 * math.sqrt(length / float(np.min(along))))
-    found = [_corrected(path, stretch, limits, part * unit) for part in PERIODS]
-    return min((profile for profile in found if profile is not None), key=lambda p: p.duration, default=None)
+    unit = max(unit, FINEST * math.sqrt(length / float(np.min(along))))
+    best = None
+    for part in PERIODS:
+        found = _corrected(path, stretch, limits, part * unit, beat)
+        if found is not None:
+            best, beat = found, found.duration
+    return best

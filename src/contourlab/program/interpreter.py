@@ -25,6 +25,7 @@ LONGEST_DWELL = 86_400.0
 """Dwells beyond this [s] are a slip."""
 
 _ARCS = (20, 30)
+_ARC_LETTERS = frozenset("IJKRP")
 
 
 def execute(block: Block, state: ModalState, line: int) -> list[Move]:
@@ -100,10 +101,10 @@ def _moves(block: Block, state: ModalState) -> bool:
 
 def _check_letters(block: Block, state: ModalState) -> None:
     """Refuse words that no code of the block uses."""
-    words, arc = block.words, state.motion in _ARCS
-    motion = arc and _moves(block, state)
-    for letter in words.keys() & set("IJKRP"):
-        word = words[letter]
+    motion = state.motion in _ARCS and _moves(block, state)
+    for letter, word in block.words.items():
+        if letter not in _ARC_LETTERS:
+            continue
         if letter == "P" and "dwell" in block.codes:
             if motion:
                 raise BlockError("G4 and an arc in one block would share P: write G4 on a line of its own", word.column)

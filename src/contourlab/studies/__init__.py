@@ -1,0 +1,1 @@
+"""Studies: the papers' reproductions, comparisons of schemes, and the verdict."""

@@ -1,0 +1,120 @@
+"""Circular arcs and helices."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from contourlab.errors import GeometryError
+from contourlab.geometry.curve import Curve, vector
+
+__all__ = ["Arc"]
+
+
+class Arc(Curve):
+    """Circular arc, or helix: c + R (cos a u + sin a v) + rise (a - a0)/sweep.
+
+    Parameters
+    ----------
+    centre : array_like (n_axis,) [m]
+    radius : float [m], > 0
+    start_angle : float [rad]
+        a0, from u towards v.
+    sweep : float [rad], not 0
+        How far the angle turns, with its sign; may be more than a turn.
+    u, v : array_like (n_axis,), optional
+        Orthonormal axes of the plane; the first two coordinates by default.
+    rise : array_like (n_axis,) [m], optional
+        Travel along the axis over the whole sweep, at right angles to u and v; none by default.
+
+    Raises
+    ------
+    GeometryError
+        If the radius is not positive, the sweep is zero, or the axes are not orthonormal.
+
+    >>> round(Arc((0, 0), 2.0, 0.0, math.pi).length, 6)
+    6.283185
+    """
+
+    def __init__(
+        self,
+        centre: ArrayLike,
+        radius: float,
+        start_angle: float,
+        sweep: float,
+        u: ArrayLike | None = None,
+        v: ArrayLike | None = None,
+        rise: ArrayLike | None = None,
+    ) -> None:
+        self.centre = vector(centre, "centre")
+        n = self.n_axis = self.centre.size
+        self.u = vector(u, "u") if u is not None else np.eye(n)[0]
+        self.v = vector(v, "v") if v is not None else np.eye(n)[1]
+        self.rise = vector(rise, "rise") if rise is not None else np.zeros(n)
+        self.radius, self.start_angle, self.sweep = float(radius), float(start_angle), float(sweep)
+        if not (self.radius > 0.0 and math.isfinite(self.radius)):
+            raise GeometryError(f"radius = {radius!r}: must be > 0 and finite")
+        if self.sweep == 0.0 or not math.isfinite(self.sweep) or not math.isfinite(self.start_angle):
+            raise GeometryError(f"sweep = {sweep!r}: must be finite and not zero")
+        frame = np.array([self.u, self.v])
+        if not np.allclose(frame @ frame.T, np.eye(2), atol=1e-9) or np.abs(frame @ self.rise).max() > 1e-9 * max(1.0, self.radius):
+            raise GeometryError("u and v must be orthonormal, and rise at right angles to both")
+        self.length = math.hypot(self.radius * self.sweep, float(np.linalg.norm(self.rise)))
+        self.rate = self.sweep / self.length
+
+    @classmethod
+    def through(cls, start: ArrayLike, end: ArrayLike, centre: ArrayLike, sweep: float, u: ArrayLike | None = None, v: ArrayLike | None = None) -> Arc:
+        """Return the arc from `start` to `end`; the centre is moved to be equally far from both, which a program's rounding leaves off by a little.
+
+        Parameters
+        ----------
+        start, end, centre : array_like (n_axis,) [m]
+            End points, joined exactly; the centre is taken at the height of the start.
+        sweep : float [rad]
+            Turn with its sign; adjusted by what the moved centre needs.
+        u, v : array_like (n_axis,), optional
+            Axes of the plane.
+        """
+        a, b, c = vector(start, "start"), vector(end, "end"), vector(centre, "centre")
+        e1 = vector(u, "u") if u is not None else np.eye(a.size)[0]
+        e2 = vector(v, "v") if v is not None else np.eye(a.size)[1]
+        flat = np.array([e1, e2])
+        pa, pb, pc = flat @ a, flat @ b, flat @ c
+        chord = pb - pa
+        square = float(chord @ chord)
+        if square > 0.0:
+            # Move the centre along the chord until both ends are equally far.
+            pc = pc - chord * (float((pc - 0.5 * (pa + pb)) @ chord) / square)
+        radius = float(np.linalg.norm(pa - pc))
+        first = math.atan2(pa[1] - pc[1], pa[0] - pc[0])
+        last = math.atan2(pb[1] - pc[1], pb[0] - pc[0])
+        turned = first - last if square == 0.0 else last - first
+        exact = turned + 2.0 * math.pi * round((sweep - turned) / (2.0 * math.pi))
+        plane = e1 * pc[0] + e2 * pc[1]
+        height = a - (e1 * pa[0] + e2 * pa[1])
+        rise = (b - a) - (e1 * chord[0] + e2 * chord[1])
+        return cls(plane + height, radius, first, exact, e1, e2, rise)
+
+    def derivatives(self, s: ArrayLike, order: int = 3) -> NDArray[np.float64]:
+        along = np.atleast_1d(np.asarray(s, dtype=float))
+        angle = self.start_angle + self.rate * along
+        c, d = np.cos(angle)[:, None], np.sin(angle)[:, None]
+        spoke, swing = c * self.u + d * self.v, c * self.v - d * self.u
+        found = np.empty((order + 1, along.size, self.n_axis))
+        factor = self.radius
+        for k, turn in enumerate((spoke, swing, -spoke, -swing)[: order + 1]):
+            found[k] = factor * turn
+            factor *= self.rate
+        found[0] += self.centre + (along / self.length)[:, None] * self.rise
+        if order > 0:
+            found[1] += self.rise / self.length
+        return found
+
+    def smallest_radius(self) -> float:
+        return 1.0 / (self.radius * self.rate**2)
+
+    def describe(self) -> tuple[object, ...]:
+        vectors = (self.centre, self.u, self.v, self.rise)
+        return ("arc", self.radius, self.start_angle, self.sweep, *(x for v in vectors for x in v.tolist()))

@@ -1,0 +1,227 @@
+"""The exact foot point: the closest point of a path, found anew for each sample, for the judge.
+
+Within a window around each sample's progress along the path, every curve in reach is asked for its closest point: lines and flat arcs in
+closed form, other curves by samples and a Newton iteration held in its bracket. The nearest wins; among equals the one nearest to the
+progress, which keeps to the right branch where the path crosses itself.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from contourlab.errors import GeometryError
+from contourlab.geometry.arc import Arc
+from contourlab.geometry.line import Line
+from contourlab.geometry.path import Path
+
+__all__ = ["FootPoint", "foot_point"]
+
+Array = NDArray[np.float64]
+Index = NDArray[np.int64]
+_CHUNK = 1 << 17
+
+
+class FootPoint(NamedTuple):
+    """Closest points of a path.
+
+    arc_length : ndarray (n,) [m]
+        In the lap of the progress that was given.
+    position : ndarray (n, n_axis) [m]
+    distance : ndarray (n,) [m]
+    signed : ndarray (n,) [m]
+        Positive to the left of the direction of travel; NaN unless the path is planar. At a corner the side is that of the bisector.
+    """
+
+    arc_length: Array
+    position: Array
+    distance: Array
+    signed: Array
+
+
+def foot_point(path: Path, points: ArrayLike, around: ArrayLike, window: float) -> FootPoint:
+    """Return the closest point of the path to each point, within `window` of a given progress.
+
+    Parameters
+    ----------
+    path : Path
+    points : array_like (n, n_axis) [m]
+    around : array_like (n,) [m]
+        Progress along the path; on a closed path it may count laps.
+    window : float [m], > 0
+        How far from the progress to look. Cost grows with the number of curves in it.
+
+    Returns
+    -------
+    FootPoint
+        Arc lengths good to 1e-12 of the path's length.
+
+    Raises
+    ------
+    GeometryError
+        If shapes do not fit, the window is not positive, or a point is not finite.
+    """
+    p, s = np.atleast_2d(np.asarray(points, dtype=float)), np.atleast_1d(np.asarray(around, dtype=float))
+    if p.shape != (s.size, path.n_axis):
+        raise GeometryError(f"points of shape {p.shape} with {s.size} values of progress: ({s.size}, {path.n_axis}) is wanted")
+    if not window > 0.0:
+        raise GeometryError(f"window = {window!r}: must be > 0 m")
+    if not (np.isfinite(p).all() and np.isfinite(s).all()):
+        raise GeometryError("points and progress must be finite")
+    parts = [_chunk(path, p[i : i + _CHUNK], s[i : i + _CHUNK], float(window)) for i in range(0, s.size, _CHUNK)]
+    return FootPoint(*(np.concatenate(columns) for columns in zip(*parts, strict=True))) if parts else _nothing(path)
+
+
+def _nothing(path: Path) -> FootPoint:
+    return FootPoint(np.zeros(0), np.zeros((0, path.n_axis)), np.zeros(0), np.zeros(0))
+
+
+def _chunk(path: Path, points: Array, around: Array, window: float) -> FootPoint:
+    sample, curve, lap, low, high = _in_reach(path, around, window)
+    local = np.empty(sample.size)
+    kinds = path._kind[curve]
+    flat = kinds == 1
+    if flat.any():
+        flat[flat] = ~np.any(path._arc["rise"][path._slot[curve[flat]]] != 0.0, axis=1)
+    middle = np.clip(around[sample] - lap * path.length - path.breaks[curve], low, high)
+    on = np.flatnonzero(kinds == 0)
+    if on.size:
+        local[on] = _on_lines(path, points[sample[on]], path._slot[curve[on]], low[on], high[on])
+    on = np.flatnonzero(flat)
+    if on.size:
+        local[on] = _on_arcs(path, points[sample[on]], path._slot[curve[on]], low[on], high[on], middle[on])
+    on = np.flatnonzero((kinds != 0) & ~flat)
+    if on.size:
+        local[on] = _on_curves(path, points[sample[on]], curve[on], low[on], high[on], middle[on])
+    feet = path._at(curve, local, 0)[0]
+    square = ((points[sample] - feet) ** 2).sum(axis=1)
+    progress = lap * path.length + path.breaks[curve] + local
+    best = _nearest(sample, square, np.abs(progress - around[sample]), around.size)
+    return _result(path, points, progress[best], curve[best], local[best], feet[best], np.sqrt(square[best]))
+
+
+def _in_reach(path: Path, around: Array, window: float) -> tuple[Index, Index, Array, Array, Array]:
+    """Return pairs of sample and curve that overlap the window: sample, curve, lap, and the part of the curve."""
+    first, last = around - window, around + window
+    if path.closed:
+        # More than a lap on either side says nothing new.
+        first, last = np.maximum(first, around - 0.5 * path.length), np.minimum(last, around + 0.5 * path.length)
+    else:
+        first, last = np.clip(first, 0.0, path.length), np.clip(last, 0.0, path.length)
+    m = len(path.curves)
+    lap_first = np.floor(first / path.length) if path.closed else np.zeros(first.size)
+    lap_last = np.floor(last / path.length) if path.closed else np.zeros(first.size)
+    begin = np.searchsorted(path.breaks, first - lap_first * path.length, side="right") - 1
+    end = np.searchsorted(path.breaks, last - lap_last * path.length, side="right") - 1
+    begin = np.clip(begin, 0, m - 1) + (lap_first * m).astype(np.int64)
+    end = np.clip(end, 0, m - 1) + (lap_last * m).astype(np.int64)
+    count = end - begin + 1
+    sample = np.repeat(np.arange(around.size), count)
+    number = np.repeat(begin, count) + np.arange(count.sum()) - np.repeat(np.cumsum(count) - count, count)
+    lap = np.floor_divide(number, m)
+    curve = number - lap * m
+    offset = lap * path.length + path.breaks[curve]
+    span = np.diff(path.breaks)[curve]
+    low = np.clip(first[sample] - offset, 0.0, span)
+    high = np.clip(last[sample] - offset, 0.0, span)
+    return sample, curve, lap.astype(float), low, high
+
+
+def _on_lines(path: Path, points: Array, slot: Index, low: Array, high: Array) -> Array:
+    start, direction = path._line["start"][slot], path._line["direction"][slot]
+    return np.asarray(np.clip(np.einsum("ij,ij->i", points - start, direction), low, high))
+
+
+def _on_arcs(path: Path, points: Array, slot: Index, low: Array, high: Array, middle: Array) -> Array:
+    """The spoke through the point, in the turn nearest to the progress; else the nearer end."""
+    arc = {name: path._arc[name][slot] for name in ("centre", "u", "v", "radius", "start_angle", "rate")}
+    out = points - arc["centre"]
+    angle = np.arctan2(np.einsum("ij,ij->i", out, arc["v"]), np.einsum("ij,ij->i", out, arc["u"]))
+    turn = 2.0 * math.pi / np.abs(arc["rate"])
+    along = (angle - arc["start_angle"]) / arc["rate"]
+    along = along + turn * np.round((middle - along) / turn)
+    # The turn nearest to the progress may end outside where a neighbour lies inside.
+    for shift in (turn, -turn):
+        other = along + shift
+        along = np.where(((along < low) | (along > high)) & (other >= low) & (other <= high), other, along)
+    inside = (along >= low) & (along <= high)
+    ends = np.array([_arc_gap(arc, points, end) for end in (low, high)])
+    end = np.where(ends[0] <= ends[1], low, high)
+    return np.where(inside, along, end)
+
+
+def _arc_gap(arc: dict[str, Array], points: Array, along: Array) -> Array:
+    angle = arc["start_angle"] + arc["rate"] * along
+    c, d = np.cos(angle)[:, None], np.sin(angle)[:, None]
+    at = arc["centre"] + arc["radius"][:, None] * (c * arc["u"] + d * arc["v"])
+    return np.asarray(((points - at) ** 2).sum(axis=1))
+
+
+def _on_curves(path: Path, points: Array, curve: Index, low: Array, high: Array, middle: Array) -> Array:
+    """Samples between the ends, the best bracket, then Newton on r'.(r - p) with bisection as a guard."""
+    radius = _smallest_radii(path)[curve]
+    steps = np.clip(np.ceil((high - low) / np.maximum(0.35 * radius, 1e-12)), 4, 64)
+    n = int(steps.max())
+    grid = low[:, None] + (high - low)[:, None] * np.linspace(0.0, 1.0, n + 1)
+    at = path._at(np.repeat(curve, n + 1), grid.ravel(), 0)[0].reshape(*grid.shape, -1)
+    square = ((at - points[:, None, :]) ** 2).sum(axis=2)
+    # Among samples of the same distance the one nearest to the progress.
+    square = square + 1e-18 * np.abs(grid - middle[:, None])
+    k = np.argmin(square, axis=1)
+    row = np.arange(k.size)
+    a, b = grid[row, np.maximum(k - 1, 0)], grid[row, np.minimum(k + 1, n)]
+    s = grid[row, k]
+    for _ in range(60):
+        r, first, second = path._at(curve, s, 2)
+        gap = r - points
+        g = np.einsum("ij,ij->i", first, gap)
+        h = np.einsum("ij,ij->i", first, first) + np.einsum("ij,ij->i", second, gap)
+        a, b = np.where(g < 0.0, s, a), np.where(g > 0.0, s, b)
+        newton = s - np.divide(g, h, out=np.full_like(g, np.inf), where=h > 0.0)
+        after = np.where((newton > a) & (newton < b), newton, 0.5 * (a + b))
+        moved = np.abs(after - s)
+        s = after
+        if moved.max(initial=0.0) <= 1e-15 * path.length:
+            break
+    ends = np.array([((path._at(curve, e, 0)[0] - points) ** 2).sum(axis=1) for e in (low, high, s)])
+    best = np.argmin(ends, axis=0)
+    return np.choose(best, [low, high, s])
+
+
+def _smallest_radii(path: Path) -> Array:
+    held: Any = path.__dict__.get("_radii")
+    if held is None:
+        held = np.array([np.inf if isinstance(c, Line) else c.smallest_radius() if not isinstance(c, Arc) else c.radius for c in path.curves])
+        path.__dict__["_radii"] = held
+    return np.asarray(held)
+
+
+def _nearest(sample: Index, square: Array, away: Array, n: int) -> Index:
+    """Return, for each sample, its pair of least distance; ties (to a part in 1e12) go to the one least away."""
+    least = np.full(n, np.inf)
+    np.minimum.at(least, sample, square)
+    tied = square <= least[sample] * (1.0 + 1e-12) + 1e-30
+    nearest = np.full(n, np.inf)
+    np.minimum.at(nearest, sample[tied], away[tied])
+    winner = np.flatnonzero(tied & (away <= nearest[sample]))
+    found = np.empty(n, dtype=np.int64)
+    found[sample[winner][::-1]] = winner[::-1]
+    return found
+
+
+def _result(path: Path, points: Array, progress: Array, curve: Index, local: Array, feet: Array, distance: Array) -> FootPoint:
+    if not path.is_planar:
+        return FootPoint(progress, feet, distance, np.full(distance.size, np.nan))
+    tangent = path._at(curve, local, 1)[1]
+    span = np.diff(path.breaks)[curve]
+    m = len(path.curves)
+    for at_end, shift, edge in ((local >= span, 1, path._starts), (local <= 0.0, -1, path._ends)):
+        other = curve + shift
+        usable = at_end & (path.closed | ((other >= 0) & (other < m)))
+        tangent = np.where(usable[:, None], tangent + edge[1][np.mod(other, m)], tangent)
+    gap = points - feet
+    side = tangent[:, 0] * gap[:, 1] - tangent[:, 1] * gap[:, 0]
+    return FootPoint(progress, feet, distance, np.copysign(distance, side))

@@ -1,0 +1,150 @@
+"""The table of figures, worked out once and printed by the terminal, Markdown and the page alike."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from dataclasses import dataclass
+
+from contourlab.report.data import ReportData, SchemeReport
+from contourlab.report.figures import Figure, error_figures, figures_of
+from contourlab.report.style import scheme_style
+from contourlab.report.text import number, quantity
+
+__all__ = ["Cell", "Comparison", "Head", "Row", "compare"]
+
+PASS, FAIL = "✓ pass", "✗ fail"
+
+
+@dataclass(frozen=True)
+class Head:
+    """A column: one scheme and its colour."""
+
+    name: str
+    colour: str
+
+
+@dataclass(frozen=True)
+class Cell:
+    """One figure in print; `mood` is ``"good"``, ``"poor"`` or ``""``."""
+
+    text: str
+    mood: str = ""
+
+
+@dataclass(frozen=True)
+class Row:
+    """One figure of every scheme.
+
+    Parameters
+    ----------
+    label, unit : str
+    cells : tuple of Cell
+        One per scheme.
+    change : str
+        Of the last against the first, in percent.
+    mood : str
+        Of the change.
+    strong : bool
+        Whether it is what the verdict rests on.
+    """
+
+    label: str
+    unit: str
+    cells: tuple[Cell, ...]
+    change: str = ""
+    mood: str = ""
+    strong: bool = False
+
+
+@dataclass(frozen=True)
+class Comparison:
+    """The whole table."""
+
+    heads: tuple[Head, ...]
+    rows: tuple[Row, ...]
+    tolerance: str
+    note: str
+
+    @property
+    def has_change(self) -> bool:
+        """Whether there is a before and an after."""
+        return len(self.heads) > 1
+
+
+def compare(data: ReportData) -> Comparison:
+    """Return the table of a report.
+
+    Parameters
+    ----------
+    data : ReportData
+
+    Returns
+    -------
+    Comparison
+        Rows: the verdict where there is a tolerance, the errors, the axes, the drives, the time. A figure that no scheme has is left out.
+    """
+    count = len(data.schemes)
+    heads = tuple(Head(scheme.name, scheme_style(i, count)[0]) for i, scheme in enumerate(data.schemes))
+    columns = [figures_of(scheme, data.axes) for scheme in data.schemes]
+    keys = dict.fromkeys(key for column in columns for key in column)
+    rows = [_row(key, [column.get(key) for column in columns]) for key in keys]
+    rows = [row for row in rows if any(cell.text != number(math.nan) for cell in row.cells)]
+    rows = [*_verdict_row(data), *rows]
+    tolerance = "" if data.tolerance is None else quantity(data.tolerance, "µm", 1e6)
+    return Comparison(heads, tuple(rows), tolerance, _note(data))
+
+
+def _verdict_row(data: ReportData) -> list[Row]:
+    """Return pass or fail of every scheme."""
+    answers = [_passed(scheme, data.tolerance) for scheme in data.schemes]
+    if all(answer is None for answer in answers):
+        return []
+    cells = tuple(Cell("–") if a is None else Cell(PASS if a else FAIL, "good" if a else "poor") for a in answers)
+    tolerance = data.tolerance
+    if tolerance is None:
+        tolerance = next(scheme.verdict.tolerance for scheme in data.schemes if scheme.verdict is not None)
+    return [Row(f"tolerance {quantity(tolerance, 'µm', 1e6)}", "", cells, strong=True)]
+
+
+def _passed(scheme: SchemeReport, tolerance: float | None) -> bool | None:
+    """Return the verdict; without one, the largest error held against the tolerance; a run that stopped early fails."""
+    if not scheme.result.status.ok:
+        return False
+    if scheme.verdict is not None:
+        return bool(scheme.verdict.passed)
+    if tolerance is None:
+        return None
+    largest = error_figures(scheme)["max"]
+    return bool(largest <= tolerance)
+
+
+def _row(label: str, figures: list[Figure | None]) -> Row:
+    """Return one row of numbers."""
+    known = next(figure for figure in figures if figure is not None)
+    values = [math.nan if figure is None else figure.value * known.factor for figure in figures]
+    change, mood = _change(values[0], values[-1], known.lower_is_better) if len(values) > 1 else ("", "")
+    return Row(known.label, known.unit, tuple(Cell(number(value)) for value in values), change, mood, known.strong)
+
+
+def _change(before: float, after: float, lower_is_better: bool) -> tuple[str, str]:
+    """Return the change in percent, and whether it is one for the better."""
+    if not (math.isfinite(before) and math.isfinite(after)) or before == 0.0:
+        return "–", ""
+    percent = 100.0 * (after - before) / abs(before)
+    if abs(percent) < 0.05:
+        return "0 %", ""
+    text = f"{percent:+.0f} %" if abs(percent) >= 10.0 else f"{percent:+.1f} %"
+    mood = ("good" if percent < 0.0 else "poor") if lower_is_better and abs(percent) >= 1.0 else ""
+    return text.replace("-", "−"), mood
+
+
+def _note(data: ReportData) -> str:
+    """Say what cannot be seen from the numbers."""
+    notes = []
+    if len(data.schemes) > 1:
+        notes.append(f"Change: {data.schemes[-1].name} against {data.schemes[0].name}.")
+    for scheme in data.schemes:
+        if not scheme.result.status.ok:
+            notes.append(f"{scheme.name} did not finish: {scheme.result.status.reason}; its figures cover the part that was run.")
+    return " ".join(notes)

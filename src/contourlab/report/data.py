@@ -1,0 +1,351 @@
+"""What a report is made of: handed in whole by the caller, and read only."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
+from typing import Any, Protocol
+
+import numpy as np
+from numpy.typing import NDArray
+
+from contourlab.errors import ParameterError
+
+__all__ = [
+    "AxisBounds",
+    "Cause",
+    "CircleRun",
+    "DrawnPath",
+    "FrequencyResponse",
+    "Mark",
+    "Provenance",
+    "ReportData",
+    "SchemeReport",
+    "Verdict",
+    "Worst",
+]
+
+Array = NDArray[np.float64]
+
+
+class DrawnPath(Protocol):
+    """What the report asks of a path; `contourlab.geometry.Path` has it."""
+
+    @property
+    def n_axis(self) -> int:
+        """Number of axes."""
+
+    @property
+    def length(self) -> float:
+        """Length [m]."""
+
+    @property
+    def closed(self) -> bool:
+        """Whether the end is the start."""
+
+    @property
+    def breaks(self) -> Any:
+        """Arc lengths where one curve ends and the next begins (n_curve + 1,) [m]."""
+
+    @property
+    def corners(self) -> Any:
+        """Arc lengths where the tangent jumps [m]."""
+
+    def position(self, s: Array) -> Array:
+        """Points (n, n_axis) [m] at arc lengths (n,) [m]."""
+
+    def tangent(self, s: Array) -> Array:
+        """Unit tangents (n, n_axis) at arc lengths (n,) [m]."""
+
+    def foot_point(self, points: Array, around: Array, window: float) -> Any:
+        """Nearest points of the path, looked for within `window` [m] of the arc lengths `around` (n,) [m]."""
+
+
+class Cause(Protocol):
+    """One reason for the worst error."""
+
+    @property
+    def name(self) -> str:
+        """What it is, for people."""
+
+    @property
+    def contribution(self) -> float:
+        """How much of the worst error it accounts for [m]; negative where it happens to help."""
+
+    @property
+    def share(self) -> float:
+        """Its magnitude as a part of the magnitudes of all causes, 0 to 1."""
+
+
+class Worst(Protocol):
+    """The place of the worst error."""
+
+    @property
+    def value(self) -> float:
+        """Error [m]."""
+
+    @property
+    def line(self) -> int:
+        """Line of the part program from 1; 0 where there is none."""
+
+    @property
+    def text(self) -> str:
+        """That line."""
+
+    @property
+    def position(self) -> Sequence[float]:
+        """Where (n_axis,) [m]."""
+
+    @property
+    def time(self) -> float:
+        """When [s]."""
+
+    @property
+    def sample(self) -> int:
+        """Which sample, from 0."""
+
+
+class Verdict(Protocol):
+    """Whether the part is good, why not, and what to do about it."""
+
+    @property
+    def passed(self) -> bool:
+        """Whether the worst error is within the tolerance."""
+
+    @property
+    def tolerance(self) -> float:
+        """Largest error allowed [m]."""
+
+    @property
+    def worst(self) -> Worst:
+        """The worst place."""
+
+    @property
+    def causes(self) -> Sequence[Cause]:
+        """Reasons, the largest first."""
+
+    @property
+    def advice(self) -> str:
+        """One sentence."""
+
+
+@dataclass(frozen=True, eq=False)
+class AxisBounds:
+    """Limits of the axes, drawn beside the signals.
+
+    Parameters
+    ----------
+    velocity, acceleration, jerk : ndarray (n_axis,) [m/s, m/s^2, m/s^3], > 0, inf for none
+    command : ndarray (n_axis,), > 0, inf for none
+        Command at which the drive saturates, in the unit of the command signal.
+    """
+
+    velocity: Array
+    acceleration: Array
+    jerk: Array
+    command: Array
+
+    def __post_init__(self) -> None:
+        for name, unit in (("velocity", "m/s"), ("acceleration", "m/s^2"), ("jerk", "m/s^3"), ("command", "")):
+            value = np.atleast_1d(np.asarray(getattr(self, name), dtype=np.float64))
+            if not bool(np.all(value > 0.0)):
+                raise ParameterError(name, value.tolist(), "> 0 on every axis (inf for no limit)", unit)
+            object.__setattr__(self, name, value)
+
+    def of(self, name: str, axis: int) -> float:
+        """Return one limit of one axis; a single value stands for all axes."""
+        value: Array = getattr(self, name)
+        return float(value[axis] if value.size > 1 else value[0])
+
+
+@dataclass(frozen=True, eq=False)
+class FrequencyResponse:
+    """Closed loop of one axis, reference to position.
+
+    Parameters
+    ----------
+    frequency : ndarray (n,) [Hz], > 0, ascending
+    response : ndarray of complex (n,)
+        Position over reference, 1 when the axis follows exactly.
+    notes : mapping of str to str
+        Figures to print beside it, for example ``{"bandwidth": "42 Hz", "phase margin": "61 deg"}``.
+    """
+
+    frequency: Array
+    response: NDArray[np.complex128]
+    notes: Mapping[str, str] = field(default_factory=dict)
+
+    def __post_init__(self) -> None:
+        frequency = np.asarray(self.frequency, dtype=np.float64)
+        response = np.asarray(self.response, dtype=np.complex128)
+        if frequency.ndim != 1 or frequency.shape != response.shape or frequency.size < 2:
+            raise ParameterError("response", response.shape, f"one value for each of >= 2 frequencies {frequency.shape}")
+        if not bool(np.all(frequency > 0.0) and np.all(np.diff(frequency) > 0.0)):
+            raise ParameterError("frequency", "array", "> 0 and ascending", "Hz")
+        object.__setattr__(self, "frequency", frequency)
+        object.__setattr__(self, "response", response)
+
+
+@dataclass(frozen=True, eq=False)
+class CircleRun:
+    """One run round a circle, as a ball bar would record it.
+
+    Parameters
+    ----------
+    name : str
+        Which circle, for example ``"XY, radius 20 mm"``; runs of one name share a plot.
+    clockwise : bool
+    radius : float [m], > 0
+        Nominal.
+    angle : ndarray (n,) [rad]
+        Of the points as seen from the centre.
+    deviation : ndarray (n,) [m]
+        Distance from the centre less the nominal radius.
+    figures : mapping of str to float [m]
+        ISO 230-4 figures, for example ``{"circular deviation G": 4e-6}``.
+    """
+
+    name: str
+    clockwise: bool
+    radius: float
+    angle: Array
+    deviation: Array
+    figures: Mapping[str, float] = field(default_factory=dict)
+
+    def __post_init__(self) -> None:
+        angle, deviation = np.asarray(self.angle, dtype=np.float64), np.asarray(self.deviation, dtype=np.float64)
+        if angle.ndim != 1 or angle.shape != deviation.shape or angle.size == 0:
+            raise ParameterError("deviation", deviation.shape, f"one value for each of >= 1 angles {angle.shape}")
+        if not self.radius > 0.0:
+            raise ParameterError("radius", self.radius, "> 0", "m")
+        object.__setattr__(self, "angle", angle)
+        object.__setattr__(self, "deviation", deviation)
+
+
+@dataclass(frozen=True)
+class Mark:
+    """A moment worth marking: the reversal of an axis with its spike, or a corner.
+
+    Parameters
+    ----------
+    time : float [s]
+    label : str
+        For example ``"x reverses"`` or ``"corner"``.
+    kind : str
+        ``"reversal"`` or ``"corner"``.
+    height : float [m] or nan
+        Height of the spike, where it was measured.
+    """
+
+    time: float
+    label: str
+    kind: str = "reversal"
+    height: float = float("nan")
+
+
+@dataclass(frozen=True, eq=False)
+class SchemeReport:
+    """One simulated or measured run.
+
+    Parameters
+    ----------
+    name : str
+        For people, for example ``"without observer"``.
+    result : Result
+        Judged: with the signals ``contour_error`` and ``tracking_error``.
+    metrics : Metrics
+    bounds : AxisBounds or None
+    verdict : Verdict or None
+    bode : mapping of axis name to FrequencyResponse
+    circles : sequence of CircleRun
+    spikes : sequence of Mark
+        Reversals and corners.
+    """
+
+    name: str
+    result: Any
+    metrics: Any
+    bounds: AxisBounds | None = None
+    verdict: Verdict | None = None
+    bode: Mapping[str, FrequencyResponse] = field(default_factory=dict)
+    circles: Sequence[CircleRun] = ()
+    spikes: Sequence[Mark] = ()
+
+
+@dataclass(frozen=True)
+class Provenance:
+    """Where the figures come from; holds no date, so that the same run gives the same file.
+
+    Parameters
+    ----------
+    version : str
+        Of contourlab.
+    command : str
+        The command line as typed.
+    run_again : str
+        The command that makes this report again from `scenario`.
+    scenario : str
+        The whole scenario as TOML.
+    seed : int or None
+    platform : str
+        For example ``"Linux x86_64, Python 3.11.9, numba 0.62"``.
+    """
+
+    version: str
+    command: str
+    run_again: str
+    scenario: str
+    seed: int | None = None
+    platform: str = ""
+
+
+@dataclass(frozen=True, eq=False)
+class ReportData:
+    """All of a report.
+
+    Parameters
+    ----------
+    title : str
+    schemes : sequence of SchemeReport
+        At least one; the first is what the others are compared with ("before").
+    planned : Path
+        The path that was followed.
+    provenance : Provenance
+    programmed : Path or None
+        The path the program asked for, where it differs.
+    program : sequence of str
+        Source text of the part program, by line; empty where there is none.
+    tolerance : float [m] or None, > 0
+        What the errors are held against.
+
+    Raises
+    ------
+    ParameterError
+        If there is no scheme, two have one name, they differ in their axes, or the tolerance is not positive.
+    """
+
+    title: str
+    schemes: Sequence[SchemeReport]
+    planned: DrawnPath
+    provenance: Provenance
+    programmed: DrawnPath | None = None
+    program: Sequence[str] = ()
+    tolerance: float | None = None
+
+    def __post_init__(self) -> None:
+        if not self.schemes:
+            raise ParameterError("schemes", "()", "at least one run to report")
+        names = [scheme.name for scheme in self.schemes]
+        if len(set(names)) < len(names):
+            raise ParameterError("schemes", names, "named differently, each name once")
+        axes = tuple(self.schemes[0].result.axes)
+        for scheme in self.schemes:
+            if tuple(scheme.result.axes) != axes:
+                raise ParameterError(f"axes of {scheme.name!r}", tuple(scheme.result.axes), f"{axes}, as of the first scheme")
+        if self.tolerance is not None and not 0.0 < self.tolerance < float("inf"):
+            raise ParameterError("tolerance", self.tolerance, "finite and > 0", "m")
+
+    @property
+    def axes(self) -> tuple[str, ...]:
+        """Names of the axes."""
+        return tuple(self.schemes[0].result.axes)

@@ -1,0 +1,155 @@
+"""The path with the errors of each run drawn along its normal, magnified."""
+
+from __future__ import annotations
+
+from itertools import combinations
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from contourlab.report.charts import Curve, Magnified, PathChart
+from contourlab.report.data import DrawnPath, ReportData, SchemeReport
+from contourlab.report.decimate import keep_extremes
+from contourlab.report.read import has, reach, signal
+from contourlab.report.style import BAND, INK, POOR, REFERENCE, scheme_style
+from contourlab.report.text import magnification, quantity
+
+__all__ = ["path_charts"]
+
+Array = NDArray[np.float64]
+MM, UM = 1e3, 1e6
+FLAT = 1e-3  # an extent below this part of the largest shows nothing: no view across it
+SAME = 1e-7  # m: paths nearer than this are drawn as one
+
+
+def path_charts(data: ReportData, points: int) -> tuple[PathChart, ...]:
+    """Return one chart per view of the path: XY, and XZ and YZ where it has a height.
+
+    Parameters
+    ----------
+    data : ReportData
+    points : int
+        Most points of a run, and of the path.
+    """
+    s = _places(data.planned, points)
+    planned = data.planned.position(s)
+    runs = [_run(data.planned, scheme, points) for scheme in data.schemes]
+    views = _views(planned)
+    size = float(np.max(np.ptp(planned, axis=0)))
+    calm = [reach(error) for (_, error), scheme in zip(runs, data.schemes, strict=True) if scheme.result.status.ok]
+    scale = magnification(size, max(calm, default=0.0))
+    return tuple(_chart(data, pair, s, planned, runs, scale, number) for number, pair in enumerate(views))
+
+
+def _views(planned: Array) -> list[tuple[int, int]]:
+    """Return the pairs of axes to look at; a flat path has one view."""
+    extent = np.ptp(planned, axis=0)
+    pairs = list(combinations(range(extent.size), 2))
+    good = [pair for pair in pairs if min(extent[list(pair)]) > FLAT * max(extent)]
+    # A straight line along one axis has no extent across it: look at it in the first plane that holds it.
+    return good or [next((pair for pair in pairs if int(np.argmax(extent)) in pair), (0, 0))]
+
+
+def _places(path: DrawnPath, points: int) -> Array:
+    """Return arc lengths to draw a path at: evenly spread, each corner from both of its sides."""
+    even = np.linspace(0.0, path.length, points)
+    corners = np.asarray(path.corners, dtype=np.float64).ravel()
+    joints = np.asarray(path.breaks, dtype=np.float64).ravel()
+    if joints.size > points:  # a program of many short moves: drawn by its most outlying joints
+        joints = joints[keep_extremes(path.position(joints), max(points, 8 * path.n_axis))]
+        corners = corners[:0]
+    hair = 1e-9 * path.length
+    s = np.unique(np.concatenate([even, joints, corners - hair, corners + hair]))
+    return np.asarray(s[(s >= 0.0) & (s <= path.length)], dtype=np.float64)
+
+
+def _run(path: DrawnPath, scheme: SchemeReport, points: int) -> tuple[Array, Array]:
+    """Return foot points and errors (n, n_axis) [m] of the samples that show a run's extremes."""
+    result = scheme.result
+    kept = keep_extremes(signal(result, "contour_error"), points)
+    position = signal(result, _judged_position(result))[kept]
+    good = np.all(np.isfinite(position), axis=1)
+    kept, position = kept[good], position[good]
+    around = signal(result, "arc_length")[kept]
+    lag = reach(signal(result, "tracking_error")[kept])
+    foot = np.asarray(path.foot_point(position, around, 2.0 * lag + 1e-4 * path.length).position)
+    return foot, position - foot
+
+
+def _judged_position(result: Any) -> str:
+    """Return the signal that the contour error belongs to."""
+    return "tool_position" if has(result, "tool_position") else "position"
+
+
+def _chart(
+    data: ReportData,
+    pair: tuple[int, int],
+    s: Array,
+    planned: Array,
+    runs: list[tuple[Array, Array]],
+    scale: float,
+    index: int,
+) -> PathChart:
+    """Return one view."""
+    columns = list(pair)
+    view = "".join(data.axes[i] for i in pair).upper()
+    count = len(data.schemes)
+    magnified = tuple(
+        Magnified(foot[:, columns] * MM, error[:, columns] * UM, scheme.name, *scheme_style(i, count))
+        for i, ((foot, error), scheme) in enumerate(zip(runs, data.schemes, strict=True))
+    )
+    lines = [Curve(*(planned[:, columns] * MM).T, "planned path", INK, width=1.0)]
+    if data.programmed is not None:
+        wanted = data.programmed.position(_places(data.programmed, s.size))
+        if not _same(data.programmed, data.planned):
+            lines.append(Curve(*(wanted[:, columns] * MM).T, "programmed path", REFERENCE, "dash", 1.0))
+    labels = (f"{data.axes[pair[0]]} [mm]", f"{data.axes[pair[1]]} [mm]")
+    return PathChart(
+        f"path-{index}",
+        view,
+        "Path with magnified error",
+        "Each run is drawn at its foot point on the path plus its error, enlarged; the path itself is to scale.",
+        labels,
+        tuple(lines),
+        magnified,
+        _tolerance(data, planned, s, columns, scale),
+        _worst(data, columns),
+        scale,
+    )
+
+
+def _same(path: DrawnPath, other: DrawnPath) -> bool:
+    """Tell whether two paths would be drawn as one line."""
+    if path is other:
+        return True
+    if path.n_axis != other.n_axis or abs(path.length - other.length) > SAME:
+        return False
+    s = np.linspace(0.0, min(path.length, other.length), 257)
+    return reach(path.position(s) - other.position(s)) < SAME
+
+
+def _tolerance(data: ReportData, planned: Array, s: Array, columns: list[int], scale: float) -> tuple[Magnified, ...]:
+    """Return the edges of the tolerance beside a plane path, unless they would lie farther off than the path is wide."""
+    if data.tolerance is None or min(columns) == max(columns):
+        return ()
+    size = float(np.max(np.ptp(planned, axis=0)))
+    off_plane = np.delete(planned, columns, axis=1)
+    if data.tolerance * scale > 0.3 * size or (off_plane.size and reach(np.ptp(off_plane, axis=0)) > FLAT * size):
+        return ()
+    tangent = data.planned.tangent(s)[:, columns]
+    normal = np.column_stack([-tangent[:, 1], tangent[:, 0]]) * data.tolerance * UM
+    name = f"tolerance ±{quantity(data.tolerance, 'µm', UM)}"
+    foot = planned[:, columns] * MM
+    return tuple(Magnified(foot, side * normal, name, BAND, "dot") for side in (1.0, -1.0))
+
+
+def _worst(data: ReportData, columns: list[int]) -> Curve | None:
+    """Return the place of the worst error of the last scheme that was judged."""
+    judged = [scheme.verdict for scheme in data.schemes if scheme.verdict is not None]
+    if not judged:
+        return None
+    worst = judged[-1].worst
+    place = np.asarray(worst.position, dtype=np.float64)[columns] * MM
+    name = f"worst, {quantity(worst.value, 'µm', UM)}"
+    return Curve(place[:1], place[1:], name, POOR)

@@ -1,0 +1,40 @@
+"""Machines with one imperfection taken away: what the verdict's decomposition is made of."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import replace
+
+from contourlab.components.friction.none import NoFriction
+from contourlab.components.sensor.ideal import IdealSensor
+
+from contourlab.loop.machine import AxisError, Controller, Machine
+
+__all__ = ["perfect_geometry", "perfect_sensing", "same_axes", "unlimited", "without_friction"]
+
+def perfect_geometry(machine: Machine) -> Machine:
+    """Return the machine without lead error, squareness and repeatability."""
+    return replace(machine, axes=tuple(replace(a, error=AxisError()) for a in machine.axes), squareness={})
+
+def perfect_sensing(machine: Machine) -> Machine:
+    """Return the machine with encoders that do not count."""
+    return replace(machine, axes=tuple(replace(a, sensor=IdealSensor()) for a in machine.axes))
+
+def without_friction(machine: Machine) -> Machine:
+    """Return the machine without friction and without disturbances."""
+    return replace(machine, axes=tuple(replace(a, friction=NoFriction(), disturbance=None) for a in machine.axes))
+
+def unlimited(machine: Machine) -> Machine:
+    """Return the machine with drives that have no limit."""
+    return replace(machine, axes=tuple(replace(a, drive=a.drive.replace(limit=math.inf)) for a in machine.axes))
+
+def same_axes(machine: Machine, controller: Controller, name: str) -> tuple[Machine, Controller]:
+    """Return machine and controller with every axis replaced by a copy of one of them, carried mass included."""
+    model, mine = machine.axis(name), controller.axes[name]
+    carried = machine.carried_mass(name)
+    plant = model.plant
+    if carried and "carried_mass" in plant.parameters:
+        plant = plant.replace(carried_mass=plant.carried_mass + carried)  # type: ignore[attr-defined]
+    axes = tuple(replace(model, name=a.name, plant=plant, mounted_on="", stage_mass=0.0, limits=a.limits) for a in machine.axes)
+    return replace(machine, axes=axes), replace(controller, axes={a.name: mine for a in machine.axes})
+

@@ -1,0 +1,120 @@
+"""The modular stage of Ghaffari & Ulsoy: its axes and gains, as printed and as read.
+
+The paper leaves open the observer's bandwidths, the servo period, how the velocity is had, and whether stiction is in parts of full scale. The
+reading used here, by default: u in parts of full scale; Coulomb friction of 5.5, 8.8 and 7.7 % of it with true sticking; servo period 1 ms;
+w_d = 200 rad/s, w_z = 2000 rad/s; velocity as the difference of encoder counts behind 800 rad/s; lambda = 0.75.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from contourlab.components.controller.position import PositionController
+from contourlab.components.coupling.modified_reference import ModifiedReference
+from contourlab.components.drive.saturation import Saturation
+from contourlab.components.estimator.newton import Newton
+from contourlab.components.friction.coulomb import Coulomb
+from contourlab.components.observer.disturbance_observer import DisturbanceObserver
+from contourlab.components.plant.rigid_axis import RigidAxis
+from contourlab.components.sensor.encoder import Encoder
+from contourlab.components.velocity.filtered_difference import FilteredDifference
+from contourlab.loop.machine import Axis, AxisController, Controller, Limits, Machine
+
+__all__ = ["AXES", "PLACED_POLES", "TABLE_2", "TABLE_3", "Gains", "Reading", "axis_controller", "controller", "machine"]
+
+
+@dataclass(frozen=True)
+class Identified:
+    """Open-loop identification and stiction of an axis (section III): a [mm/s^2], b [1/s], stiction in parts of full scale."""
+
+    gain: float
+    damping: float
+    stiction: float
+
+
+@dataclass(frozen=True)
+class Gains:
+    """One line of Tables II and III: a_hat, b_hat, K_V, K_P, K_I, a', b' with lengths in mm."""
+
+    observer_gain: float
+    observer_damping: float
+    velocity_gain: float
+    position_gain: float
+    integral_gain: float
+    model_gain: float
+    model_damping: float
+
+
+@dataclass(frozen=True)
+class Reading:
+    """What the paper does not say."""
+
+    servo_period: float = 1e-3
+    bandwidth: float = 200.0
+    filter_bandwidth: float = 2000.0
+    velocity_bandwidth: float = 800.0
+    weight: float = 0.75
+    resolution: float = 0.125e-6
+    observer: bool = True
+    coupling: bool = True
+
+
+AXES = {1: Identified(1695.0, 10.1, 0.055), 2: Identified(648.0, 6.5, 0.088), 3: Identified(1116.0, 5.8, 0.077)}
+TABLE_2 = {
+    1: Gains(1695.0, 10.1, 0.057, 2.12, 11.82, 873.0, 19.7),
+    2: Gains(648.0, 6.5, 0.060, 2.45, 11.82, 754.0, 24.7),
+    3: Gains(1116.0, 5.8, 0.062, 2.31, 11.82, 801.0, 19.9),
+}
+TABLE_3 = {
+    1: Gains(600.0, 20.0, 0.1, 4.0, 11.8, 900.0, 30.0),
+    2: Gains(600.0, 20.0, 0.1, 4.0, 11.8, 900.0, 30.0),
+    3: Gains(1000.0, 25.0, 0.1, 4.0, 11.8, 900.0, 25.0),
+}
+PLACED_POLES = {"natural_frequency": 25.0, "damping": 0.7, "pole": 35.0}
+"""Section IV: w_n [rad/s], zeta, alpha [rad/s]."""
+
+_MM = 1e-3
+
+
+def axis(number: int, reading: Reading, sticking: bool = True) -> Axis:
+    """Return an axis of the stage."""
+    found = AXES[number]
+    return Axis(
+        name=str(number),
+        plant=RigidAxis(gain=found.gain * _MM, damping=found.damping),
+        friction=Coulomb(coulomb=found.stiction if sticking else 0.0),
+        drive=Saturation(limit=1.0),
+        sensor=Encoder(resolution=reading.resolution),
+        limits=Limits(velocity=0.15),
+    )
+
+
+def axis_controller(gains: Gains, reading: Reading) -> AxisController:
+    """Return the controller of an axis from a line of a table."""
+    position = PositionController(
+        velocity_gain=gains.velocity_gain / _MM,
+        position_gain=gains.position_gain / _MM,
+        integral_gain=gains.integral_gain,
+        model_gain=gains.model_gain * _MM,
+        model_damping=gains.model_damping,
+    )
+    observer = DisturbanceObserver(
+        bandwidth=reading.bandwidth,
+        filter_bandwidth=reading.filter_bandwidth,
+        model_gain=gains.observer_gain * _MM,
+        model_damping=gains.observer_damping,
+    )
+    return AxisController(position, FilteredDifference(bandwidth=reading.velocity_bandwidth), observer if reading.observer else None)
+
+
+def machine(first: int, reading: Reading) -> Machine:
+    """Return configuration A3-A1 (first = 1) or A3-A2 (first = 2); the circle's x is on the first axis, its y on axis 3."""
+    return Machine(f"A3-A{first}", (axis(first, reading), axis(3, reading)), reading.servo_period)
+
+
+def controller(first: int, table: dict[int, Gains], reading: Reading) -> Controller:
+    """Return the controller of a configuration."""
+    axes = {str(n): axis_controller(table[n], reading) for n in (first, 3)}
+    if not reading.coupling:
+        return Controller(axes)
+    return Controller(axes, Newton(), ModifiedReference(weight=reading.weight))
