@@ -13,7 +13,6 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from contourlab.errors import FeedError
 from contourlab.feed.bounds import SHARES, Bounds, Samples, piece_bounds, speed_limit
 from contourlab.feed.joints import NUDGE, Joints, joints
 from contourlab.feed.limits import AxisLimits
@@ -193,11 +192,6 @@ def cut(route: Route, seen: Survey, limits: AxisLimits) -> Pieces:
     Returns
     -------
     Pieces
-
-    Raises
-    ------
-    FeedError
-        If neither acceleration nor jerk is limited somewhere.
     """
     meet, nodes, kind = seen.meet, seen.nodes, seen.kind
     samples = _samples(route, nodes)
@@ -220,11 +214,4 @@ def cut(route: Route, seen: Survey, limits: AxisLimits) -> Pieces:
     length = end - start
     bounds = piece_bounds(Samples(*(part[rows] for part in samples)), begins, length, stop_ends, limits)
     ceiling = np.where(within, np.inf, seen.joint_speed[curve])
-    hopeless = np.isinf(bounds.acceleration) & np.isinf(bounds.rise)
-    if np.any(hopeless):
-        where = float(start[int(np.argmax(hopeless))])
-        raise FeedError(
-            f"neither acceleration nor jerk is limited at arc length {where:g} m: give one of them a finite limit, "
-            "or use uniform(), which has no ramps"
-        )
     return Pieces(start, length, bounds, stop, ceiling, curve)

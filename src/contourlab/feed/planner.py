@@ -135,6 +135,12 @@ def plan_profile(
         raise FeedError(f"curvature_step = {curvature_step}: give a part of the acceleration limit, >= 0")
     lap_length = float(route.path.length)
     limits = limits.for_axes(route.path.n_axis)
+    free = np.flatnonzero(np.isinf(limits.acceleration) & np.isinf(limits.jerk))
+    if free.size:
+        raise FeedError(
+            f"axis {free[0]} has neither an acceleration nor a jerk limit, so no ramp can be planned: "
+            "give one of them a finite value, or use uniform(), which has no ramps"
+        )
     seen = survey(route, limits, curvature_step)
     pieces = _repeated(cut(route, seen, limits), laps, lap_length)
     start_speed, end_speed = _border_speeds(pieces)
@@ -180,7 +186,8 @@ def plan(
     Raises
     ------
     FeedError
-        If the route and the limits have different numbers of axes, or neither acceleration nor jerk is limited.
+        If the route and the limits have different numbers of axes, or an axis has neither an
+        acceleration nor a jerk limit.
     """
     profile = plan_profile(route, limits, laps=laps, curvature_step=curvature_step)
     n_sample = whole_samples(profile.duration, servo_period)

@@ -65,8 +65,7 @@ class Route:
         n_curve = len(self.path.curves)
         for name, dtype in (("feedrate", float), ("rapid", bool), ("dwell", float), ("source_line", np.int64)):
             object.__setattr__(self, name, _per_curve(name, getattr(self, name), n_curve, dtype))
-        if self.programmed is None:
-            object.__setattr__(self, "programmed", self.path)
+        object.__setattr__(self, "programmed", self.programmed or self.path)
         good = (self.feedrate > 0.0) & (np.isfinite(self.feedrate) | self.rapid)
         if not np.all(good):
             worst = int(np.argmin(good))
@@ -147,8 +146,8 @@ def _arc(move: ArcMove, columns: list[int]) -> Curve:
     """Return the arc or helix of a move, in the machine's axes; it joins the programmed ends exactly."""
     unit = np.eye(len(columns))
     u, v = (unit[columns.index(axis)] for axis in move.axes[:2])
-    ends = (_point(point, columns) for point in (move.start, move.end, move.centre))
-    return Arc.through(*ends, move.sweep, u, v)
+    start, end, centre = (_point(point, columns) for point in (move.start, move.end, move.centre))
+    return Arc.through(start, end, centre, move.sweep, u, v)
 
 
 def route_from_program(program: Program, axes: Sequence[str] = ("x", "y", "z")) -> Route:

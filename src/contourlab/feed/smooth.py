@@ -22,7 +22,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from contourlab.feed.limits import AxisLimits
-from contourlab.feed.profile import Profile
+from contourlab.feed.profile import Motion, Profile
 from contourlab.geometry import Path
 
 __all__ = ["Stretch", "smooth_profile"]
@@ -34,6 +34,7 @@ TURNING_JERK = 0.6  # part of the jerk limit for c v^3 at the ceiling of speed
 MIXED_JERK = 0.6  # part of the jerk limit for 3 k v a
 PERIODS = (0.35, 0.18, 0.7)  # periods h tried, in units of 2 A / J: at 1 a swing from -A to A keeps to the jerk
 ROUNDING = 1e-6  # of a limit
+CLOSE = 1e-3  # of a limit: what the path may show between the samples
 ROUNDS = 16  # corrections at most
 FINEST = 5e-3  # least unit of h, in sqrt(length / acceleration): finer gains no time where jerk is plentiful
 SPREAD = 2.0  # half width of the moving average, in periods
@@ -130,38 +131,35 @@ def _averaged(stretch: Stretch, square: Array, period: float) -> Profile:
     return Profile(np.arange(n + 2) * h, s0, v0, a0, j, duration=(n + 2) * h, length=float(place[-1]))
 
 
-def _demand(
-    path: Path, stretch: Stretch, profile: Profile, limits: AxisLimits
-) -> tuple[Array, Array]:
-    """Return places and the greatest demand there, as a part of the limits."""
-    h = profile.duration / profile.n_span
+def _places(stretch: Stretch, profile: Profile) -> Motion:
+    """Return the motion at many times: throughout every span, and at the samples of the path."""
     # Both ends of every span are looked at from inside, for the jerk jumps there.
-    inside = np.linspace(1e-9, 1.0 - 1e-9, PER_SPAN)
-    time = (profile.t0[:, None] + h * inside).ravel()
-    along = profile.motion(time).arc_length
     local = stretch.arc_length - stretch.arc_length[0]
-    time = np.sort(np.concatenate([time, np.interp(local[1:-1], along, time)]))
-    arc_length, v, a, j = profile.motion(time)
-    derivatives = path.derivatives(arc_length + stretch.arc_length[0], 3)
-    v, a, j = v[:, None], a[:, None], j[:, None]
-    _, t, k, c = derivatives
-    demand = np.maximum(
-        np.abs(t * v) / limits.velocity,
-        np.maximum(
-            np.abs(t * a + k * v**2) / limits.acceleration,
-            np.abs(t * j + 3.0 * k * v * a + c * v**3) / limits.jerk,
-        ),
-    ).max(axis=1)
-    ceiling = np.minimum(
-        np.interp(arc_length, local, stretch.ceiling), _lowest_beside(arc_length, local, stretch.ceiling)
-    )
-    return arc_length, np.maximum(demand, v[:, 0] / ceiling)
+    per_span = min(max(math.ceil(2.0 * local.size / profile.n_span), 3), PER_SPAN)
+    h = profile.duration / profile.n_span
+    time = (profile.t0[:, None] + h * np.linspace(1e-9, 1.0 - 1e-9, per_span)).ravel()
+    along = profile.motion(time).arc_length
+    return profile.motion(np.sort(np.concatenate([time, np.interp(local[1:-1], along, time)])))
 
 
-def _lowest_beside(place: Array, nodes: Array, value: Array) -> Array:
-    """Return the lower of the two values at the ends of the interval of `nodes` in which each place lies."""
-    i = np.clip(np.searchsorted(nodes, place, side="right") - 1, 0, nodes.size - 2)
-    return np.minimum(value[i], value[i + 1])
+def _demand(stretch: Stretch, motion: Motion, limits: AxisLimits, path: Path | None) -> Array:
+    """Return the greatest demand at each place of a motion, as a part of the limits.
+
+    The derivatives are those of the path; without it, those of the samples in between which the place lies.
+    """
+    local = stretch.arc_length - stretch.arc_length[0]
+    i = np.clip(np.searchsorted(local, motion.arc_length, side="right") - 1, 0, local.size - 2)
+    if path is None:
+        part = ((motion.arc_length - local[i]) / np.maximum(local[i + 1] - local[i], 1e-300))[:, None]
+        t, k, c = (value[i] + part * (value[i + 1] - value[i]) for value in stretch[1:4])
+    else:
+        _, t, k, c = path.derivatives(motion.arc_length + stretch.arc_length[0], 3)
+    v, a, j = (part[:, None] for part in motion[1:])
+    velocity = np.abs(t * v) / limits.velocity
+    acceleration = np.abs(t * a + k * v**2) / limits.acceleration
+    jerk = np.abs(t * j + 3.0 * k * v * a + c * v**3) / limits.jerk
+    of_axes = np.maximum(velocity, np.maximum(acceleration, jerk)).max(axis=1)
+    return np.asarray(np.maximum(of_axes, motion.speed / np.minimum(stretch.ceiling[i], stretch.ceiling[i + 1])))
 
 
 def _corrected(path: Path, stretch: Stretch, limits: AxisLimits, period: float, beat: float) -> Profile | None:
@@ -179,9 +177,14 @@ def _corrected(path: Path, stretch: Stretch, limits: AxisLimits, period: float, 
         profile = _averaged(stretch, square, period)
         if profile.duration >= beat:
             return None
-        place, demand = _demand(path, stretch, profile, limits)
+        motion = _places(stretch, profile)
+        demand = _demand(stretch, motion, limits, None)
         if np.max(demand) <= 1.0 + ROUNDING:
-            return profile
+            # Good by the samples, which are cheap to ask; the path itself has the last word.
+            demand = _demand(stretch, motion, limits, path)
+            if np.max(demand) <= 1.0 + CLOSE:
+                return profile
+        place = motion.arc_length
         bad = np.flatnonzero(demand > 1.0 + ROUNDING)
         # Each offence lowers the limits of the samples that its span was averaged over.
         reach = SPREAD * period * np.interp(place[bad], local, np.sqrt(square)) + 1e-3 * local[-1]

@@ -41,4 +41,18 @@ def error_figures(scheme: SchemeReport) -> dict[str, float]:
 
 def figures_of(scheme: SchemeReport, axes: Sequence[str]) -> dict[str, Figure]:
     """Return the figures of a run in the order of print, by label."""
-    raise NotImplementedError
+    metrics = scheme.metrics
+    found: list[Figure] = []
+    for kind in ("part_error", "contour_error"):
+        error: Any = getattr(metrics, kind, None)
+        if error is None:
+            continue
+        for name, label, factor, unit in _ERRORS:
+            value = float(getattr(error, name, math.nan))
+            found.append(Figure(f"{kind.replace('_', ' ')}, {label}", value, factor, unit, strong=name == "max" and not found))
+    for axis, error in zip(axes, getattr(metrics, "tracking_error", ()), strict=False):
+        found.append(Figure(f"tracking error {axis}, rms", float(error.rms), 1e6, "µm"))
+    for axis, share in zip(axes, getattr(metrics, "saturation", ()), strict=False):
+        found.append(Figure(f"command {axis} saturated", float(share), 100.0, "% of time"))
+    found.append(Figure("cycle time", float(getattr(metrics, "cycle_time", math.nan)), 1.0, "s"))
+    return {figure.label: figure for figure in found}

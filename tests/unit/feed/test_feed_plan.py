@@ -191,7 +191,7 @@ def test_time_scales_with_the_limits():
 
 
 def test_limits_that_leave_no_ramp_are_refused():
-    with pytest.raises(FeedError, match="neither acceleration nor jerk"):
+    with pytest.raises(FeedError, match="neither an acceleration nor a jerk limit"):
         plan(route_of("slot"), AxisLimits(1.0, np.inf, np.inf), 1e-3)
 
 

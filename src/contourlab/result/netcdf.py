@@ -1,0 +1,151 @@
+"""Results on disk: NetCDF-4, appended block by block so that memory does not grow with the run."""
+
+from __future__ import annotations
+
+import contextlib
+from collections.abc import Mapping
+from pathlib import Path
+from types import TracebackType
+from typing import Any
+
+import numpy as np
+
+from contourlab.errors import OutputError, ResultError
+from contourlab.result.atomic import replacing
+from contourlab.result.signals import Result, Signal, Status
+
+__all__ = ["ResultWriter", "read_result"]
+
+_CHUNK = 1 << 14
+_FIXED = ("format", "scheme", "axes", "servo_period", "start", "status_ok", "status_sample", "status_axis", "status_reason")
+
+
+class ResultWriter:
+    """Writes blocks of signals one after another; the file appears when the block of code ends well, and not at all otherwise.
+
+    Parameters
+    ----------
+    file : str or Path
+    header : mapping
+        As `Result.header` gives it; `finish` can replace parts of it at the end.
+    axes : tuple of str
+
+    Examples
+    --------
+    >>> import tempfile, numpy as np
+    >>> folder = tempfile.TemporaryDirectory()
+    >>> result = Result("base", ("x",), 1e-3, {"position": Signal(np.zeros((4, 1)), ("sample", "axis"), "m")})
+    >>> with ResultWriter(f"{folder.name}/run.nc", result.header(), result.axes) as writer:
+    ...     writer.append(result.signals)
+    ...     writer.append(result.signals)
+    >>> Result.load(f"{folder.name}/run.nc").n_sample
+    8
+    >>> folder.cleanup()
+    """
+
+    def __init__(self, file: str | Path, header: Mapping[str, str | int | float], axes: tuple[str, ...]) -> None:
+        self.file, self.header, self.axes = Path(file), dict(header), axes
+        self._stack = contextlib.ExitStack()
+        self._data: Any = None
+        self._length = 0
+
+    def __enter__(self) -> ResultWriter:
+        import h5netcdf
+
+        temporary = self._stack.enter_context(replacing(self.file))
+        try:
+            self._data = h5netcdf.File(temporary, "w")
+            self._data.dimensions = {"sample": None, "axis": len(self.axes)}
+            names = self._data.create_variable("axis", ("axis",), dtype=_text_type())
+            names[:] = np.array(self.axes, dtype=object)
+            time = self._data.create_variable("time", ("sample",), float, chunks=(_CHUNK,))
+            time.attrs["units"] = "s"
+        except OSError as error:
+            self._close()
+            raise OutputError(f"{self.file}: cannot be written: {error}") from error
+        return self
+
+    def append(self, signals: Mapping[str, Signal]) -> None:
+        """Write the next samples; every call gives the same signals."""
+        try:
+            self._append(signals)
+        except OSError as error:
+            raise OutputError(f"{self.file}: cannot be written: {error.strerror or error}") from error
+
+    def _append(self, signals: Mapping[str, Signal]) -> None:
+        count = len(next(iter(signals.values())).data) if signals else 0
+        stop = self._length + count
+        self._data.resize_dimension("sample", stop)
+        for name, signal in signals.items():
+            if name not in self._data.variables:
+                if self._length:
+                    raise ResultError(f"signal {name} was not in the first block")
+                chunks = (_CHUNK,) if signal.data.ndim == 1 else (_CHUNK, len(self.axes))
+                made = self._data.create_variable(name, signal.dims, float, chunks=chunks, fillvalue=np.nan)
+                made.attrs["units"] = signal.unit
+            self._data.variables[name][self._length : stop] = signal.data
+        index = float(self.header.get("start", 0)) + np.arange(self._length, stop)
+        self._data.variables["time"][self._length : stop] = index * float(self.header["servo_period"])
+        self._length = stop
+
+    def finish(self, status: Status) -> None:
+        """Note how the run ended."""
+        self.header |= {
+            "status_ok": int(status.ok),
+            "status_sample": status.sample,
+            "status_axis": status.axis,
+            "status_reason": status.reason,
+        }
+
+    def __exit__(self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None) -> None:
+        try:
+            if kind is None:
+                for name, value in self.header.items():
+                    self._data.attrs[name] = value
+            self._close()
+        except OSError as problem:
+            self._stack.__exit__(OSError, problem, None)
+            raise OutputError(f"{self.file}: cannot be written: {problem}") from problem
+        self._stack.__exit__(kind, error, trace)
+
+    def _close(self) -> None:
+        if self._data is not None:
+            data, self._data = self._data, None
+            data.close()
+
+
+def _text_type() -> Any:
+    import h5py
+
+    return h5py.string_dtype("utf-8")
+
+
+def read_result(file: str | Path) -> Result:
+    """Read a result; see `Result.load`."""
+    import h5netcdf
+
+    try:
+        with h5netcdf.File(file, "r", decode_vlen_strings=True) as data:
+            header = {name: _plain(value) for name, value in data.attrs.items()}
+            if header.get("format") != "contourlab-result/1":
+                raise ResultError(f"{file}: is no result of contourlab (attribute format = {header.get('format')!r})")
+            axes = tuple(str(name) for name in data.variables["axis"][:])
+            signals = {
+                name: Signal(np.array(v[...]), tuple(v.dimensions), str(_plain(v.attrs["units"])))
+                for name, v in data.variables.items()
+                if name not in ("axis", "time")
+            }
+    except (OSError, KeyError, ValueError) as error:
+        raise ResultError(f"{file}: cannot be read as a result: {error}") from error
+    status = Status(bool(header["status_ok"]), int(header["status_sample"]), str(header["status_axis"]), str(header["status_reason"]))
+    attributes = {name.removeprefix("attribute_"): value for name, value in header.items() if name not in _FIXED}
+    return Result(str(header["scheme"]), axes, float(header["servo_period"]), signals, status, attributes, int(header["start"]))
+
+
+def _plain(value: Any) -> Any:
+    """Turn what HDF5 hands back into Python's own types."""
+    if isinstance(value, np.ndarray) and value.size == 1:
+        value = value.reshape(())[()]
+    if isinstance(value, bytes):
+        return value.decode("utf-8")
+    return value.item() if isinstance(value, np.generic) else value
