@@ -8,9 +8,9 @@ import numpy as np
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from contourlab.feed import AxisLimits, Reference, Route, limit_report, plan
+from contourlab.feed import AxisLimits, Reference, Route, limit_report, plan, route_from_path
 from contourlab.feed.scurve import ramp_distance, reachable_speed
-from contourlab.geometry import Line, Path
+from contourlab.geometry import Arc, Line, Path
 
 PERIOD = 1e-3
 few = settings(max_examples=40, deadline=None)
@@ -100,6 +100,53 @@ def test_blocks_are_slices_of_the_whole(case: tuple[Route, AxisLimits], data: st
     stop = data.draw(st.integers(start, reference.n_sample))
     for part, whole in zip(reference.block(start, stop), reference.block(0, reference.n_sample), strict=True):
         np.testing.assert_array_equal(part, whole[start:stop])
+
+
+@st.composite
+def tangent_chains(draw: st.DrawFn) -> Path:
+    """Lines and arcs that meet without a corner."""
+    place, heading = np.zeros(2), draw(st.floats(0.0, 2 * np.pi))
+    curves: list[Line | Arc] = []
+    turns = st.one_of(st.just(0.0), st.floats(-3.0, 3.0).filter(lambda x: abs(x) > 0.05))
+    for turn in draw(st.lists(turns, min_size=1, max_size=6)):
+        size = draw(st.floats(1e-3, 0.05))
+        along, left = np.array([np.cos(heading), np.sin(heading)]), np.array([-np.sin(heading), np.cos(heading)])
+        if turn == 0.0:
+            curves.append(Line(place, place + size * along))
+            place = place + size * along
+            continue
+        side = np.sign(turn)
+        centre = place + side * size * left
+        start = np.arctan2(*(place - centre)[::-1])
+        curves.append(Arc(centre, size, float(start), turn))
+        heading += turn
+        place = centre + size * np.array([np.cos(start + turn), np.sin(start + turn)])
+    return Path(tuple(curves))
+
+
+two = st.lists(st.floats(0.2, 5.0), min_size=2, max_size=2)
+
+
+@few
+@given(tangent_chains(), st.floats(0.01, 0.5), two, two, st.floats(10.0, 1000.0))
+def test_chains_of_lines_and_arcs_break_no_limit(
+    path: Path, feedrate: float, velocity: list[float], acceleration: list[float], jerk: float
+) -> None:
+    limits = AxisLimits(velocity, acceleration, [jerk, jerk])
+    reference = plan(route_from_path(path, feedrate), limits, PERIOD)
+    profile, last = reference.profile, lasting(reference)
+    assert profile is not None
+    time = (profile.t0[:, None] + last[:, None] * np.linspace(1e-4, 1 - 1e-4, 15)).ravel()
+    motion = profile.motion(time)
+    _, t, k, c = path.derivatives(motion.arc_length, 3)
+    v, a, j = (part[:, None] for part in motion[1:])
+    assert np.max(v) <= feedrate * (1 + 1e-12)
+    assert np.all(np.abs(t * v) <= limits.velocity * 1.001)
+    assert np.all(np.abs(t * a + k * v**2) <= limits.acceleration * 1.001)
+    assert np.all(np.abs(t * j + 3 * k * v * a + c * v**3) <= limits.jerk * 1.001)
+    # Never at rest on the way: every joint is smooth.
+    assert np.all(profile.v0[1:] > 0.0)
+    assert limit_report(reference, limits).ok()
 
 
 shapes = st.tuples(st.floats(0.1, 50.0), st.floats(1.0, 1e4), st.floats(0.05, 1.0))

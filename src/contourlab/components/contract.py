@@ -19,6 +19,7 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
+from types import SimpleNamespace
 from typing import TYPE_CHECKING, Any, ClassVar, dataclass_transform
 
 import numpy as np
@@ -270,9 +271,11 @@ class Component:
         """Advance one tick: ``(x_next, out)``, tuples in the order of `states` and `outputs`."""
         raise NotImplementedError
 
-    @staticmethod
-    def derive(par: Any, dt: float) -> tuple[float, ...]:
-        """Return the derived constants from the parameters and the period of the step."""
+    def derive(self, par: Any, dt: float) -> tuple[Any, ...]:
+        """Return the derived constants from the numeric parameters and the period of the step.
+
+        The parameters are numbers, or arrays over the variants of a batch: write it with numpy's functions.
+        """
         return ()
 
     def table_values(self) -> dict[str, NDArray[np.float64]]:
@@ -307,23 +310,6 @@ class Component:
 
     def block(self, dt: float, overrides: Mapping[str, NDArray[np.float64]] | None = None) -> dict[str, Any]:
         """Return the value of every parameter row, derived ones included; overrides are arrays (n_variant,)."""
-        return parameter_block(type(self), {name: getattr(self, name) for name in self.numeric()}, dt, overrides or {})
-
-
-def parameter_block(
-    kind: type[Component], values: Mapping[str, float], dt: float, overrides: Mapping[str, NDArray[np.float64]]
-) -> dict[str, Any]:
-    """Return parameter rows with their derived constants, one number or one per variant."""
-    from contourlab.engine.step import record
-
-    rows: dict[str, Any] = {**values, **overrides}
-    if not kind.derived:
-        return rows
-    names = tuple(rows)
-    if not overrides:
-        derived = kind.derive(record(names)(*rows.values()), dt)
-        return {**rows, **dict(zip(kind.derived, derived, strict=True))}
-    n = len(next(iter(overrides.values())))
-    columns = [np.broadcast_to(np.asarray(rows[name], dtype=float), (n,)) for name in names]
-    each = [kind.derive(record(names)(*(float(c[i]) for c in columns)), dt) for i in range(n)]
-    return {**rows, **{name: np.array([d[j] for d in each]) for j, name in enumerate(kind.derived)}}
+        rows: dict[str, Any] = {**{name: getattr(self, name) for name in self.numeric()}, **(overrides or {})}
+        derived = self.derive(SimpleNamespace(**rows), dt)
+        return {**rows, **dict(zip(self.derived, derived, strict=True))}

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -12,12 +13,13 @@ from contourlab.report.data import AxisBounds, ReportData
 from contourlab.report.decimate import keep_extremes
 from contourlab.report.read import axis_column, has, reach, times
 from contourlab.report.style import REFERENCE, scheme_style
-from contourlab.report.text import number, quantity, shown_unit
+from contourlab.report.text import nominal, number, quantity, shown_unit
 
 __all__ = ["axis_charts", "bode_charts"]
 
 Array = NDArray[np.float64]
 OFF_SCALE = 4.0  # a peak this many times beyond the limit is told, not drawn, or it would flatten all else
+FAR = 0.08  # curves below this part of the limit are drawn without it, or they would be flat
 
 
 def axis_charts(data: ReportData, points: int) -> tuple[Chart, ...]:
@@ -43,7 +45,7 @@ def _axis_chart(data: ReportData, axis: int, name: str, points: int) -> Chart:
     )
     drawn = tuple(panel for panel in panels if panel is not None)
     told = [text for panel in drawn if (text := _off_scale(panel))]
-    caption = "Dashed lines are the limits. Acceleration and jerk are those of the reference." + "".join(f" {t}" for t in told)
+    caption = " ".join(["Dashed lines are the limits. Acceleration and jerk are those of the reference.", *told])
     return Chart(f"axis-{axis}", f"Axis {name}", caption, drawn)
 
 
@@ -67,22 +69,20 @@ def _runs(
 
 
 def _limited(panel: Panel, bounds: AxisBounds | None, name: str, axis: int, factor: float, unit: str) -> Panel:
-    """Return the panel with its two limit lines and a sensible range."""
+    """Return the panel with its two limit lines and a range that flattens neither them nor the curves."""
     limit = bounds.of(name, axis) * factor if bounds is not None else float("inf")
     if not np.isfinite(limit):
         return panel
-    text = f"limit {quantity(limit, unit, digits=4)}"
+    text = f"limit ±{nominal(limit, unit)}"
     top = max(reach(curve.y) for curve in panel.curves)
-    far = 1.3 * limit
-    y_range = (-far, far) if top > OFF_SCALE * limit else None
-    return Panel(
-        panel.x_label, panel.y_label, panel.curves, (Level(limit, text), Level(-limit, "")), y_range=y_range
-    )
+    far = 0.0 < top < FAR * limit
+    edge = 1.25 * (top if far else limit if top > OFF_SCALE * limit else max(limit, top))
+    return replace(panel, levels=(Level(limit, text), Level(-limit, "")), y_range=(-edge, edge), far=far)
 
 
 def _off_scale(panel: Panel) -> str:
     """Say which peak lies outside a panel, if any."""
-    if panel.y_range is None:
+    if panel.y_range is None or max(reach(curve.y) for curve in panel.curves) <= panel.y_range[1]:
         return ""
     what, _, unit = panel.y_label.partition(" [")
     worst = max(panel.curves, key=lambda curve: reach(curve.y))
@@ -154,7 +154,8 @@ def bode_charts(data: ReportData, points: int) -> tuple[Chart, ...]:
             kept = keep_extremes(gain, points)
             gains.append(Curve(answer.frequency[kept], gain[kept], *look))
             phases.append(Curve(answer.frequency[kept], phase[kept], *look))
-            notes += [f"{scheme.name}: " + ", ".join(f"{k} {v}" for k, v in answer.notes.items()) + "."] * bool(answer.notes)
+            figures = ", ".join(f"{name} {value}" for name, value in answer.notes.items())
+            notes += [f"{scheme.name}: {figures}."] * bool(figures)
         magnitude = Panel("frequency [Hz]", "magnitude [dB]", tuple(gains), (Level(-3.0, "−3 dB"),), log_x=True)
         phase_panel = Panel("frequency [Hz]", "phase [deg]", tuple(phases), log_x=True)
         caption = " ".join(["Reference to position, closed loop.", *notes])

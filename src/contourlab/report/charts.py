@@ -69,6 +69,8 @@ class Panel:
     log_x : bool
     y_range : (low, high) or None
         None lets the drawing choose.
+    far : bool
+        Whether the levels are so far from the curves that the range leaves them out.
     """
 
     x_label: str
@@ -80,6 +82,7 @@ class Panel:
     ticks: tuple[Tick, ...] = ()
     log_x: bool = False
     y_range: tuple[float, float] | None = None
+    far: bool = False
 
 
 @dataclass(frozen=True, eq=False)
@@ -104,6 +107,7 @@ class PolarChart:
         Between two rings.
     reach : (low, high) [um]
         Deviation at the centre and at the rim.
+    radius : float [m]
     """
 
     key: str
@@ -112,6 +116,7 @@ class PolarChart:
     curves: tuple[Curve, ...]
     division: float
     reach: tuple[float, float]
+    radius: float
 
 
 @dataclass(frozen=True, eq=False)
@@ -152,8 +157,8 @@ class PathChart:
     runs : tuple of Magnified
     tolerance : tuple of Magnified
         The edges of the tolerance, if there is one.
-    worst : Curve or None
-        One point on the path: where the worst error is [mm].
+    worst : tuple of Curve
+        Each of one point: where the machine was at the worst error of a run [mm].
     magnification : float
         To begin with.
     """
@@ -166,5 +171,5 @@ class PathChart:
     lines: tuple[Curve, ...]
     runs: tuple[Magnified, ...]
     tolerance: tuple[Magnified, ...]
-    worst: Curve | None
+    worst: tuple[Curve, ...]
     magnification: float

@@ -3,13 +3,12 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
 from dataclasses import dataclass
 
 from contourlab.report.data import ReportData, SchemeReport
 from contourlab.report.figures import Figure, error_figures, figures_of
 from contourlab.report.style import scheme_style
-from contourlab.report.text import number, quantity
+from contourlab.report.text import nominal, number
 
 __all__ = ["Cell", "Comparison", "Head", "Row", "compare"]
 
@@ -82,7 +81,8 @@ def compare(data: ReportData) -> Comparison:
     Returns
     -------
     Comparison
-        Rows: the verdict where there is a tolerance, the errors, the axes, the drives, the time. A figure that no scheme has is left out.
+        Rows: the verdict where there is a tolerance, the errors, the axes, the drives, the time. A figure that no
+        scheme has is left out.
     """
     count = len(data.schemes)
     heads = tuple(Head(scheme.name, scheme_style(i, count)[0]) for i, scheme in enumerate(data.schemes))
@@ -91,7 +91,7 @@ def compare(data: ReportData) -> Comparison:
     rows = [_row(key, [column.get(key) for column in columns]) for key in keys]
     rows = [row for row in rows if any(cell.text != number(math.nan) for cell in row.cells)]
     rows = [*_verdict_row(data), *rows]
-    tolerance = "" if data.tolerance is None else quantity(data.tolerance, "µm", 1e6)
+    tolerance = "" if data.tolerance is None else nominal(data.tolerance, "µm", 1e6)
     return Comparison(heads, tuple(rows), tolerance, _note(data))
 
 
@@ -104,7 +104,7 @@ def _verdict_row(data: ReportData) -> list[Row]:
     tolerance = data.tolerance
     if tolerance is None:
         tolerance = next(scheme.verdict.tolerance for scheme in data.schemes if scheme.verdict is not None)
-    return [Row(f"tolerance {quantity(tolerance, 'µm', 1e6)}", "", cells, strong=True)]
+    return [Row(f"tolerance {nominal(tolerance, 'µm', 1e6)}", "", cells, strong=True)]
 
 
 def _passed(scheme: SchemeReport, tolerance: float | None) -> bool | None:
@@ -146,5 +146,6 @@ def _note(data: ReportData) -> str:
         notes.append(f"Change: {data.schemes[-1].name} against {data.schemes[0].name}.")
     for scheme in data.schemes:
         if not scheme.result.status.ok:
-            notes.append(f"{scheme.name} did not finish: {scheme.result.status.reason}; its figures cover the part that was run.")
+            why = scheme.result.status.reason
+            notes.append(f"{scheme.name} did not finish: {why}; its figures cover the part that was run.")
     return " ".join(notes)

@@ -179,7 +179,7 @@ class FrequencyResponse:
         frequency = np.asarray(self.frequency, dtype=np.float64)
         response = np.asarray(self.response, dtype=np.complex128)
         if frequency.ndim != 1 or frequency.shape != response.shape or frequency.size < 2:
-            raise ParameterError("response", response.shape, f"one value for each of >= 2 frequencies {frequency.shape}")
+            raise ParameterError("response", response.shape, f"one value per frequency, at least 2: {frequency.shape}")
         if not bool(np.all(frequency > 0.0) and np.all(np.diff(frequency) > 0.0)):
             raise ParameterError("frequency", "array", "> 0 and ascending", "Hz")
         object.__setattr__(self, "frequency", frequency)
@@ -341,7 +341,8 @@ class ReportData:
         axes = tuple(self.schemes[0].result.axes)
         for scheme in self.schemes:
             if tuple(scheme.result.axes) != axes:
-                raise ParameterError(f"axes of {scheme.name!r}", tuple(scheme.result.axes), f"{axes}, as of the first scheme")
+                found = tuple(scheme.result.axes)
+                raise ParameterError(f"axes of {scheme.name!r}", found, f"{axes}, as of the first scheme")
         if self.tolerance is not None and not 0.0 < self.tolerance < float("inf"):
             raise ParameterError("tolerance", self.tolerance, "finite and > 0", "m")
 

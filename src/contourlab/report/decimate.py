@@ -1,12 +1,13 @@
 """Fewer points, same picture: what is left of a long signal still holds its first, last, lowest and highest value.
 
-The samples are cut into intervals of equal length, and of each interval the first, last, lowest and highest sample are kept. A line through
-them covers the same pixels as a line through all samples as long as an interval is no wider than a pixel (the M4 aggregation).
+The samples are cut into intervals of equal length, and of each interval the first, last, lowest and highest sample
+are kept. A line through them covers the same pixels as a line through all samples as long as an interval is no wider
+than a pixel (the M4 aggregation).
 
 References
 ----------
-U. Jugel, Z. Jerzak, G. Hackenbroich, V. Markl, "M4: A Visualization-Oriented Time Series Data Aggregation", Proc. VLDB Endowment 7 (10),
-2014, section 4.
+U. Jugel, Z. Jerzak, G. Hackenbroich, V. Markl, "M4: A Visualization-Oriented Time Series Data Aggregation", Proc.
+VLDB Endowment 7 (10), 2014.
 """
 
 from __future__ import annotations
@@ -32,16 +33,16 @@ def keep_extremes(values: ArrayLike, budget: int) -> Index:
     Parameters
     ----------
     values : array_like (n_sample,) or (n_sample, n_column)
-        Any unit; nan stands for a gap and is never taken for an extreme. Of several columns each one's extremes are kept, and the
-        budget is divided between them.
+        Any unit; nan stands for a gap and is never taken for an extreme. Of several columns each one's extremes are
+        kept, and the budget is divided between them.
     budget : int, >= 4 per column
         Most samples to keep.
 
     Returns
     -------
     ndarray of int (n_kept,)
-        Indices in ascending order, without repetition, ``n_kept <= budget``; all of them when ``n_sample <= budget``. The first
-        and the last sample and every column's minimum and maximum are among them.
+        Indices in ascending order, without repetition, ``n_kept <= budget``; all of them when ``n_sample <= budget``.
+        The first and the last sample and every column's minimum and maximum are among them.
 
     Raises
     ------
@@ -97,7 +98,7 @@ def _place(rows: NDArray[np.float64], pick: Callable[..., Any], filler: float) -
 
 
 def share(total: int, n_curve: int, most: int) -> int:
-    """Return the points each of `n_curve` curves may have when all may have `total` together, but none more than `most`.
+    """Return the points each of `n_curve` curves may have: `total` is for all together, `most` for one.
 
     >>> share(300_000, 200, 4000)
     1500

@@ -10,7 +10,7 @@ from contourlab.report.data import CircleRun, ReportData
 from contourlab.report.decimate import keep_extremes
 from contourlab.report.read import error_signal, has, reach, signal, times
 from contourlab.report.style import scheme_style
-from contourlab.report.text import number, quantity, round_down
+from contourlab.report.text import nominal, number, quantity, round_down
 
 __all__ = ["error_charts", "polar_charts"]
 
@@ -44,9 +44,11 @@ def error_charts(data: ReportData, points: int) -> tuple[Chart, ...]:
     panel = _panel(data, "time [s]", label, tuple(over_time), signed, _moments(data))
     charts = [Chart("error-time", "Error over time", caption, (panel,))]
     if len(over_arc) == len(data.schemes):
-        corners = tuple(Tick(float(s) * 1e3, "corner", "corner") for s in np.asarray(data.planned.corners).ravel()[:CORNERS])
+        places = np.asarray(data.planned.corners, dtype=np.float64).ravel() * 1e3
+        corners = tuple(Tick(float(s), "corner", "corner") for s in (places if places.size <= CORNERS else ()))
         panel = _panel(data, "arc length [mm]", label, tuple(over_arc), signed, corners)
-        charts.append(Chart("error-arc", "Error along the path", "The same error over the progress along the path.", (panel,)))
+        caption = "The same error over the progress along the path."
+        charts.append(Chart("error-arc", "Error along the path", caption, (panel,)))
     return tuple(charts)
 
 
@@ -64,11 +66,12 @@ def _moments(data: ReportData) -> tuple[Tick, ...]:
 def _panel(
     data: ReportData, x_label: str, y_label: str, curves: tuple[Curve, ...], signed: bool, ticks: tuple[Tick, ...]
 ) -> Panel:
-    """Return one panel of errors with its tolerance band; a band far beyond the errors is not allowed to flatten them."""
+    """Return one panel of errors with its tolerance band; a band far beyond the errors is left out."""
     band, text, y_range = None, "", None
     if data.tolerance is not None:
         edge = data.tolerance * UM
-        band, text = ((-edge, edge) if signed else (0.0, edge)), f"tolerance {'±' if signed else ''}{quantity(edge, 'µm')}"
+        band = (-edge, edge) if signed else (0.0, edge)
+        text = f"tolerance {'±' if signed else ''}{nominal(edge, 'µm')}"
         top = max(reach(curve.y) for curve in curves)
         if 0.0 < top < edge / 4:
             y_range = (-1.15 * top if signed else 0.0, 1.15 * top)
@@ -105,14 +108,14 @@ def _polar(data: ReportData, name: str, index: int, points: int) -> PolarChart:
             radius, top = run.radius, max(top, reach(run.deviation) * UM)
     division, span = _division(top)
     caption = (
-        f"Nominal radius {quantity(radius, 'mm', 1e3, 4)}; one ring is {quantity(division, 'µm')} of radial deviation, "
+        f"Nominal radius {nominal(radius, 'mm', 1e3)}; one ring is {nominal(division, 'µm')} of radial deviation, "
         f"magnified {number(radius * 1e6 / (2.0 * span))} times. Solid counter-clockwise, dashed clockwise."
     )
-    return PolarChart(f"circle-{index}", name, caption, tuple(curves), division, (-2.0 * span, span))
+    return PolarChart(f"circle-{index}", name, caption, tuple(curves), division, (-2.0 * span, span), radius)
 
 
 def _division(top: float) -> tuple[float, float]:
-    """Return ring spacing and reach [um]: the deviations fill the outer part of the picture, the circle stays a circle."""
+    """Return ring spacing and reach [um]: the deviations fill the outer part of the picture."""
     if top <= 0.0:
         return 1.0, 3.0
     division = round_down(top / 2.0)

@@ -49,7 +49,8 @@ def figures_of(scheme: SchemeReport, axes: Sequence[str]) -> dict[str, Figure]:
             continue
         for name, label, factor, unit in _ERRORS:
             value = float(getattr(error, name, math.nan))
-            found.append(Figure(f"{kind.replace('_', ' ')}, {label}", value, factor, unit, strong=name == "max" and not found))
+            strong = name == "max" and not found
+            found.append(Figure(f"{kind.replace('_', ' ')}, {label}", value, factor, unit, strong))
     for axis, error in zip(axes, getattr(metrics, "tracking_error", ()), strict=False):
         found.append(Figure(f"tracking error {axis}, rms", float(error.rms), 1e6, "µm"))
     for axis, share in zip(axes, getattr(metrics, "saturation", ()), strict=False):

@@ -18,7 +18,7 @@ from contourlab.report.error_pictures import circle_figures, error_charts, polar
 from contourlab.report.path_picture import path_charts
 from contourlab.report.plotly_view import Figure, line_figure, path_figure, polar_figure
 from contourlab.report.style import scheme_style
-from contourlab.report.text import number, quantity
+from contourlab.report.text import nominal, number, quantity
 from contourlab.result.atomic import write_text_atomic
 
 __all__ = ["MOST_POINTS", "TOTAL_POINTS", "render_html", "write_html"]
@@ -111,8 +111,8 @@ def _figures(data: ReportData, points: int) -> dict[str, list[dict[str, Any]]]:
 
 def _entry(chart: Any, spec: Figure, view: str = "") -> dict[str, Any]:
     """Return what the template needs of a figure."""
-    height = spec["layout"]["height"]
-    return {"id": chart.key, "title": chart.title, "caption": chart.caption, "spec": spec, "height": height, "view": view}
+    text = {"id": chart.key, "title": chart.title, "caption": chart.caption, "view": view}
+    return {**text, "spec": spec, "height": spec["layout"]["height"]}
 
 
 def _inert(value: Any) -> str:
@@ -133,7 +133,7 @@ def _verdict(scheme: Any, index: int, count: int) -> dict[str, Any] | None:
         "name": scheme.name,
         "colour": scheme_style(index, count)[0],
         "passed": bool(verdict.passed),
-        "tolerance": quantity(verdict.tolerance, "µm", 1e6),
+        "tolerance": nominal(verdict.tolerance, "µm", 1e6),
         "value": quantity(worst.value, "µm", 1e6),
         "line": worst.line,
         "text": worst.text,
@@ -180,7 +180,8 @@ def _clipped(text: str) -> dict[str, Any]:
     if len(text) <= MOST_TEXT:
         return {"text": text, "note": ""}
     digest = hashlib.sha256(text.encode("utf-8", "replace")).hexdigest()
-    return {"text": text[:MOST_TEXT], "note": f"The first {MOST_TEXT} of {len(text)} characters; SHA-256 of all: {digest}."}
+    note = f"The first {MOST_TEXT} of {len(text)} characters; SHA-256 of all: {digest}."
+    return {"text": text[:MOST_TEXT], "note": note}
 
 
 def _facts(data: ReportData, points: int) -> list[tuple[str, str]]:
@@ -194,7 +195,7 @@ def _facts(data: ReportData, points: int) -> list[tuple[str, str]]:
         ("Platform", source.platform),
         ("Seed", "" if source.seed is None else str(source.seed)),
         ("Axes", ", ".join(data.axes)),
-        ("Servo period", quantity(period, "ms", 1e3, 4)),
+        ("Servo period", nominal(period, "ms", 1e3)),
         ("Samples", f"{samples:,}".replace(",", " ") + f" in {quantity(samples * period, 's', digits=4)}"),
         ("Path length", quantity(float(data.planned.length), "mm", 1e3, 6)),
         ("Drawn", f"at most {points} points a curve; the lowest and highest value of every interval are kept"),
@@ -228,5 +229,5 @@ def _template() -> Any:
     from jinja2 import Environment, FileSystemLoader, StrictUndefined
 
     loader = FileSystemLoader(TEMPLATES)
-    places = Environment(loader=loader, autoescape=True, undefined=StrictUndefined, trim_blocks=True, lstrip_blocks=True)
-    return places.get_template("report.html.j2")
+    options: dict[str, Any] = {"undefined": StrictUndefined, "trim_blocks": True, "lstrip_blocks": True}
+    return Environment(loader=loader, autoescape=True, **options).get_template("report.html.j2")

@@ -12,8 +12,8 @@ from contourlab.report.charts import Curve, Magnified, PathChart
 from contourlab.report.data import DrawnPath, ReportData, SchemeReport
 from contourlab.report.decimate import keep_extremes
 from contourlab.report.read import has, reach, signal
-from contourlab.report.style import BAND, INK, POOR, REFERENCE, scheme_style
-from contourlab.report.text import magnification, quantity
+from contourlab.report.style import BAND, INK, REFERENCE, scheme_style
+from contourlab.report.text import magnification, nominal, quantity
 
 __all__ = ["path_charts"]
 
@@ -99,11 +99,11 @@ def _chart(
         Magnified(foot[:, columns] * MM, error[:, columns] * UM, scheme.name, *scheme_style(i, count))
         for i, ((foot, error), scheme) in enumerate(zip(runs, data.schemes, strict=True))
     )
-    lines = [Curve(*(planned[:, columns] * MM).T, "planned path", INK, width=1.0)]
+    lines = [_outline(planned[:, columns], "planned path", INK, "solid")]
     if data.programmed is not None:
         wanted = data.programmed.position(_places(data.programmed, s.size))
         if not _same(data.programmed, data.planned):
-            lines.append(Curve(*(wanted[:, columns] * MM).T, "programmed path", REFERENCE, "dash", 1.0))
+            lines.append(_outline(wanted[:, columns], "programmed path", REFERENCE, "dash"))
     labels = (f"{data.axes[pair[0]]} [mm]", f"{data.axes[pair[1]]} [mm]")
     return PathChart(
         f"path-{index}",
@@ -119,6 +119,11 @@ def _chart(
     )
 
 
+def _outline(points: Array, name: str, colour: str, dash: str) -> Curve:
+    """Return a path as a thin line."""
+    return Curve(points[:, 0] * MM, points[:, 1] * MM, name, colour, dash, 1.0)
+
+
 def _same(path: DrawnPath, other: DrawnPath) -> bool:
     """Tell whether two paths would be drawn as one line."""
     if path is other:
@@ -130,7 +135,7 @@ def _same(path: DrawnPath, other: DrawnPath) -> bool:
 
 
 def _tolerance(data: ReportData, planned: Array, s: Array, columns: list[int], scale: float) -> tuple[Magnified, ...]:
-    """Return the edges of the tolerance beside a plane path, unless they would lie farther off than the path is wide."""
+    """Return the edges of the tolerance beside a plane path, unless they would lie far off it."""
     if data.tolerance is None or min(columns) == max(columns):
         return ()
     size = float(np.max(np.ptp(planned, axis=0)))
@@ -139,17 +144,19 @@ def _tolerance(data: ReportData, planned: Array, s: Array, columns: list[int], s
         return ()
     tangent = data.planned.tangent(s)[:, columns]
     normal = np.column_stack([-tangent[:, 1], tangent[:, 0]]) * data.tolerance * UM
-    name = f"tolerance ±{quantity(data.tolerance, 'µm', UM)}"
+    name = f"tolerance ±{nominal(data.tolerance, 'µm', UM)}"
     foot = planned[:, columns] * MM
     return tuple(Magnified(foot, side * normal, name, BAND, "dot") for side in (1.0, -1.0))
 
 
-def _worst(data: ReportData, columns: list[int]) -> Curve | None:
-    """Return the place of the worst error of the last scheme that was judged."""
-    judged = [scheme.verdict for scheme in data.schemes if scheme.verdict is not None]
-    if not judged:
-        return None
-    worst = judged[-1].worst
-    place = np.asarray(worst.position, dtype=np.float64)[columns] * MM
-    name = f"worst, {quantity(worst.value, 'µm', UM)}"
-    return Curve(place[:1], place[1:], name, POOR)
+def _worst(data: ReportData, columns: list[int]) -> tuple[Curve, ...]:
+    """Return the place of the worst error of every run that was judged."""
+    places = []
+    for index, scheme in enumerate(data.schemes):
+        if scheme.verdict is not None:
+            worst = scheme.verdict.worst
+            x, y = np.asarray(worst.position, dtype=np.float64)[columns] * MM
+            colour, _ = scheme_style(index, len(data.schemes))
+            name = f"worst of {scheme.name}, {quantity(worst.value, 'µm', UM)}"
+            places.append(Curve(np.array([x]), np.array([y]), name, colour))
+    return tuple(places)

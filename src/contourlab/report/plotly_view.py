@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from contourlab.report.charts import Chart, Curve, Magnified, Panel, PathChart, PolarChart
-from contourlab.report.style import BAND, FONT, GRID, INK, LIMIT, MUTED, POOR
+from contourlab.report.style import BAND, FONT, GRID, INK, LIMIT, MUTED
 from contourlab.report.text import round_down
 
 __all__ = ["Figure", "line_figure", "packed", "path_figure", "polar_figure"]
@@ -17,7 +17,8 @@ __all__ = ["Figure", "line_figure", "packed", "path_figure", "polar_figure"]
 Figure = dict[str, Any]
 Array = NDArray[np.float64]
 
-SINGLE = 64.0  # float32 rounds to 2^-24 of the value: up to 64 spreads off zero that is 2^-18 of the spread, far below a pixel
+# float32 rounds to 2^-24 of the value: up to 64 spreads off zero that is 2^-18 of the spread, far below a pixel.
+SINGLE = 64.0
 HEIGHT, GAP, TOP, BOTTOM = 190, 26, 38, 56
 
 
@@ -44,7 +45,7 @@ def _fits_single(values: Array) -> bool:
 def _axis(title: str, **more: Any) -> Figure:
     """Return the looks that all axes share."""
     return {
-        "title": {"text": title, "font": {"size": 12, "color": MUTED}, "standoff": 8},
+        "title": {"text": _plain(title), "font": {"size": 12, "color": MUTED}, "standoff": 8},
         "gridcolor": GRID,
         "zeroline": False,
         "linecolor": "#b9c1c9",
@@ -68,17 +69,24 @@ def _layout(height: int, **more: Any) -> Figure:
         "font": {"family": FONT, "size": 12, "color": INK},
         "legend": {"orientation": "h", "x": 0, "y": 1, "yanchor": "bottom", "xanchor": "left", "font": {"size": 12}},
         "hoverlabel": {"font": {"family": FONT, "size": 12}},
+        "modebar": {"bgcolor": "rgba(255,255,255,0.8)", "color": "#9aa5b0", "activecolor": INK},
         "hovermode": "x unified",
         "dragmode": "zoom",
         **more,
     }
 
 
+def _plain(text: str) -> str:
+    """Return text that plotly.js prints as it is: it takes tags for layout and would make links."""
+    return text.replace("&", "&amp;").replace("<", "&lt;").replace(">", "&gt;")
+
+
 def _line(curve: Curve | Magnified, **more: Any) -> Figure:
     """Return the looks of one line."""
     width = curve.width if isinstance(curve, Curve) else 1.4
     style = {"color": curve.colour, "dash": curve.dash, "width": width}
-    return {"type": "scatter", "mode": "lines", "name": curve.name, "line": style, "legendgroup": curve.name, **more}
+    name = _plain(curve.name)
+    return {"type": "scatter", "mode": "lines", "name": name, "line": style, "legendgroup": name, **more}
 
 
 def line_figure(chart: Chart) -> Figure:
@@ -97,6 +105,7 @@ def line_figure(chart: Chart) -> Figure:
         x_axis = _axis(panel.x_label if last else "", anchor=f"y{tail}", showticklabels=last)
         x_axis |= {"type": "log", "dtick": 1} if panel.log_x else {}
         x_axis |= {"matches": "x"} if number else {}
+        x_axis |= {} if panel.log_x else {"range": _x_span(chart)}
         layout[f"xaxis{tail}"] = x_axis
         layout[f"yaxis{tail}"] = _axis(panel.y_label, anchor=f"x{tail}", domain=[max(high - one, 0.0), high])
         if panel.y_range is not None:
@@ -106,13 +115,20 @@ def line_figure(chart: Chart) -> Figure:
     return {"data": data, "layout": layout}
 
 
+def _x_span(chart: Chart) -> list[float]:
+    """Return where the curves begin and end: no room is left beside them."""
+    curves = [curve.x for panel in chart.panels for curve in panel.curves if curve.x.size]
+    low, high = min(float(x[0]) for x in curves), max(float(x[-1]) for x in curves)
+    return [low, high if high > low else low + 1.0]
+
+
 def _panel_curves(panel: Panel, tail: str, seen: set[str]) -> list[Figure]:
     """Return the curves and marks of a panel; a name is in the legend once."""
     unit = panel.y_label.partition("[")[2].rstrip("]")
     traces = []
     for curve in panel.curves:
         trace = _line(curve, x=packed(curve.x), y=packed(curve.y), xaxis=f"x{tail}", yaxis=f"y{tail}")
-        trace |= {"showlegend": curve.name not in seen, "hovertemplate": f"%{{y:.4g}} {unit}"}
+        trace |= {"showlegend": curve.name not in seen, "hovertemplate": f"%{{y:.4g}} {_plain(unit)}"}
         seen.add(curve.name)
         traces.append(trace)
     for kind, symbol in (("reversal", "triangle-up"), ("corner", "diamond")):
@@ -132,9 +148,10 @@ def _marks(panel: Panel, ticks: list[Any], kind: str, symbol: str, tail: str) ->
         "name": kind,
         "x": packed(np.array([tick.x for tick in ticks])),
         "y": [floor] * len(ticks),
-        "text": [tick.label for tick in ticks],
+        "text": [_plain(tick.label) for tick in ticks],
         "hovertemplate": "%{text}",
         "marker": {"symbol": symbol, "size": 7, "color": MUTED},
+        "cliponaxis": False,
         "xaxis": f"x{tail}",
         "yaxis": f"y{tail}",
     }
@@ -150,34 +167,40 @@ def _span(panel: Panel) -> tuple[float, float]:
 
 
 def _decorate(layout: Figure, panel: Panel, tail: str) -> None:
-    """Add the tolerance band and the limit lines of a panel."""
+    """Add the tolerance band and the limit lines of a panel; their text stands above it, clear of the curves."""
     x, y = f"x{tail} domain", f"y{tail}"
-    note = {"xref": x, "yref": y, "showarrow": False, "xanchor": "right", "x": 1.0, "font": {"size": 11}}
     span = {"type": "rect", "xref": x, "x0": 0, "x1": 1, "yref": y, "layer": "below"}
     if panel.band is not None:
         low, high = panel.band
-        layout["shapes"].append({**span, "y0": low, "y1": high, "fillcolor": BAND, "opacity": 0.09, "line": {"width": 0}})
-        for edge in {low, high} - {0.0}:
+        fill = {"fillcolor": BAND, "opacity": 0.09, "line": {"width": 0}}
+        layout["shapes"].append({**span, **fill, "y0": low, "y1": high})
+        for edge in sorted({low, high} - {0.0}):
             line = {"color": BAND, "width": 1, "dash": "dot"}
             layout["shapes"].append({**span, "type": "line", "y0": edge, "y1": edge, "line": line})
-        if panel.y_range is None or high <= panel.y_range[1]:
-            text = {"text": panel.band_label, "y": high, "yanchor": "bottom", "font": {"size": 11, "color": BAND}}
-        else:  # the band is wider than the picture: say so inside it
-            text = {"text": panel.band_label + " is outside the picture", "y": panel.y_range[1], "yanchor": "top"}
-            text["font"] = {"size": 11, "color": BAND}
-        layout["annotations"].append({**note, **text})
+        outside = panel.y_range is not None and high > panel.y_range[1]
+        layout["annotations"].append(_note(panel.band_label + (", outside the picture" if outside else ""), BAND, tail))
     for level in panel.levels:
         line = {"color": LIMIT, "width": 1.1, "dash": "dash"}
-        layout["shapes"].append({**span, "type": "line", "y0": level.value, "y1": level.value, "line": line})
+        if not panel.far:
+            shape = {"type": "line", "layer": "above", "y0": level.value, "y1": level.value, "line": line}
+            layout["shapes"].append({**span, **shape})
         if level.label:
-            text = {"text": level.label, "y": level.value, "yanchor": "bottom", "font": {"size": 11, "color": LIMIT}}
-            layout["annotations"].append({**note, **text})
+            text = level.label + (", outside the picture" if panel.far else "")
+            layout["annotations"].append(_note(text, LIMIT, tail))
+
+
+def _note(text: str, colour: str, tail: str) -> Figure:
+    """Return a small text above the right end of a panel."""
+    font = {"size": 11, "color": colour}
+    place = {"xref": f"x{tail} domain", "yref": f"y{tail} domain", "x": 1, "y": 1}
+    return {"text": text, "showarrow": False, "font": font, **place, "xanchor": "right", "yanchor": "bottom"}
 
 
 def polar_figure(chart: PolarChart) -> Figure:
     """Return a ball-bar plot: the ring at 0 is the nominal circle."""
     data: list[Figure] = [
-        {**_line(curve), "type": "scatterpolar", "r": packed(curve.y), "theta": packed(curve.x)} for curve in chart.curves
+        {**_line(curve), "type": "scatterpolar", "r": packed(curve.y), "theta": packed(curve.x)}
+        for curve in chart.curves
     ]
     for trace in data:
         trace["hovertemplate"] = "%{r:.3g} µm at %{theta:.1f}°"
@@ -185,25 +208,29 @@ def polar_figure(chart: PolarChart) -> Figure:
     ring = {"type": "scatterpolar", "mode": "lines", "name": "nominal", "line": nominal, "hoverinfo": "skip"}
     data.append({**ring, "theta": list(range(0, 361, 3)), "r": [0] * 121})
     low, high = chart.reach
-    rings = np.arange(np.ceil(-high / chart.division), np.floor(high / chart.division) + 1) * chart.division
+    count = round(high / chart.division)
+    rings = [k * chart.division for k in range(-2 * count, count + 1)]
+    # Every ring has a line; every second one its number, and the hole in the middle stays free of them.
+    texts = [f"{r:+g}".replace("-", "−") if k % 2 == 0 and k >= -count else "" for k, r in enumerate(rings, -2 * count)]
+    texts[-1] = f"{high:+g} µm"
     look = {"gridcolor": GRID, "linecolor": "#b9c1c9", "tickfont": {"size": 11, "color": MUTED}}
-    marks = {"tickvals": rings.tolist(), "ticktext": [f"{ring:+g} µm" if ring else "0" for ring in rings.tolist()]}
-    radial = {**look, **marks, "range": [low, high], "angle": 90, "tickangle": 90, "showline": False}
+    radial = {**look, "tickvals": rings, "ticktext": texts, "ticks": ""}
+    radial |= {"range": [low, high], "angle": 67.5, "tickangle": 67.5}
     angular = {**look, "ticksuffix": "°", "dtick": 45}
-    polar = {"radialaxis": radial, "angularaxis": angular, "bgcolor": "#ffffff"}
-    legend = {"orientation": "h", "x": 0.5, "y": -0.08, "xanchor": "center", "yanchor": "top", "font": {"size": 12}}
-    layout = _layout(520, polar=polar, legend=legend, hovermode="closest")
-    layout["margin"] = {"l": 50, "r": 50, "t": 30, "b": 50}
+    polar = {"radialaxis": radial, "angularaxis": angular, "bgcolor": "#ffffff", "domain": {"x": [0.0, 0.72]}}
+    legend = {"x": 0.76, "y": 0.98, "xanchor": "left", "yanchor": "top", "font": {"size": 12}}
+    layout = _layout(600, polar=polar, legend=legend, hovermode="closest")
+    layout["margin"] = {"l": 40, "r": 16, "t": 44, "b": 44}
     return {"data": data, "layout": layout}
 
 
 def path_figure(chart: PathChart) -> Figure:
-    """Return the path; the page itself adds the errors to the foot points, so that the reader can change the magnification.
+    """Return the path; the page itself adds the errors to the foot points, as the reader sets the magnification.
 
     Notes
     -----
-    Besides `data` and `layout` the figure has ``magnify``: the magnification to begin with, and for every magnified trace its number, foot
-    points [mm] and errors [um] as packed columns.
+    Besides `data` and `layout` the figure has ``magnify``: the magnification to begin with, and for every magnified
+    trace its number, foot points [mm] and errors [um] as packed columns.
     """
     moved = (*chart.tolerance, *chart.runs)
     data = [_line(line, x=packed(line.x), y=packed(line.y), hoverinfo="skip") for line in chart.lines]
@@ -218,17 +245,20 @@ def path_figure(chart: PathChart) -> Figure:
         else:
             trace |= {"hoverinfo": "skip", "hovertemplate": None}
             trace["line"]["width"] = 1
-        columns = {key: [packed(part[:, 0]), packed(part[:, 1])] for key, part in (("foot", run.foot), ("error", run.error))}
-        curves.append({"trace": len(data), **columns})
+        foot, error = ([packed(part[:, 0]), packed(part[:, 1])] for part in (run.foot, run.error))
+        curves.append({"trace": len(data), "foot": foot, "error": error})
         data.append(trace)
-    if chart.worst is not None:
-        mark = {"symbol": "circle-open", "size": 15, "color": POOR, "line": {"width": 2.2}}
-        place = {"x": packed(chart.worst.x), "y": packed(chart.worst.y)}
-        data.append({"type": "scatter", "mode": "markers", "name": chart.worst.name, "marker": mark, **place, "hoverinfo": "name"})
-    layout = _layout(620, hovermode="closest", dragmode="pan")
+    for worst in chart.worst:
+        mark = {"symbol": "circle-open", "size": 15, "color": worst.colour, "line": {"width": 2}}
+        place = {"x": packed(worst.x), "y": packed(worst.y), "hoverinfo": "name"}
+        data.append({"type": "scatter", "mode": "markers", "name": _plain(worst.name), "marker": mark, **place})
+    layout = _layout(680, hovermode="closest", dragmode="pan")
+    layout["legend"] |= {"orientation": "v", "x": 1.01, "y": 1, "yanchor": "top"}
+    layout["margin"] |= {"t": 24}
     layout["xaxis"] = _axis(chart.labels[0], constrain="domain")
     layout["yaxis"] = _axis(chart.labels[1], scaleanchor="x", constrain="domain")
-    return {"data": data, "layout": layout, "magnify": {"start": chart.magnification, "curves": curves, "bar": _bar(chart)}}
+    magnify = {"start": chart.magnification, "curves": curves, "bar": _bar(chart)}
+    return {"data": data, "layout": layout, "magnify": magnify}
 
 
 def _bar(chart: PathChart) -> float:

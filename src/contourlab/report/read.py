@@ -30,8 +30,8 @@ def signal(result: Any, name: str) -> Array:
     """
     if not has(result, name):
         held = ", ".join(result.signals) or "none"
-        raise ResultError(f"scheme {result.scheme!r}: no signal {name!r} to report (it holds {held}); judge the result first")
-    return np.asarray(result[name])
+        raise ResultError(f"scheme {result.scheme!r}: no signal {name!r} to report, judge it first; it holds {held}")
+    return np.asarray(result[name], dtype=np.float64)
 
 
 def axis_column(result: Any, name: str, axis: int) -> Array:
@@ -47,7 +47,7 @@ def error_signal(data: ReportData) -> str:
 
 def times(result: Any, samples: NDArray[np.int64]) -> Array:
     """Return the times of some samples [s]."""
-    return np.asarray(samples * float(result.servo_period), dtype=np.float64)
+    return np.asarray((samples + int(result.start)) * float(result.servo_period), dtype=np.float64)
 
 
 def compact(values: Array) -> Array:

@@ -2,7 +2,8 @@
 
 References
 ----------
-M. Okabe, K. Ito, "Color Universal Design (CUD): How to make figures and presentations that are friendly to colorblind people", 2008.
+M. Okabe, K. Ito, "Color Universal Design (CUD): How to make figures and presentations that are friendly to colorblind
+people", 2008.
 """
 
 from __future__ import annotations

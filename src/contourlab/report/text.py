@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 
-__all__ = ["NONE", "magnification", "number", "plain_unit", "quantity", "round_down", "shown_unit"]
+__all__ = ["NONE", "magnification", "nominal", "number", "plain_unit", "quantity", "round_down", "shown_unit"]
 
 NONE = "–"
 
@@ -51,13 +51,13 @@ def number(value: float, digits: int = 3) -> str:
     if value == 0.0:
         return "0"
     power = math.floor(math.log10(abs(value)))
-    if power >= digits:
-        return f"{value:.0f}" if power < 7 else f"{value:.{digits - 1}e}"
-    if power < -5:
-        return f"{value:.{digits - 1}e}"
-    # Rounding may carry into the next decade (9.996 -> 10.0): the count of decimals follows the rounded value.
-    power = math.floor(math.log10(abs(float(f"{value:.{digits - 1}e}"))))
-    return f"{value:.{max(digits - 1 - power, 0)}f}"
+    if power >= 7 or power < -5:
+        text = f"{value:.{digits - 1}e}"
+    else:
+        # Rounding may carry into the next decade (9.996 -> 10.0): the count of decimals follows the rounded value.
+        power = math.floor(math.log10(abs(float(f"{value:.{digits - 1}e}"))))
+        text = f"{value:.{max(digits - 1 - power, 0)}f}"
+    return text.replace("-", "−")
 
 
 def quantity(value: float, unit: str, factor: float = 1.0, digits: int = 3) -> str:
@@ -68,6 +68,15 @@ def quantity(value: float, unit: str, factor: float = 1.0, digits: int = 3) -> s
     """
     text = number(value * factor, digits)
     return text if text == NONE else f"{text} {unit}".strip()
+
+
+def nominal(value: float, unit: str, factor: float = 1.0) -> str:
+    """Write a given value, such as a limit or a tolerance: up to six digits, without trailing zeros.
+
+    >>> nominal(5e-6, "µm", 1e6), nominal(0.1, "mm/min", 6e4)
+    ('5 µm', '6000 mm/min')
+    """
+    return f"{value * factor:.6g} {unit}".strip().replace("-", "−")
 
 
 def round_down(value: float) -> float:

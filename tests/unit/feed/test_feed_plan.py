@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
+import time
+from itertools import pairwise
+
 import numpy as np
 import pytest
 
 from contourlab.errors import FeedError
 from contourlab.feed import AxisLimits, limit_report, plan, route_from_path, route_from_program
-from contourlab.geometry import contour
+from contourlab.geometry import Line, Path, contour
 from contourlab.program import parse_program
 
 LIMITS = AxisLimits([0.5, 0.5], [1.0, 1.5], [30.0, 60.0])
@@ -188,6 +191,17 @@ def test_time_scales_with_the_limits():
         limits = AxisLimits(LIMITS.velocity * factor, LIMITS.acceleration * factor**2, LIMITS.jerk * factor**3)
         slow, quick = plan(route, LIMITS, 1e-3).duration, plan(fast, limits, 1e-3).duration
         assert quick * factor == pytest.approx(slow, rel=1e-6)
+
+
+def test_ten_thousand_lines_are_planned_in_a_moment():
+    generator = np.random.default_rng(1)
+    points = np.cumsum(generator.normal(0.0, 1e-3, (10_001, 3)), axis=0)
+    path = Path(tuple(Line(a, b) for a, b in pairwise(points)))
+    started = time.perf_counter()
+    reference = plan(route_from_path(path, 0.1), AxisLimits([0.5] * 3, 2.0, 50.0), 1e-3)
+    assert time.perf_counter() - started < 2.0  # about 0.05 s on a quiet machine
+    assert reference.duration > 600.0
+    assert np.all(reference.profile.v0[np.searchsorted(reference.profile.s0, path.breaks[:-1] - 1e-12)] == 0.0)
 
 
 def test_limits_that_leave_no_ramp_are_refused():

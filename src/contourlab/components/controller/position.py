@@ -63,8 +63,7 @@ class PositionController(Component):
     structure: str = text_param("feedforward", ("feedforward", "ipv"), doc="eq (15), or the form of eq (16)")
     anti_windup: str = text_param("hold", ("hold", "none"), doc="what the integral does while the drive saturates")
 
-    @staticmethod
-    def derive(par: Any, dt: float) -> tuple[float, ...]:
+    def derive(self, par: Any, dt: float) -> tuple[Any, ...]:
         return par.position_gain * par.integral_gain, 1.0 / par.model_gain, par.model_damping / par.model_gain
 
     def step_function(self) -> Any:

@@ -26,8 +26,7 @@ class SineLoad(Component):
     frequency: float = param(unit="Hz", minimum=0.0, doc="frequency, f")
     phase: float = param(0.0, unit="rad", doc="phase at time 0")
 
-    @staticmethod
-    def derive(par: Any, dt: float) -> tuple[float, ...]:
+    def derive(self, par: Any, dt: float) -> tuple[Any, ...]:
         return (2.0 * math.pi * par.frequency,)
 
     @staticmethod

@@ -48,9 +48,8 @@ class TableLoad(Component):
 
         return step
 
-    def block(self, dt: float, overrides: Any = None) -> dict[str, Any]:
-        rows = {"origin": self.origin, "step_size": self.step_size, **(overrides or {})}
-        return {**rows, "inverse_step": 1.0 / np.asarray(rows["step_size"]), "intervals": float(len(self.values_given) - 1)}
+    def derive(self, par: Any, dt: float) -> tuple[Any, ...]:
+        return 1.0 / par.step_size, float(len(self.values_given) - 1)
 
     def table_values(self) -> dict[str, NDArray[np.float64]]:
         return {"values_table": np.array(self.values_given)}

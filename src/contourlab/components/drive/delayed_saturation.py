@@ -5,6 +5,8 @@ from __future__ import annotations
 import math
 from typing import Any
 
+import numpy as np
+
 from contourlab.components.contract import Component, Port, param
 from contourlab.primitives import clip, delayed
 
@@ -30,12 +32,11 @@ class DelayedSaturation(Component):
     limit: float = param(math.inf, unit="{command}", minimum=0.0, exclusive=True, doc="largest command in either direction")
     delay: float = param(unit="s", minimum=0.0, maximum=10.0, display="ms", doc="time from command to effect")
 
-    @staticmethod
-    def derive(par: Any, dt: float) -> tuple[float, ...]:
+    def derive(self, par: Any, dt: float) -> tuple[Any, ...]:
         periods = par.delay / dt
         # A delay that is whole but for rounding is taken as whole.
-        whole = math.floor(periods + 1e-9)
-        return float(whole), max(periods - whole, 0.0)
+        whole = np.floor(periods + 1e-9)
+        return whole, np.maximum(periods - whole, 0.0)
 
     @staticmethod
     def step(par: Any, x: Any, inp: Any, clock: Any) -> Any:

@@ -6,7 +6,8 @@ from typing import Any
 
 import numpy as np
 
-from contourlab.components.contract import Component, LinearModel, Port, param
+from contourlab.components.contract import Component, LinearModel, Port, param, text_param
+from contourlab.components.discretise import RULES, low_pass_weight
 
 __all__ = ["DisturbanceObserver"]
 
@@ -14,7 +15,7 @@ __all__ = ["DisturbanceObserver"]
 class DisturbanceObserver(Component):
     """Estimate of all that acts on an axis besides its model, subtracted from the command.
 
-    d_hat = w_d/(s + w_d) [ (s w_z/(s + w_z) + b_hat) v / a_hat - u ], by backward Euler, u being the command that reached the plant. With
+    d_hat = w_d/(s + w_d) [ (s w_z/(s + w_z) + b_hat) v / a_hat - u ], u being the command that reached the plant. With
     u = u_c - d_hat the loop from u_c to v has the steady gain a_hat/b_hat whatever the plant is, and no steady response to a disturbance;
     it is stable for all positive parameters in continuous time. Choose b << w_d << w_z; the servo period and any delay limit w_d.
 
@@ -39,11 +40,11 @@ class DisturbanceObserver(Component):
         unit="m/s^2/{command}", minimum=0.0, exclusive=True, display="mm/s^2/{command}", doc="acceleration per command of the model, a_hat"
     )
     model_damping: float = param(0.0, unit="1/s", minimum=0.0, doc="decay of the model's velocity, b_hat")
+    discretisation: str = text_param("backward-euler", RULES, doc="how the two low-passes are sampled")
 
-    @staticmethod
-    def derive(par: Any, dt: float) -> tuple[float, ...]:
-        z, d = par.filter_bandwidth * dt, par.bandwidth * dt
-        return z / (1.0 + z), d / (1.0 + d), 1.0 / par.model_gain
+    def derive(self, par: Any, dt: float) -> tuple[Any, ...]:
+        rule = self.discretisation
+        return low_pass_weight(par.filter_bandwidth, dt, rule), low_pass_weight(par.bandwidth, dt, rule), 1.0 / par.model_gain
 
     @staticmethod
     def step(par: Any, x: Any, inp: Any, clock: Any) -> Any:

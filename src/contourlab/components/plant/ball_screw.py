@@ -37,8 +37,7 @@ class BallScrew(SingleMass):
     efficiency: float = param(0.95, minimum=0.0, maximum=1.0, exclusive=True, doc="of the screw, eta; ground ball screws reach 0.9 to 0.95")
     damping: float = param(0.0, unit="N*s/m", minimum=0.0, doc="viscous damping seen at the table, c")
 
-    @staticmethod
-    def derive(par: Any, dt: float) -> tuple[float, ...]:
+    def derive(self, par: Any, dt: float) -> tuple[Any, ...]:
         per_metre = 2.0 * math.pi / par.lead
         mass = par.mass + par.carried_mass + par.inertia * per_metre * per_metre
         return 1.0 / mass, par.damping / mass, par.torque_constant * par.efficiency * per_metre

@@ -28,8 +28,7 @@ class MassDamper(SingleMass):
     damping: float = param(0.0, unit="N*s/m", minimum=0.0, doc="viscous damping of guides, screw and motor")
     force_constant: float = param(unit="N/A", minimum=0.0, exclusive=True, doc="force of the drive per command")
 
-    @staticmethod
-    def derive(par: Any, dt: float) -> tuple[float, ...]:
+    def derive(self, par: Any, dt: float) -> tuple[Any, ...]:
         mass = par.mass + par.carried_mass
         return 1.0 / mass, par.damping / mass
 

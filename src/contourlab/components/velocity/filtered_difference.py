@@ -6,13 +6,14 @@ from typing import Any
 
 import numpy as np
 
-from contourlab.components.contract import Component, LinearModel, Port, param
+from contourlab.components.contract import Component, LinearModel, Port, param, text_param
+from contourlab.components.discretise import RULES, low_pass_weight
 
 __all__ = ["FilteredDifference"]
 
 
 class FilteredDifference(Component):
-    """First difference of the measured position behind a first-order low-pass: V = s w/(s + w) P, by backward Euler."""
+    """First difference of the measured position behind a first-order low-pass: V = s w/(s + w) P."""
 
     family = "velocity"
     kind = "filtered-difference"
@@ -24,10 +25,10 @@ class FilteredDifference(Component):
     derived = ("weight",)
 
     bandwidth: float = param(unit="rad/s", minimum=0.0, exclusive=True, doc="corner of the low-pass, w")
+    discretisation: str = text_param("backward-euler", RULES, doc="how the low-pass is sampled")
 
-    @staticmethod
-    def derive(par: Any, dt: float) -> tuple[float, ...]:
-        return (par.bandwidth * dt / (1.0 + par.bandwidth * dt),)
+    def derive(self, par: Any, dt: float) -> tuple[Any, ...]:
+        return (low_pass_weight(par.bandwidth, dt, self.discretisation),)
 
     @staticmethod
     def step(par: Any, x: Any, inp: Any, clock: Any) -> Any:

@@ -12,5 +12,9 @@ class TrueVelocity(Component):
 
     family = "velocity"
     kind = "true"
-    inputs = (Port("position"),)
+    inputs = (Port("velocity"),)
     outputs = (Port("velocity"),)
+
+    @staticmethod
+    def step(par, x, inp, clock):  # type: ignore[no-untyped-def]
+        return (), (inp.velocity,)

@@ -1,7 +1,9 @@
 "use strict";
 (function () {
   const figures = JSON.parse(document.getElementById("figures").textContent);
-  const config = { displaylogo: false, responsive: true, modeBarButtonsToRemove: ["select2d", "lasso2d", "autoScale2d"],
+  // A list of what is allowed, not of what is removed: plotly.js would also offer to upload the picture with its data.
+  const buttons = [["zoom2d", "pan2d", "zoomIn2d", "zoomOut2d", "resetScale2d"], ["toImage"]];
+  const config = { displaylogo: false, showSendToCloud: false, plotlyServerURL: "", responsive: true, modeBarButtons: buttons,
     toImageButtonOptions: { format: "svg", filename: "contourlab" } };
   const steps = [1, 2, 5];
   let scale = null;

@@ -2,7 +2,7 @@
 
 The paper leaves open the observer's bandwidths, the servo period, how the velocity is had, and whether stiction is in parts of full scale. The
 reading used here, by default: u in parts of full scale; Coulomb friction of 5.5, 8.8 and 7.7 % of it with true sticking; servo period 1 ms;
-w_d = 200 rad/s, w_z = 2000 rad/s; velocity as the difference of encoder counts behind 800 rad/s; lambda = 0.75.
+w_d = 200 rad/s, w_z = 2000 rad/s; velocity as the difference of encoder counts behind 800 rad/s; low-passes sampled by pole matching; lambda = 0.75.
 """
 
 from __future__ import annotations
@@ -55,6 +55,7 @@ class Reading:
     velocity_bandwidth: float = 800.0
     weight: float = 0.75
     resolution: float = 0.125e-6
+    discretisation: str = "pole-matched"
     observer: bool = True
     coupling: bool = True
 
@@ -101,10 +102,12 @@ def axis_controller(gains: Gains, reading: Reading) -> AxisController:
     observer = DisturbanceObserver(
         bandwidth=reading.bandwidth,
         filter_bandwidth=reading.filter_bandwidth,
+        discretisation=reading.discretisation,
         model_gain=gains.observer_gain * _MM,
         model_damping=gains.observer_damping,
     )
-    return AxisController(position, FilteredDifference(bandwidth=reading.velocity_bandwidth), observer if reading.observer else None)
+    velocity = FilteredDifference(bandwidth=reading.velocity_bandwidth, discretisation=reading.discretisation)
+    return AxisController(position, velocity, observer if reading.observer else None)
 
 
 def machine(first: int, reading: Reading) -> Machine:

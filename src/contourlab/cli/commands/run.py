@@ -1,0 +1,45 @@
+"""``contourlab run``: simulate a scenario or a part program and judge it."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from contourlab.cli.output import emit_json, say, wants_progress
+
+__all__ = ["run"]
+
+
+def run(
+    file: Annotated[Path, typer.Argument(metavar="SCENARIO|PART", help="A scenario (.toml), or a part program in G-code.", show_default=False)],
+    machine: Annotated[str | None, typer.Option(help="Machine: a file, or the name of one that is shipped.")] = None,
+    controller: Annotated[str | None, typer.Option(help="Controller: a file, or the name of one that is shipped.")] = None,
+    out: Annotated[Path, typer.Option(help="Folder for the results; made if it is not there.")] = Path("results"),
+    as_json: Annotated[bool, typer.Option("--json", help="Print JSON alone on standard output.")] = False,
+    check: Annotated[bool, typer.Option("--check", help="Read and check everything, simulate nothing.")] = False,
+    plots: Annotated[list[str] | None, typer.Option(help="Also draw a plot; may be given again.")] = None,
+    signals: Annotated[list[str] | None, typer.Option(help="Also keep a signal; may be given again.")] = None,
+    plugin: Annotated[list[Path] | None, typer.Option(help="Load components from a Python file; may be given again.")] = None,
+) -> int:
+    """Simulate a scenario or a part program, judge the contour, write report and results."""
+    from contourlab.studies.run import run_scenario
+
+    outcome = run_scenario(
+        file,
+        out,
+        machine=machine,
+        controller=controller,
+        plugins=tuple(plugin or ()),
+        json=as_json,
+        check=check,
+        plots=tuple(plots or ()),
+        signals=tuple(signals or ()),
+        progress=wants_progress(as_json),
+    )
+    if as_json:
+        emit_json(outcome.summary)
+    else:
+        say(outcome.table)
+    return 0 if outcome.passed else 1

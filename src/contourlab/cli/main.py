@@ -1,0 +1,135 @@
+"""The entry of ``contourlab``: commands, exit codes, and errors as one clean message.
+
+Exit codes: 0 done, 1 verdict failed, 2 bad input or output, 3 diverged, 70 a fault in contourlab itself, 130 interrupted. Only Typer is
+imported here; what a command needs is imported when it runs, so that ``--help`` answers at once.
+"""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Sequence
+from typing import Annotated, NoReturn
+
+import typer
+
+from contourlab.cli.commands.components import components
+from contourlab.cli.commands.demo import demo
+from contourlab.cli.commands.new import new
+from contourlab.cli.commands.reproduce import reproduce
+from contourlab.cli.commands.run import run as run_command
+from contourlab.cli.output import say, silence
+from contourlab.errors import ContourlabError
+
+__all__ = ["app", "main", "run"]
+
+NAME = "contourlab"
+BAD_INPUT, INTERNAL, INTERRUPTED = 2, 70, 130
+
+app = typer.Typer(
+    name=NAME,
+    add_completion=False,
+    pretty_exceptions_enable=False,
+    context_settings={"help_option_names": ["-h", "--help"]},
+)
+app.command("demo")(demo)
+app.command("run")(run_command)
+app.add_typer(reproduce, name="reproduce")
+app.command("components")(components)
+app.add_typer(new, name="new")
+
+
+def _print_version(wanted: bool) -> None:
+    if wanted:
+        from importlib.metadata import version
+
+        say(f"{NAME} {version(NAME)}")
+        raise typer.Exit
+
+
+@app.callback()
+def _options(
+    version: Annotated[bool, typer.Option("--version", callback=_print_version, is_eager=True, help="Print the version.")] = False,
+    debug: Annotated[bool, typer.Option("--debug", help="Show the traceback of an error; may stand anywhere.")] = False,
+) -> None:
+    """How far a multi-axis machine strays from its programmed path, and which controller keeps it there.
+
+    Start with: contourlab demo
+    """
+
+
+def run() -> NoReturn:
+    """Run the command line and leave the process with its exit code."""
+    sys.exit(main())
+
+
+def main(arguments: Sequence[str] | None = None) -> int:
+    """Run one command.
+
+    Parameters
+    ----------
+    arguments : sequence of str, optional
+        As typed after ``contourlab``; those of the process if not given.
+
+    Returns
+    -------
+    int
+        The exit code: see the module's text.
+    """
+    given, debug = _take_debug(sys.argv[1:] if arguments is None else arguments)
+    for stream in (sys.stdout, sys.stderr):
+        if hasattr(stream, "reconfigure"):  # a terminal that cannot show a sign shows a question mark instead of failing
+            stream.reconfigure(errors="replace")
+    try:
+        code = _call(given or ["--help"])
+        sys.stdout.flush()
+        return code
+    except BrokenPipeError:
+        silence()
+        return 0
+    except (Exception, KeyboardInterrupt) as error:
+        if debug:
+            import traceback
+
+            traceback.print_exc()
+        return _explain(error, debug)
+
+
+def _take_debug(arguments: Sequence[str]) -> tuple[list[str], bool]:
+    """Return the arguments without ``--debug``, and whether it was there; what follows ``--`` is left alone."""
+    given = list(arguments)
+    end = given.index("--") if "--" in given else len(given)
+    options = [word for word in given[:end] if word != "--debug"]
+    return options + given[end:], len(options) < end
+
+
+def _call(arguments: list[str]) -> int:
+    """Parse and run; the commands return their exit codes, 0 where they return none."""
+    command = typer.main.get_command(app)
+    try:
+        with command.make_context(NAME, arguments) as context:
+            return int(command.invoke(context) or 0)
+    except typer.Exit as done:
+        return int(done.exit_code)
+
+
+def _explain(error: BaseException, debug: bool) -> int:
+    """Say on standard error what went wrong; return the exit code."""
+    code, lines = BAD_INPUT, [f"{NAME}: {error}"]
+    if isinstance(error, ContourlabError):
+        code = error.exit_code
+    elif isinstance(error, KeyboardInterrupt | typer.Abort):
+        code, lines = INTERRUPTED, [f"{NAME}: interrupted"]
+    elif isinstance(error, typer.TyperException):
+        context = getattr(error, "ctx", None)
+        place = context.command_path if context is not None else NAME
+        lines = [f"{NAME}: {error.format_message()}", f"Try '{place} --help'."]
+    elif isinstance(error, OSError):
+        lines = [f"{NAME}: {error.filename or 'standard output'}: {error.strerror or error}"]
+        if error.filename is None:
+            silence()  # what is left in the buffer would fail again at exit
+    else:
+        code, lines = INTERNAL, [f"{NAME}: internal error: {type(error).__name__}: {error}"]
+        if not debug:
+            lines.append("This is a fault in contourlab. Run the same command with --debug and report what it prints.")
+    print(*lines, *getattr(error, "__notes__", ()), sep="\n", file=sys.stderr)
+    return code

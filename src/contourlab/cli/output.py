@@ -1,0 +1,85 @@
+"""What the commands print: text and JSON on standard output, never half of both."""
+
+from __future__ import annotations
+
+import json
+import math
+import os
+import sys
+from collections.abc import Mapping
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from rich.console import RenderableType
+
+__all__ = ["emit_json", "plain", "say", "show", "silence", "wants_progress"]
+
+PIPE_WIDTH = 200
+"""Columns of a table that goes to a file or a pipe, where nothing says how wide the reader is."""
+
+
+def silence() -> None:
+    """Send what is still to come on standard output nowhere: its reader has gone."""
+    nowhere = os.open(os.devnull, os.O_WRONLY)
+    try:
+        os.dup2(nowhere, sys.stdout.fileno())
+    finally:
+        os.close(nowhere)
+
+
+def say(text: str) -> None:
+    """Print text and a newline; a reader that has gone (``| head``) is no error, so the command's own exit code stands.
+
+    Raises
+    ------
+    OSError
+        If standard output cannot be written, such as a full disk.
+    """
+    try:
+        sys.stdout.write(text + "\n")
+        sys.stdout.flush()
+    except BrokenPipeError:
+        silence()
+
+
+def plain(value: Any) -> Any:
+    """Return a value that JSON can hold: numbers of NumPy become Python's, nan and infinities null, tuples lists.
+
+    >>> plain({"gain": float("inf"), "axes": ("x", "y")})
+    {'gain': None, 'axes': ['x', 'y']}
+    """
+    if isinstance(value, Mapping):
+        return {str(key): plain(item) for key, item in value.items()}
+    if isinstance(value, list | tuple | set | frozenset):
+        return [plain(item) for item in value]
+    if hasattr(value, "tolist"):
+        return plain(value.tolist())
+    if isinstance(value, float):
+        return value if math.isfinite(value) else None
+    if value is None or isinstance(value, str | bool | int):
+        return value
+    if isinstance(value, os.PathLike):
+        return os.fspath(value)
+    raise TypeError(f"{type(value).__name__} has no form in JSON: {value!r}")
+
+
+def emit_json(value: Any) -> None:
+    """Print one JSON document, strict: readers without an extension for nan can read it."""
+    say(json.dumps(plain(value), indent=2, allow_nan=False))
+
+
+def show(*parts: RenderableType) -> None:
+    """Print tables and styled text: as wide as the terminal, or wide and without colour into a file or a pipe."""
+    from rich.console import Console
+
+    width = None if sys.stdout.isatty() else PIPE_WIDTH
+    console = Console(file=sys.stdout, width=width, highlight=False)
+    with console.capture() as captured:
+        for part in parts:
+            console.print(part)
+    say("\n".join(line.rstrip() for line in captured.get().splitlines()))
+
+
+def wants_progress(as_json: bool) -> bool:
+    """Tell whether a progress line has a reader: a terminal on standard error, and nobody who parses the output."""
+    return sys.stderr.isatty() and not as_json

@@ -1,0 +1,226 @@
+"""Circles by ISO 230-4: circular deviation, radial deviation, and what two runs in opposite senses say together.
+
+The standard wants a ball bar or grid encoder; its annex allows the machine's own feedback, which is what a simulation has. Formulas as they
+are commonly given for ISO 230-4:2005 (2022 calls the deviations errors):
+
+- G: least radial distance of two concentric circles that hold the whole run between them (minimum zone); beside it the distance of the
+  circles around the least-squares centre;
+- F_max, F_min: largest and smallest radius around the nominal centre less the nominal radius;
+- G(b): as G for both runs together, around the least-squares centre of both; D: mean radius of both runs less nominal; H: largest
+  difference of radius between the runs at one angle (1996 edition).
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from contourlab.errors import ResultError
+from contourlab.feed import Reference
+from contourlab.geometry import Arc
+from contourlab.metrics.figures import evaluation_window
+from contourlab.result import Result
+
+__all__ = ["Bidirectional", "CircleFigures", "bidirectional", "circle_figures", "circles_of", "least_squares_centre", "minimum_zone"]
+
+Array = NDArray[np.float64]
+
+
+@dataclass(frozen=True, eq=False)
+class CircleFigures:
+    """One run around a circle.
+
+    Attributes
+    ----------
+    name : str
+    clockwise : bool
+    radius : float [m]
+        Nominal.
+    angle : ndarray (n,) [rad]
+    deviation : ndarray (n,) [m]
+        Distance from the nominal centre less the nominal radius.
+    circular_deviation : float [m]
+        G, minimum zone.
+    circular_deviation_least_squares : float [m]
+        G around the least-squares centre.
+    radial_max, radial_min : float [m]
+        F_max and F_min.
+    mean_radial : float [m]
+        Mean deviation of the run.
+    """
+
+    name: str
+    clockwise: bool
+    radius: float
+    angle: Array
+    deviation: Array
+    circular_deviation: float
+    circular_deviation_least_squares: float
+    radial_max: float
+    radial_min: float
+    mean_radial: float
+
+    def figures(self) -> dict[str, float]:
+        """Return the figures by their names in the standard [m]."""
+        return {
+            "circular deviation G, minimum zone": self.circular_deviation,
+            "circular deviation G, least squares": self.circular_deviation_least_squares,
+            "radial deviation F_max": self.radial_max,
+            "radial deviation F_min": self.radial_min,
+            "mean radial deviation": self.mean_radial,
+        }
+
+
+@dataclass(frozen=True, slots=True)
+class Bidirectional:
+    """A clockwise and a counter-clockwise run together: G(b), D and H [m]."""
+
+    circular_deviation: float
+    mean_radial: float
+    hysteresis: float
+
+
+def least_squares_centre(points: Array) -> Array:
+    """Return the centre (2,) of the circle of least squared radial distances (Gauss-Newton from the mean)."""
+    centre = points.mean(axis=0)
+    for _ in range(50):
+        out = points - centre
+        radius = np.linalg.norm(out, axis=1)
+        design = np.column_stack([-out / radius[:, None], -np.ones(len(points))])
+        step = np.linalg.lstsq(design, -(radius - radius.mean()), rcond=None)[0][:2]
+        centre = centre + step
+        if np.linalg.norm(step) <= 1e-15 * radius.mean():
+            break
+    return np.asarray(centre)
+
+
+def minimum_zone(points: Array) -> tuple[float, Array]:
+    """Return the least distance between two concentric circles that hold all points between them, and their centre.
+
+    The largest and smallest radius are made linear in the centre's shift, the best shift is a linear programme, and this is repeated; for
+    deviations far smaller than the radius it converges in a few rounds.
+    """
+    from scipy.optimize import linprog
+
+    centre = least_squares_centre(points)
+    best, best_centre = math.inf, centre
+    for _ in range(20):
+        out = points - centre
+        radius = np.linalg.norm(out, axis=1)
+        zone = float(radius.max() - radius.min())
+        if zone >= best * (1.0 - 1e-12):
+            break
+        best, best_centre = zone, centre
+        middle, size = float(radius.mean()), max(zone, 1e-15)
+        spoke = out / radius[:, None]
+        ones = np.ones((len(points), 1))
+        none = np.zeros_like(ones)
+        # In units of the zone, so that the solver sees numbers near 1: radius - spoke.shift between low and high.
+        level = ((radius - middle) / size)[:, None]
+        above = np.hstack([-spoke, -ones, none])
+        below = np.hstack([spoke, none, ones])
+        solved = linprog([0.0, 0.0, 1.0, -1.0], np.vstack([above, below]), np.concatenate([-level, level])[:, 0], bounds=[(None, None)] * 4)
+        if not solved.success:
+            break
+        centre = centre + size * solved.x[:2]
+    return best, np.asarray(best_centre)
+
+
+def circle_figures(points: Array, centre: Array, radius: float, clockwise: bool, name: str) -> CircleFigures:
+    """Return the figures of one run of points (n, 2) around a nominal circle.
+
+    Raises
+    ------
+    ResultError
+        If there are fewer than 8 points.
+    """
+    if len(points) < 8:
+        raise ResultError(f"{name}: a circle of {len(points)} samples; at least 8 are wanted")
+    out = points - centre
+    deviation = np.linalg.norm(out, axis=1) - radius
+    around = np.linalg.norm(points - least_squares_centre(points), axis=1)
+    zone, _ = minimum_zone(points)
+    angle = np.arctan2(out[:, 1], out[:, 0])
+    figures = (zone, float(np.ptp(around)), float(deviation.max()), float(deviation.min()), float(deviation.mean()))
+    return CircleFigures(name, clockwise, radius, angle, deviation, *figures)
+
+
+def bidirectional(one: CircleFigures, other: CircleFigures) -> Bidirectional:
+    """Return what two runs around one circle in opposite senses say together.
+
+    Raises
+    ------
+    ResultError
+        If they run in the same sense, or around different circles.
+    """
+    if one.clockwise == other.clockwise or abs(one.radius - other.radius) > 1e-9:
+        raise ResultError("two runs around one circle in opposite senses are wanted")
+
+    def points(run: CircleFigures) -> Array:
+        return np.asarray((run.radius + run.deviation)[:, None] * np.column_stack([np.cos(run.angle), np.sin(run.angle)]))
+
+    both = np.concatenate([points(one), points(other)])
+    around = np.linalg.norm(both - least_squares_centre(both), axis=1)
+    grid = np.linspace(-np.pi, np.pi, 720, endpoint=False)
+    gap = _at_angles(one, grid) - _at_angles(other, grid)
+    mean = 0.5 * (one.mean_radial + other.mean_radial)
+    return Bidirectional(float(np.ptp(around)), mean, float(np.abs(gap).max()))
+
+
+def _at_angles(run: CircleFigures, grid: Array) -> Array:
+    order = np.argsort(run.angle)
+    return np.asarray(np.interp(grid, run.angle[order], run.deviation[order], period=2.0 * np.pi))
+
+
+def circles_of(result: Result, reference: Reference) -> tuple[CircleFigures, ...]:
+    """Return the figures of every full circle of the programmed path, each over its last whole pass.
+
+    Parameters
+    ----------
+    result : Result
+        With ``tool_position`` and ``arc_length``.
+    reference : Reference
+    """
+    path = reference.programmed
+    found = []
+    for i, curve in enumerate(path.curves):
+        if not isinstance(curve, Arc) or abs(curve.sweep) < 2.0 * math.pi - 1e-6 or np.any(curve.rise != 0.0):
+            continue
+        samples = _pass(result, reference, path.breaks[i], path.breaks[i + 1])
+        if len(samples) >= 8:
+            found.append(_run_of(result, samples, curve, path.n_axis))
+    return tuple(found)
+
+
+def _pass(result: Result, reference: Reference, low: float, high: float) -> NDArray[np.int64]:
+    along = result["arc_length"]
+    (start, stop), _ = evaluation_window(reference, result.n_sample)
+    counted = np.arange(start, stop)
+    path = reference.programmed
+    inside = along[counted] - path.length * np.floor(along[counted] / path.length) if path.closed else along[counted]
+    moving = np.concatenate([[True], np.diff(along[counted]) > 0.0])
+    return np.asarray(counted[(inside >= low) & (inside <= high) & moving])
+
+
+def _run_of(result: Result, samples: NDArray[np.int64], curve: Arc, n_axis: int) -> CircleFigures:
+    frame = np.array([curve.u, curve.v])
+    flat = (result["tool_position"][samples] - curve.centre) @ frame.T
+    letters = "XYZ"
+    plane = "".join(letters[int(np.argmax(np.abs(axis)))] if n_axis <= 3 else "?" for axis in frame)
+    turn = curve.sweep if frame[0] @ np.eye(n_axis)[0] >= 0.0 or n_axis > 2 else -curve.sweep
+    name = f"{plane}, radius {curve.radius * 1e3:.6g} mm"
+    return circle_figures(flat, np.zeros(2), curve.radius, turn < 0.0, name)
+
+
+def pairs(runs: Sequence[CircleFigures]) -> dict[str, Bidirectional]:
+    """Return the bidirectional figures of all circles that were run in both senses, by name."""
+    found = {}
+    for one in runs:
+        for other in runs:
+            if one.name == other.name and not one.clockwise and other.clockwise:
+                found[one.name] = bidirectional(one, other)
+    return found

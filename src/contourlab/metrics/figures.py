@@ -1,0 +1,198 @@
+"""A run in figures."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import asdict, dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from contourlab.errors import ResultError
+from contourlab.feed import Reference
+from contourlab.result import Result
+
+__all__ = ["AxisFigures", "ErrorFigures", "Metrics", "Place", "evaluation_window", "summarise"]
+
+Array = NDArray[np.float64]
+
+
+@dataclass(frozen=True, slots=True)
+class Place:
+    """Where and when: sample, time [s], arc length [m], position [m], line of the program (0 if none)."""
+
+    sample: int
+    time: float
+    arc_length: float
+    position: tuple[float, ...]
+    line: int
+
+
+@dataclass(frozen=True, slots=True)
+class ErrorFigures:
+    """An error over the samples that count.
+
+    Attributes
+    ----------
+    rms, max, mean, p95 : float [m]
+        Of the magnitude; p95 is not passed by 95 % of the samples.
+    integral : float [m s]
+        Of the magnitude over the time that counts: sum over the samples times the period.
+    signed_mean : float [m]
+        Mean with the side counted; on a circle it is the radius error. Of the magnitude on a path in space.
+    integral_without_mean : float [m s]
+        Of the magnitude of what is left when the signed mean is taken out.
+    worst : Place
+    """
+
+    rms: float
+    max: float
+    mean: float
+    p95: float
+    integral: float
+    signed_mean: float
+    integral_without_mean: float
+    worst: Place
+
+
+@dataclass(frozen=True, slots=True)
+class AxisFigures:
+    """Tracking error of an axis [m]: rms and max of the magnitude."""
+
+    rms: float
+    max: float
+
+
+@dataclass(frozen=True, slots=True)
+class Metrics:
+    """Figures of a run.
+
+    Attributes
+    ----------
+    window : (int, int)
+        Samples [start, stop) that count.
+    basis : str
+        "last lap" or "whole motion".
+    part_error, contour_error, planning_deviation : ErrorFigures
+    tracking_error : tuple of AxisFigures
+        One for each axis.
+    saturation : tuple of float
+        Part of the samples, 0 to 1, at which the drive held a command back, for each axis.
+    feedrate_mean : float [m/s]
+        Mean speed of the tool along its path.
+    feedrate_ripple : float
+        Standard deviation of the tool's speed over its mean, at the samples where the reference keeps its feed within 1 %.
+    cycle_time : float [s]
+        Of the whole motion.
+    """
+
+    window: tuple[int, int]
+    basis: str
+    part_error: ErrorFigures
+    contour_error: ErrorFigures
+    planning_deviation: ErrorFigures
+    tracking_error: tuple[AxisFigures, ...]
+    saturation: tuple[float, ...]
+    feedrate_mean: float
+    feedrate_ripple: float
+    cycle_time: float
+
+    def as_dict(self) -> dict[str, Any]:
+        """Return the figures as plain values in SI; a figure that is not a number becomes None."""
+        found: dict[str, Any] = _plain(asdict(self))
+        return found
+
+
+def _plain(value: Any) -> Any:
+    if isinstance(value, dict):
+        return {name: _plain(item) for name, item in value.items()}
+    if isinstance(value, list | tuple):
+        return [_plain(item) for item in value]
+    return None if isinstance(value, float) and not math.isfinite(value) else value
+
+
+def evaluation_window(reference: Reference, n_sample: int) -> tuple[tuple[int, int], str]:
+    """Return the samples that count, the last whole lap where the reference has laps, and its name."""
+    laps = [lap for lap in reference.laps if lap[1] <= n_sample]
+    return (laps[-1], "last lap") if laps else ((0, n_sample), "whole motion")
+
+
+def summarise(result: Result, reference: Reference, window: tuple[int, int] | None = None) -> Metrics:
+    """Return the figures of a judged run.
+
+    Parameters
+    ----------
+    result : Result
+        With the judge's signals.
+    reference : Reference
+    window : (int, int), optional
+        Samples [start, stop) that count; by default the last lap, or the whole motion.
+
+    Raises
+    ------
+    ResultError
+        If the run has not been judged, or the window is empty.
+    """
+    chosen, basis = (window, "window") if window else evaluation_window(reference, result.n_sample)
+    start, stop = chosen
+    if not 0 <= start < stop <= result.n_sample:
+        raise ResultError(f"window {start} .. {stop} of a result of {result.n_sample} samples: a part of it is wanted")
+    cut = slice(start, stop)
+    period = result.servo_period
+
+    def error(name: str) -> ErrorFigures:
+        return _error_figures(result, reference, name, start, stop)
+
+    tracking = result["tracking_error"][cut]
+    axes = tuple(AxisFigures(float(np.sqrt(np.mean(e**2))), float(np.abs(e).max())) for e in tracking.T)
+    held = tuple(float(np.mean(row)) for row in _held_back(result, cut).T)
+    mean, ripple = _feedrate(result, cut)
+    cycle = (result.n_sample - 1) * period
+    return Metrics(chosen, basis, error("part_error"), error("contour_error"), error("planning_deviation"), axes, held, mean, ripple, cycle)
+
+
+def _error_figures(result: Result, reference: Reference, name: str, start: int, stop: int) -> ErrorFigures:
+    signed = result[name][start:stop]
+    size = np.abs(signed)
+    mean = float(signed.mean())
+    sample = start + int(np.argmax(size))
+    along = float(result["arc_length"][sample])
+    place = Place(
+        sample + result.start,
+        (sample + result.start) * result.servo_period,
+        along,
+        tuple(float(v) for v in result["tool_position"][sample]),
+        int(reference.source_line(np.array([along]))[0]),
+    )
+    return ErrorFigures(
+        rms=float(np.sqrt(np.mean(size**2))),
+        max=float(size.max()),
+        mean=float(size.mean()),
+        p95=float(np.quantile(size, 0.95)),
+        integral=float(size.sum() * result.servo_period),
+        signed_mean=mean,
+        integral_without_mean=float(np.abs(signed - mean).sum() * result.servo_period),
+        worst=place,
+    )
+
+
+def _held_back(result: Result, cut: slice) -> NDArray[np.bool_]:
+    if "command" not in result or "applied_command" not in result:
+        return np.zeros((1, len(result.axes)), dtype=bool)
+    command, applied = result["command"][cut], result["applied_command"][cut]
+    # A delayed drive shows other numbers too; held back means that the applied command is smaller and at its largest.
+    largest = np.abs(applied).max(axis=0, initial=0.0)
+    return np.asarray((np.abs(command) > np.abs(applied) * (1.0 + 1e-9)) & (np.abs(applied) >= largest * (1.0 - 1e-9)) & (largest > 0.0))
+
+
+def _feedrate(result: Result, cut: slice) -> tuple[float, float]:
+    tool = result["tool_position"][cut]
+    if len(tool) < 3:
+        return math.nan, math.nan
+    speed = np.linalg.norm(np.diff(tool, axis=0), axis=1) / result.servo_period
+    asked = result["feedrate"][cut][:-1] if "feedrate" in result else speed
+    steady = np.abs(np.gradient(asked)) <= 0.01 * result.servo_period * np.maximum(asked, 1e-12)
+    cruising = speed[steady & (asked > 0.0)]
+    ripple = float(cruising.std() / cruising.mean()) if cruising.size > 2 and cruising.mean() > 0.0 else math.nan
+    return float(speed.mean()), ripple

@@ -1,0 +1,72 @@
+"""The judge: three errors kept apart, from true positions and the path alone.
+
+- `planning_deviation`: planned path to programmed path, at the reference's place: what blending costs;
+- `contour_error`: tool to planned path: what the servo loops cost;
+- `part_error`: tool to programmed path: what the part gets, and what a tolerance is held against.
+
+Each is the exact shortest distance, found around the reference's progress, so that the right branch is taken where a path meets itself. It has
+a side in the plane (positive to the left of the direction of travel) and is a magnitude in space.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from contourlab.feed import Reference
+from contourlab.geometry import Path
+from contourlab.result import Result, Signal
+
+__all__ = ["judge", "reach"]
+
+Array = NDArray[np.float64]
+_MARGIN = 1e-4
+
+
+def reach(path: Path, tracking: Array) -> float:
+    """Return the window [m] in which a foot point is sought: three times the largest tracking error, and 0.1 mm.
+
+    The foot point of a tool that is e away from its reference lies within 2 e of it on a straight path, and a little further on a bent one.
+    On a closed path half the length says all there is.
+    """
+    largest = float(np.linalg.norm(tracking, axis=1).max(initial=0.0))
+    wanted = 3.0 * largest + _MARGIN
+    return min(wanted, 0.5 * path.length) if path.closed else wanted
+
+
+def judge(result: Result, reference: Reference) -> Result:
+    """Return the result with the judge's signals: errors [m], the foot point's arc length [m], the tracking error of each axis [m].
+
+    Parameters
+    ----------
+    result : Result
+        With ``tool_position``, ``reference`` and ``arc_length``.
+    reference : Reference
+        What was asked for; its planned and its programmed path.
+
+    Notes
+    -----
+    Signals ``contour_error``, ``part_error``, ``planning_deviation``, ``foot_arc_length`` (on the programmed path) and ``tracking_error``.
+    """
+    tool, wanted, along = result["tool_position"], result["reference"], result["arc_length"]
+    tracking = wanted - tool
+    planned, programmed = reference.path, reference.programmed
+    contour, foot = _errors(planned, tool, along, reach(planned, tracking))
+    if programmed is planned:
+        part, planning, part_foot = contour, np.zeros_like(contour), foot
+    else:
+        planning, at = _errors(programmed, wanted, along * (programmed.length / planned.length), 0.02 * programmed.length)
+        part, part_foot = _errors(programmed, tool, at, reach(programmed, tracking) + float(np.abs(planning).max(initial=0.0)))
+    one = ("sample",)
+    return result.with_signals(
+        contour_error=Signal(contour, one, "m"),
+        part_error=Signal(part, one, "m"),
+        planning_deviation=Signal(planning, one, "m"),
+        foot_arc_length=Signal(part_foot, one, "m"),
+        tracking_error=Signal(tracking, ("sample", "axis"), "m"),
+    )
+
+
+def _errors(path: Path, points: Array, around: Array, window: float) -> tuple[Array, Array]:
+    found = path.foot_point(points, around, window)
+    return (found.signed if path.is_planar else found.distance), found.arc_length

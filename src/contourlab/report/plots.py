@@ -1,0 +1,91 @@
+"""The pictures of a report as single files, for papers and slides."""
+
+from __future__ import annotations
+
+import io
+from collections.abc import Iterator, Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from contourlab.errors import ParameterError
+from contourlab.report.axis_pictures import axis_charts, bode_charts
+from contourlab.report.charts import Chart, PathChart, PolarChart
+from contourlab.report.data import ReportData
+from contourlab.report.error_pictures import error_charts, polar_charts
+from contourlab.report.path_picture import path_charts
+from contourlab.result.atomic import write_bytes_atomic
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+__all__ = ["FORMATS", "write_plots"]
+
+FORMATS = ("png", "svg", "pdf")
+POINTS = 8000  # of a curve; four for every dot across a printed page
+
+# What a file would otherwise say of the moment it was made: the same data give the same bytes.
+_TIMELESS: dict[str, dict[str, None]] = {"png": {}, "svg": {"Date": None}, "pdf": {"CreationDate": None}}
+
+
+def write_plots(data: ReportData, folder: str | Path, formats: Sequence[str] = ("png",)) -> tuple[Path, ...]:
+    """Write each picture of a report as a file of its own.
+
+    Parameters
+    ----------
+    data : ReportData
+    folder : str or Path
+        Made if it is not there.
+    formats : sequence of str
+        Of ``"png"`` (200 dpi), ``"svg"``, ``"pdf"``.
+
+    Returns
+    -------
+    tuple of Path
+        The files: ``path-0``, ``circle-0``, ``error-time``, ``error-arc``, ``axis-0``, ``bode-0`` and so on.
+
+    Raises
+    ------
+    ParameterError
+        If a format is unknown.
+    OutputError
+        If a file cannot be written.
+    ResultError
+        If a result has not been judged.
+    """
+    import matplotlib
+
+    from contourlab.report.matplotlib_view import LOOKS
+
+    for name in formats:
+        if name not in FORMATS:
+            raise ParameterError("formats", name, f"of {', '.join(FORMATS)}")
+    written = []
+    with matplotlib.rc_context(rc=LOOKS):  # type: ignore[arg-type]
+        for key, figure in _drawings(data):
+            for name in formats:
+                file = Path(folder) / f"{key}.{name}"
+                buffer = io.BytesIO()
+                figure.savefig(buffer, format=name, metadata=_TIMELESS[name])
+                write_bytes_atomic(file, buffer.getvalue())
+                written.append(file)
+    return tuple(written)
+
+
+def _drawings(data: ReportData) -> Iterator[tuple[str, Figure]]:
+    """Yield each picture with its name, one at a time, so that only one is held."""
+    charts = (path_charts, polar_charts, error_charts, axis_charts, bode_charts)
+    for make in charts:
+        for chart in make(data, POINTS):
+            yield chart.key, _draw(chart)
+
+
+def _draw(chart: Any) -> Figure:
+    """Return the drawing of one chart."""
+    from contourlab.report import matplotlib_view as view
+
+    if isinstance(chart, PathChart):
+        return view.path_drawing(chart)
+    if isinstance(chart, PolarChart):
+        return view.polar_drawing(chart)
+    assert isinstance(chart, Chart)
+    return view.line_drawing(chart)

@@ -1,0 +1,134 @@
+"""Values with units out of files: text such as ``"20 mm"`` to SI, checked against dimension and range."""
+
+from __future__ import annotations
+
+import math
+import re
+from collections.abc import Sequence
+from typing import Any
+
+from contourlab.errors import ContourlabError, UnitError
+from contourlab.units import from_si, to_si
+
+__all__ = ["read_list", "read_number", "show_bound"]
+
+_UNIT = re.compile(r"[A-Za-zµμ°%Ω0-9_ */^().+-]{0,60}\Z")
+_TURNS = re.compile(r"\b(rad|radians?|deg|degrees?|rev|revolutions?|turns?|rpm|cycles?|[mµμu]rad)\b|°")
+_HERTZ = re.compile(r"\b[kMGm]?(Hz|hertz)\b")
+
+
+def _example(unit: str) -> str:
+    return f'"20 {unit}"'
+
+
+def _check_turns(text: str, given: str, wanted: str) -> None:
+    """Refuse to take turns for radians or the other way round: units treat both as bare numbers, a factor of 2 pi apart."""
+    if _HERTZ.search(given) and wanted in ("rad/s", "1/s"):
+        number = 2.0 * math.pi * to_si(text, "Hz")
+        raise UnitError(f"{text!r} is a frequency, {wanted} is wanted: if turns per second are meant, write \"{number:.6g} {wanted}\"")
+    if wanted == "Hz" and _TURNS.search(given):
+        raise UnitError(f"{text!r} is an angular velocity, Hz is wanted: divide by the angle of a full turn and write it in Hz")
+
+
+def read_number(value: Any, unit: str, display: str = "") -> float:
+    """Read one value into SI.
+
+    Parameters
+    ----------
+    value : object
+        As it stands in a file: text with a unit, or a bare number where `unit` is empty.
+    unit : str
+        The SI unit that is wanted; empty for a bare number.
+    display : str
+        The unit that an example in a message uses.
+
+    Returns
+    -------
+    float
+        Finite.
+
+    Raises
+    ------
+    UnitError
+        If it is no number, has no or the wrong unit, or is not finite.
+
+    >>> read_number("6 m/min", "m/s")
+    0.1
+    """
+    shown = display or unit
+    if isinstance(value, bool) or not isinstance(value, str | int | float):
+        wanted = f"a quantity such as {_example(shown)}" if unit else "a number"
+        raise UnitError(f"{value!r} is no number: write {wanted}")
+    if not isinstance(value, str):
+        return _bare(value, unit, shown)
+    given = value.strip().partition(" ")[2]
+    if len(value) > 120 or not _UNIT.match(given.strip()):
+        raise UnitError(f"{value[:60]!r} is no quantity: write a number, a space and a unit" + (f", such as {_example(shown)}" if unit else ""))
+    try:
+        _check_turns(value, given, unit)
+        number = to_si(value, unit)
+    except ContourlabError:
+        raise
+    except Exception as error:  # the unit parser passes on whatever its tokenizer and its arithmetic raise
+        raise UnitError(f"{value!r} has no readable unit: write for example mm, mm/min, N*m, 1/s, um or full_scale") from error
+    if not math.isfinite(number):
+        raise UnitError(f"{value!r} is not a finite number")
+    return number
+
+
+def _bare(value: float, unit: str, shown: str) -> float:
+    try:
+        number = float(value)
+    except OverflowError:
+        number = math.inf
+    if not math.isfinite(number):
+        raise UnitError(f"{value if isinstance(value, float) else 'the number'} is not a finite number")
+    if unit:
+        raise UnitError(f"{value!r} has no unit: write \"{value!r} {shown}\", or the same in another unit")
+    return number
+
+
+def read_list(value: Any, unit: str, display: str = "") -> tuple[float, ...]:
+    """Read several values into SI: a list of values, or a table ``{unit = "mm", values = [0, 50, 100]}``.
+
+    Raises
+    ------
+    UnitError
+        As `read_number`; says which item.
+
+    >>> read_list({"unit": "mm", "values": [0, 250]}, "m")
+    (0.0, 0.25)
+    """
+    if isinstance(value, dict):
+        if set(value) != {"unit", "values"} or not isinstance(value["unit"], str):
+            raise UnitError('a table of values has two keys: {unit = "mm", values = [0, 50, 100]}')
+        numbers, shared = value["values"], value["unit"]
+        if not isinstance(numbers, Sequence) or isinstance(numbers, str):
+            raise UnitError('values must be a list of numbers: {unit = "mm", values = [0, 50, 100]}')
+        for number in numbers:
+            if isinstance(number, bool) or not isinstance(number, int | float):
+                raise UnitError(f"{number!r} in values is no number: the unit is given once, beside them")
+        value = [f"{_bare(number, '', '')!r} {shared}".strip() for number in numbers]
+    if not isinstance(value, Sequence) or isinstance(value, str):
+        raise UnitError(f"{value!r} is no list: write [{_example(display or unit) if unit else '1, 2'}, ...]")
+    found = []
+    for i, item in enumerate(value):
+        try:
+            found.append(read_number(item, unit, display))
+        except UnitError as error:
+            raise UnitError(f"item {i + 1}: {error}") from error
+    return tuple(found)
+
+
+def show_bound(minimum: float, maximum: float, exclusive: bool, display: str) -> str:
+    """Return a range in words, in the unit of `display`.
+
+    >>> show_bound(0.0, 0.05, True, "mm")
+    '> 0 and <= 50 mm'
+    """
+    words = []
+    if minimum > -math.inf:
+        words.append(f"{'>' if exclusive else '>='} {from_si(minimum, display):g}")
+    if maximum < math.inf:
+        words.append(f"<= {from_si(maximum, display):g}")
+    return (" and ".join(words) + f" {display}").strip() if words else "finite"

@@ -1,0 +1,232 @@
+"""The raw content of TOML files as a tree whose every value remembers the file and the key it was written under.
+
+Files are joined by `merge` before anything is interpreted, so that a message can always name the place that a person has to edit.
+"""
+
+from __future__ import annotations
+
+import difflib
+import json
+import re
+import tomllib
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass, field, replace
+from pathlib import Path
+from typing import Any, TypeAlias
+
+from contourlab.errors import ScenarioError
+
+__all__ = ["DEFAULT", "Leaf", "Node", "Table", "dotted", "from_mapping", "hint", "merge", "read_tree", "settle"]
+
+DEFAULT = "default"
+"""What a file writes to take back a value that it inherits."""
+
+MAX_DEPTH = 12
+_BARE = re.compile(r"[A-Za-z0-9_-]+\Z")
+_TEXTS = ("name", "file")
+_SLOTS = (
+    "plant",
+    "friction",
+    "drive",
+    "sensor",
+    "velocity",
+    "disturbance",
+    "observer",
+    "controller",
+    "estimator",
+    "coupling",
+)
+
+
+@dataclass(frozen=True, slots=True)
+class Leaf:
+    """A value as TOML gives it, with the file and the dotted key where it stands."""
+
+    value: Any
+    file: str
+    key: str
+
+    def plain(self) -> Any:
+        """Return the bare value."""
+        return self.value
+
+    def error(self, message: str) -> ScenarioError:
+        """Return the error that says what is wrong with this value."""
+        return ScenarioError(message, file=self.file, key=self.key)
+
+
+@dataclass(frozen=True, slots=True)
+class Table:
+    """A table of values and tables.
+
+    `afresh` is set where a file was read in: such a table takes the place of an inherited one instead of being merged with it.
+    """
+
+    entries: Mapping[str, Node] = field(default_factory=dict)
+    file: str = "<scenario>"
+    key: str = ""
+    afresh: bool = False
+
+    def plain(self) -> dict[str, Any]:
+        """Return the content without its origins."""
+        return {name: node.plain() for name, node in self.entries.items()}
+
+    def get(self, name: str) -> Node | None:
+        """Return an entry, or None."""
+        return self.entries.get(name)
+
+    def at(self, name: str) -> str:
+        """Return the dotted key of an entry, there or not."""
+        return dotted(self.key, name)
+
+    def table(self, name: str) -> Table:
+        """Return the table of that name; an empty one where there is none.
+
+        Raises
+        ------
+        ScenarioError
+            If there is something else.
+        """
+        node = self.entries.get(name)
+        if node is None:
+            return Table({}, self.file, self.at(name))
+        if isinstance(node, Leaf):
+            raise node.error(f"{node.value!r} is no table: write [{node.key}] and its keys below")
+        return node
+
+    def error(self, message: str, name: str = "") -> ScenarioError:
+        """Return the error that says what is wrong with this table, or with an entry of it."""
+        node = self.entries.get(name) if name else None
+        if node is not None:
+            return ScenarioError(message, file=node.file, key=node.key)
+        return ScenarioError(message, file=self.file, key=self.at(name) if name else self.key)
+
+    def having(self, **changes: Node) -> Table:
+        """Return a copy with other entries."""
+        return replace(self, entries={**self.entries, **changes})
+
+    def without(self, *names: str) -> Table:
+        """Return a copy without some entries."""
+        return replace(self, entries={k: v for k, v in self.entries.items() if k not in names})
+
+
+Node: TypeAlias = Leaf | Table
+
+
+def dotted(key: str, name: str) -> str:
+    """Return the dotted key of `name` below `key`, quoted where TOML wants it.
+
+    >>> dotted("axes", "x")
+    'axes.x'
+    """
+    shown = name if _BARE.match(name) else json.dumps(name, ensure_ascii=False)
+    return f"{key}.{shown}" if key else shown
+
+
+def hint(name: str, known: Iterable[str]) -> str:
+    """Return what a message says about an unknown name: the nearest known one, or all there are.
+
+    >>> hint("dampng", ["gain", "damping"])
+    "did you mean 'damping'?"
+    """
+    names = list(known)
+    near = difflib.get_close_matches(name, names, n=1, cutoff=0.6)
+    if near:
+        return f"did you mean {near[0]!r}?"
+    return "there are: " + (", ".join(names) if names else "none")
+
+
+def from_mapping(values: Mapping[str, Any], file: str, key: str = "", depth: int = 0) -> Table:
+    """Return the tree of a mapping.
+
+    Raises
+    ------
+    ScenarioError
+        If it is nested deeper than any scenario is.
+    """
+    if depth > MAX_DEPTH:
+        raise ScenarioError(f"tables are nested more than {MAX_DEPTH} deep", file=file, key=key[:80])
+    entries: dict[str, Node] = {}
+    for name, value in values.items():
+        place = dotted(key, name)
+        if isinstance(value, Mapping):
+            entries[name] = from_mapping(value, file, place, depth + 1)
+        else:
+            entries[name] = Leaf(value, file, place)
+    return Table(entries, file, key)
+
+
+def read_tree(file: Path) -> Table:
+    """Read a TOML file.
+
+    Raises
+    ------
+    ScenarioError
+        If it cannot be read or is no TOML; says the line.
+    """
+    name = str(file)
+    try:
+        text = file.read_bytes().decode("utf-8-sig")
+    except UnicodeDecodeError as error:
+        raise ScenarioError(f"is not UTF-8 text (byte {error.start}): save it as UTF-8", file=name) from error
+    except (OSError, ValueError) as error:
+        reason = error.strerror if isinstance(error, OSError) and error.strerror else str(error)
+        raise ScenarioError(f"cannot be read: {reason}", file=name) from error
+    return parse_tree(text, name)
+
+
+def parse_tree(text: str, name: str) -> Table:
+    """Read TOML text that is called `name` in messages."""
+    try:
+        values = tomllib.loads(text)
+    except tomllib.TOMLDecodeError as error:
+        raise ScenarioError(f"is no valid TOML: {error}", file=name) from error
+    except (RecursionError, ValueError) as error:
+        # tomllib lets through what int() and deep nesting raise.
+        raise ScenarioError(f"cannot be read as TOML: {error}", file=name) from error
+    return from_mapping(values, name)
+
+
+def _kind(table: Table) -> Any:
+    node = table.get("kind")
+    return node.value if isinstance(node, Leaf) else None
+
+
+def _joined(name: str, base: Node, over: Node) -> Node:
+    if isinstance(over, Leaf) or over.afresh:
+        return over
+    if isinstance(base, Leaf):
+        # `drive = "saturation"` is short for a table with that kind; more of its keys may follow.
+        short = name in _SLOTS and isinstance(base.value, str) and base.value != "none"
+        if not short or "kind" in over.entries:
+            return over
+        return over.having(kind=base)
+    if "kind" in over.entries and _kind(over) != _kind(base):
+        return over
+    return merge(base, over)
+
+
+def merge(base: Table, over: Table) -> Table:
+    """Return `base` with what `over` says put on top, table by table.
+
+    A component of another kind replaces the inherited one whole, as does a table that was read from a file. Gains by pole placement replace
+    inherited gains.
+    """
+    entries = dict(base.entries)
+    if "gains" in over.entries:
+        for name in ("velocity_gain", "position_gain", "integral_gain"):
+            entries.pop(name, None)
+    for name, node in over.entries.items():
+        entries[name] = _joined(name, entries[name], node) if name in entries else node
+    return replace(base, entries=entries) if base.entries else replace(base, entries=entries, file=over.file, key=over.key)
+
+
+def settle(table: Table) -> Table:
+    """Return the tree without the values that were taken back by ``"default"``."""
+    entries: dict[str, Node] = {}
+    for name, node in table.entries.items():
+        if isinstance(node, Table):
+            entries[name] = settle(node)
+        elif node.value != DEFAULT or name in _TEXTS:
+            entries[name] = node
+    return replace(table, entries=entries)
