@@ -1,8 +1,9 @@
 """Tables, plots and the one-file HTML report; reads results only.
 
-Inside: `data` (what a report is made of); `comparison` (the table's figures, read by `figures`) and `tables` (its print);
-`path_picture`, `error_pictures`, `axis_pictures` (what is drawn: `charts`, thinned by `decimate`); `plotly_view` and
-`html` (the page), `matplotlib_view` and `plots` (single files). plotly, matplotlib, jinja2 and rich are imported when used.
+Inside: `data` (what a report is made of); `comparison` (the table's figures, read by `figures`) and `tables` (its
+print); `path_picture`, `error_pictures`, `axis_pictures` (what is drawn: `charts`, thinned by `decimate`);
+`plotly_view` and `html` (the page), `matplotlib_view` and `plots` (single files). plotly, matplotlib, jinja2 and rich
+are imported when used.
 """
 
 from contourlab.report.data import (

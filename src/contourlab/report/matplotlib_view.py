@@ -118,8 +118,8 @@ def _ticks(place: Axes, panel: Panel) -> None:
     for kind, symbol in (("reversal", "^"), ("corner", "D")):
         x = [tick.x for tick in panel.ticks if tick.kind == kind]
         if x:
-            style: dict[str, Any] = {"linestyle": "none", "marker": symbol, "markersize": 3.2, "color": MUTED, "label": kind}
-            place.plot(x, np.full(len(x), 0.03), transform=transform, clip_on=False, **style)
+            style: dict[str, Any] = {"linestyle": "none", "marker": symbol, "markersize": 3.2, "color": MUTED}
+            place.plot(x, np.full(len(x), 0.03), transform=transform, clip_on=False, label=kind, **style)
 
 
 def polar_drawing(chart: PolarChart) -> Figure:

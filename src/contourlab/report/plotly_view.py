@@ -214,7 +214,7 @@ def polar_figure(chart: PolarChart) -> Figure:
     texts = [f"{r:+g}".replace("-", "−") if k % 2 == 0 and k >= -count else "" for k, r in enumerate(rings, -2 * count)]
     texts[-1] = f"{high:+g} µm"
     look = {"gridcolor": GRID, "linecolor": "#b9c1c9", "tickfont": {"size": 11, "color": MUTED}}
-    radial = {**look, "tickvals": rings, "ticktext": texts, "ticks": ""}
+    radial: Figure = {**look, "tickvals": rings, "ticktext": texts, "ticks": ""}
     radial |= {"range": [low, high], "angle": 67.5, "tickangle": 67.5}
     angular = {**look, "ticksuffix": "°", "dtick": 45}
     polar = {"radialaxis": radial, "angularaxis": angular, "bgcolor": "#ffffff", "domain": {"x": [0.0, 0.72]}}

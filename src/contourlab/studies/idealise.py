@@ -1,4 +1,7 @@
-"""Machines with one imperfection taken away: what the verdict's decomposition is made of."""
+"""Machines with one imperfection taken away: what the verdict's decomposition is made of.
+
+Each function returns the machine itself where there is nothing to take away.
+"""
 
 from __future__ import annotations
 
@@ -7,26 +10,38 @@ from dataclasses import replace
 
 from contourlab.components.friction.none import NoFriction
 from contourlab.components.sensor.ideal import IdealSensor
-
 from contourlab.loop.machine import AxisError, Controller, Machine
 
 __all__ = ["perfect_geometry", "perfect_sensing", "same_axes", "unlimited", "without_friction"]
 
+
 def perfect_geometry(machine: Machine) -> Machine:
     """Return the machine without lead error, squareness and repeatability."""
+    if not machine.squareness and not any(a.error.position.size or a.error.repeatability for a in machine.axes):
+        return machine
     return replace(machine, axes=tuple(replace(a, error=AxisError()) for a in machine.axes), squareness={})
+
 
 def perfect_sensing(machine: Machine) -> Machine:
     """Return the machine with encoders that do not count."""
+    if all(isinstance(a.sensor, IdealSensor) for a in machine.axes):
+        return machine
     return replace(machine, axes=tuple(replace(a, sensor=IdealSensor()) for a in machine.axes))
+
 
 def without_friction(machine: Machine) -> Machine:
     """Return the machine without friction and without disturbances."""
+    if all(isinstance(a.friction, NoFriction) and a.disturbance is None for a in machine.axes):
+        return machine
     return replace(machine, axes=tuple(replace(a, friction=NoFriction(), disturbance=None) for a in machine.axes))
+
 
 def unlimited(machine: Machine) -> Machine:
     """Return the machine with drives that have no limit."""
+    if all(getattr(a.drive, "limit", math.inf) == math.inf for a in machine.axes):
+        return machine
     return replace(machine, axes=tuple(replace(a, drive=a.drive.replace(limit=math.inf)) for a in machine.axes))
+
 
 def same_axes(machine: Machine, controller: Controller, name: str) -> tuple[Machine, Controller]:
     """Return machine and controller with every axis replaced by a copy of one of them, carried mass included."""
@@ -37,4 +52,3 @@ def same_axes(machine: Machine, controller: Controller, name: str) -> tuple[Mach
         plant = plant.replace(carried_mass=plant.carried_mass + carried)  # type: ignore[attr-defined]
     axes = tuple(replace(model, name=a.name, plant=plant, mounted_on="", stage_mass=0.0, limits=a.limits) for a in machine.axes)
     return replace(machine, axes=axes), replace(controller, axes={a.name: mine for a in machine.axes})
-

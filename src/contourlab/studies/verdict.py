@@ -141,7 +141,7 @@ def _causes(machine: Machine, controller: Controller, reference: Reference, judg
 
     def take_away(name: str, better: Machine) -> None:
         nonlocal left, m
-        now = left if better == m else _signed_error(better, controller, reference, sample, seed, direction)
+        now = left if better is m else _signed_error(better, controller, reference, sample, seed, direction)
         steps.append((name, left - now))
         left, m = now, better
 
