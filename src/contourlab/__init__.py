@@ -1,1 +1,55 @@
-"""contourlab: precision contouring of multi-axis machines."""
+"""contourlab: how far a multi-axis machine strays from its path, and which controller keeps it there.
+
+The names below are the public surface; each is imported when it is first asked for, so that ``import contourlab`` costs nothing.
+
+>>> import contourlab as cl
+>>> path = cl.contour("circle", radius=0.02)
+>>> round(path.length, 4)
+0.1257
+"""
+
+from __future__ import annotations
+
+import importlib
+from typing import Any
+
+__version__ = "0.1.0"
+
+_HOMES = {
+    "contourlab.components.conformance": ("check_component",),
+    "contourlab.components.contract": ("Component", "Port", "param", "text_param"),
+    "contourlab.components.registry": ("component", "components", "load_plugin"),
+    "contourlab.errors": ("ContourlabError", "DivergenceError"),
+    "contourlab.feed": ("AxisLimits", "Reference", "limit_report", "plan", "route_from_path", "route_from_program", "uniform"),
+    "contourlab.geometry": ("Path", "contour", "contour_names"),
+    "contourlab.loop": (
+        "Axis",
+        "AxisController",
+        "AxisError",
+        "BatchResult",
+        "Controller",
+        "Limits",
+        "Machine",
+        "parameter_names",
+        "simulate",
+        "simulate_batch",
+    ),
+    "contourlab.metrics": ("circles_of", "judge", "reversal_spikes", "summarise"),
+    "contourlab.program": ("Program", "parse_program", "read_program"),
+    "contourlab.result": ("Result", "Signal", "Status"),
+    "contourlab.scenario": ("load_scenario",),
+    "contourlab.studies.verdict": ("verdict",),
+}
+_WHERE = {name: home for home, names in _HOMES.items() for name in names}
+
+__all__ = ["__version__", *sorted(_WHERE)]  # noqa: PLE0604
+
+
+def __getattr__(name: str) -> Any:
+    if name in _WHERE:
+        return getattr(importlib.import_module(_WHERE[name]), name)
+    raise AttributeError(f"module 'contourlab' has no attribute {name!r}")
+
+
+def __dir__() -> list[str]:
+    return __all__

@@ -59,7 +59,7 @@ def split(text: str) -> tuple[float, str]:
     try:
         number = float(head)
     except ValueError:
-        raise UnitError(f"{text!r} is no quantity: write a number, a space and a unit, such as \"20 mm\"") from None
+        raise UnitError(f'{text!r} is no quantity: write a number, a space and a unit, such as "20 mm"') from None
     return number, tail.strip()
 
 
@@ -93,7 +93,7 @@ def to_si(value: str | float, unit: str) -> float:
     wanted, _ = _factor(unit)
     if dimension != wanted:
         if not given:
-            raise UnitError(f"{value!r} has no unit: write it with a unit such as \"{number:g} {unit}\"")
+            raise UnitError(f'{value!r} has no unit: write it with a unit such as "{number:g} {unit}"')
         raise UnitError(f"{value!r} cannot be converted to {unit or 'a bare number'}")
     # Dividing by the inverse keeps round decimal factors exact: 20 mm is 20 / 1000, not 20 * 0.001.
     inverse = 1.0 / size

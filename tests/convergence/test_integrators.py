@@ -124,11 +124,11 @@ def test_friction_never_creates_energy(friction):
 
 
 def test_lugre_agrees_with_a_stiff_solver_to_second_order():
-    par = dict(coulomb=1.0, breakaway=1.5, stribeck_velocity=0.01, stiffness=1e5, bristle_damping=300.0, viscous=0.4)
-    plant, friction = MassDamper(mass=1.0, force_constant=1.0), LuGre(**par)
+    plant = MassDamper(mass=1.0, force_constant=1.0)
+    friction = LuGre(coulomb=1.0, breakaway=1.5, stribeck_velocity=0.01, stiffness=1e5, bristle_damping=300.0, viscous=0.4)
 
     def slope(t, y):
-        p, v, z = y
+        _, v, z = y
         g = 1.0 + 0.5 * math.exp(-((v / 0.01) ** 2))
         dz = v - 1e5 * abs(v) * z / g
         return [v, 2.0 - (1e5 * z + 300.0 * dz + 0.4 * v), dz]
@@ -144,7 +144,10 @@ def test_lugre_agrees_with_a_stiff_solver_to_second_order():
 
 def test_lugre_is_stable_at_a_servo_period_far_above_its_own_time():
     """Bristles of 1e8 N/m at 1 ms: an explicit method would need steps of a microsecond."""
-    plant, friction = MassDamper(mass=10.0, force_constant=1.0), LuGre(coulomb=5.0, breakaway=6.0, stiffness=1e8, bristle_damping=1e3)
-    end, velocities = march(plant, friction, (0.0, 0.0, 0.0), lambda t: 8.0 * math.sin(20.0 * t), 2.0, 2000)
+    plant, friction = (
+        MassDamper(mass=10.0, force_constant=1.0),
+        LuGre(coulomb=5.0, breakaway=6.0, stiffness=1e8, bristle_damping=1e3),
+    )
+    _, velocities = march(plant, friction, (0.0, 0.0, 0.0), lambda t: 8.0 * math.sin(20.0 * t), 2.0, 2000)
     assert np.isfinite(velocities).all()
     assert np.abs(velocities).max() < 8.0 / 10.0 / 20.0 * 2.0

@@ -88,7 +88,9 @@ def _model(part: Component) -> LinearModel:
     return model
 
 
-def axis_response(axis: Axis, controller: AxisController, servo_period: float, frequency: ArrayLike, carried_mass: float = 0.0) -> AxisResponse:
+def axis_response(
+    axis: Axis, controller: AxisController, servo_period: float, frequency: ArrayLike, carried_mass: float = 0.0
+) -> AxisResponse:
     """Return the frequency responses of an axis under its controller, friction, quantisation and limits left out.
 
     Parameters

@@ -160,7 +160,10 @@ def _check_resume(kind: type[Component], part: Component, scale: float, plain: A
     group.restore(saved)
     again = group.run(inputs[half:], _outputs(group))
     if not np.array_equal(rest, again):
-        raise _fault(kind, "a run that is saved and restored goes on differently: all it remembers must be in its states or its ring")
+        raise _fault(
+            kind,
+            "a run that is saved and restored goes on differently: all it remembers must be in its states or its ring",
+        )
     gap = np.abs(np.concatenate([first, rest]) - plain).max(initial=0.0)
     if not gap <= AGREEMENT * max(1.0, float(np.abs(plain).max(initial=0.0))):
         raise _fault(kind, "a run in two halves differs from a run in one")

@@ -7,7 +7,7 @@ A component is one frozen class in one file::
 
         family = "friction"
         kind = "viscous"
-        viscous: float = param(0.0, unit="N*s/m", minimum=0.0, doc="viscous coefficient")
+        viscous: float = param(default=0.0, unit="N*s/m", minimum=0.0, doc="viscous coefficient")
         ...
 
 Its numbers are validated, in SI, and never change. Its `step` is a pure function over tuples of floats, written with the names of
@@ -152,7 +152,21 @@ def param(
     source: str = "",
 ) -> Any:
     """Declare a number; see `Parameter` for the arguments. Bounds and default are in `unit`, which is SI."""
-    return Parameter("", unit, default, minimum, maximum, exclusive, (), whole, structural or vector, vector, display or unit, doc, source)
+    return Parameter(
+        "",
+        unit,
+        default,
+        minimum,
+        maximum,
+        exclusive,
+        (),
+        whole,
+        structural or vector,
+        vector,
+        display or unit,
+        doc,
+        source,
+    )
 
 
 def text_param(default: str | None, choices: tuple[str, ...], *, doc: str, source: str = "") -> Any:
@@ -239,7 +253,7 @@ class Component:
         raise AttributeError(f"{type(self).__name__} is frozen: make a new one with .replace({name}=...)")
 
     def __eq__(self, other: object) -> bool:
-        return type(self) is type(other) and self.values() == other.values()  # type: ignore[attr-defined]
+        return type(self) is type(other) and self.values() == other.values()
 
     def __hash__(self) -> int:
         return hash((type(self), tuple(sorted(self.values().items()))))
@@ -306,7 +320,16 @@ class Component:
         """Return what the engine compiles."""
         states, inputs, outputs = self.ports(n_axis)
         name = f"{self.family}/{self.kind}"
-        return Step(name, self.step_function(), (*self.numeric(), *self.derived), self.tables, self.ring, states, inputs, outputs)
+        return Step(
+            name,
+            self.step_function(),
+            (*self.numeric(), *self.derived),
+            self.tables,
+            self.ring,
+            states,
+            inputs,
+            outputs,
+        )
 
     def block(self, dt: float, overrides: Mapping[str, NDArray[np.float64]] | None = None) -> dict[str, Any]:
         """Return the value of every parameter row, derived ones included; overrides are arrays (n_variant,)."""

@@ -57,7 +57,11 @@ def _walk(function: Any, seen: dict[Any, None]) -> None:
 def _code_words(code: python_types.CodeType) -> list[str]:
     """Return what a code object does, without where it stands in its file."""
     constants = [c if not isinstance(c, python_types.CodeType) else _code_words(c) for c in code.co_consts]
-    return [code.co_code.hex(), repr(constants), repr((code.co_names, code.co_varnames, code.co_freevars, code.co_cellvars))]
+    return [
+        code.co_code.hex(),
+        repr(constants),
+        repr((code.co_names, code.co_varnames, code.co_freevars, code.co_cellvars)),
+    ]
 
 
 @cache
@@ -101,7 +105,7 @@ class _Specialiser:
             return self.target[name]
         if isinstance(value, python_types.FunctionType):
             return self.function(value)
-        if isinstance(value, _PLAIN) or isinstance(value, type | python_types.ModuleType):
+        if isinstance(value, (*_PLAIN, type, python_types.ModuleType)):
             return value
         raise EngineError(f"step function {user.__qualname__} uses {value!r}, which cannot be compiled: use the names of primitives")
 

@@ -71,6 +71,11 @@ def kernel(width: int) -> Any:
     signals; address of the signal table; address of the log (n_tick, n_log, width), of its row addresses, and their number; first tick,
     number of ticks; period [s].
     """
-    words = (inspect.getsource(_source), inspect.getsource(inspect.getmodule(call_step) or _source), str(width), code_store.toolchain())
+    words = (
+        inspect.getsource(_source),
+        inspect.getsource(inspect.getmodule(call_step) or _source),
+        str(width),
+        code_store.toolchain(),
+    )
     key = hashlib.sha256("\n".join(words).encode()).hexdigest()[:32]
     return _C_TYPE(code_store.address(key, lambda: cfunc(_SIGNATURE, **OPTIONS)(_source(width)), "kernel"))

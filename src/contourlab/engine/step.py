@@ -95,4 +95,4 @@ def pack(ports: Iterable[Port], values: Iterable[Any]) -> list[float]:
 @cache
 def record(fields: tuple[str, ...]) -> Any:
     """Return the named-tuple type with these fields (one type per set of fields, so that compiled code is shared)."""
-    return namedtuple("Record", fields)  # type: ignore[misc]  # noqa: PYI024
+    return namedtuple("Record", fields)

@@ -62,4 +62,10 @@ def _lincomb(p, a, q, b):  # type: ignore[no-untyped-def]
     return None if n is None else _written_out("p, a, q, b", "p * a[#] + q * b[#]", n, False)
 
 
-VECTOR_OPERATIONS: dict[str, Callable[..., Any]] = {"dot": dot, "add": add, "sub": sub, "scale": scale, "lincomb": lincomb}
+VECTOR_OPERATIONS: dict[str, Callable[..., Any]] = {
+    "dot": dot,
+    "add": add,
+    "sub": sub,
+    "scale": scale,
+    "lincomb": lincomb,
+}

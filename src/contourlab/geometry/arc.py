@@ -65,8 +65,18 @@ class Arc(Curve):
         self.rate = self.sweep / self.length
 
     @classmethod
-    def through(cls, start: ArrayLike, end: ArrayLike, centre: ArrayLike, sweep: float, u: ArrayLike | None = None, v: ArrayLike | None = None) -> Arc:
-        """Return the arc from `start` to `end`; the centre is moved to be equally far from both, which a program's rounding leaves off by a little.
+    def through(
+        cls,
+        start: ArrayLike,
+        end: ArrayLike,
+        centre: ArrayLike,
+        sweep: float,
+        u: ArrayLike | None = None,
+        v: ArrayLike | None = None,
+    ) -> Arc:
+        """Return the arc from `start` to `end`; the centre is moved to be equally far from both.
+
+        A program's rounding leaves it off by a little.
 
         Parameters
         ----------

@@ -92,7 +92,9 @@ class Star(Parametric):
     def __init__(self, radius: float, lobes: int, depth: float) -> None:
         self.radius, self.lobes, self.depth = _positive("radius", radius), int(lobes), float(depth)
         if self.lobes != lobes or self.lobes < 2 or not 0.0 <= self.depth < 1.0:
-            raise GeometryError(f"star of {lobes} lobes, depth {depth}: a whole number >= 2 of lobes and a depth from 0 to below 1 are wanted")
+            raise GeometryError(
+                f"star of {lobes} lobes, depth {depth}: a whole number >= 2 of lobes and a depth from 0 to below 1 are wanted"
+            )
         self.first, self.last = 0.0, 2.0 * math.pi
         self.measure()
 

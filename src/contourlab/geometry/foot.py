@@ -188,13 +188,15 @@ def _on_curves(path: Path, points: Array, curve: Index, low: Array, high: Array,
             break
     ends = np.array([((path._at(curve, e, 0)[0] - points) ** 2).sum(axis=1) for e in (low, high, s)])
     best = np.argmin(ends, axis=0)
-    return np.choose(best, [low, high, s])
+    return np.asarray(np.choose(best, [low, high, s]))
 
 
 def _smallest_radii(path: Path) -> Array:
     held: Any = path.__dict__.get("_radii")
     if held is None:
-        held = np.array([np.inf if isinstance(c, Line) else c.smallest_radius() if not isinstance(c, Arc) else c.radius for c in path.curves])
+        held = np.array(
+            [np.inf if isinstance(c, Line) else c.smallest_radius() if not isinstance(c, Arc) else c.radius for c in path.curves]
+        )
         path.__dict__["_radii"] = held
     return np.asarray(held)
 

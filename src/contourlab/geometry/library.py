@@ -5,6 +5,7 @@ from __future__ import annotations
 import inspect
 import math
 from collections.abc import Callable
+from itertools import pairwise
 
 import numpy as np
 
@@ -42,7 +43,7 @@ def diamond(side: float = 0.04) -> Path:
         raise GeometryError(f"side = {side!r}: must be > 0 m and finite")
     h = side / math.sqrt(2.0)
     corners = [(h, 0.0), (0.0, h), (-h, 0.0), (0.0, -h), (h, 0.0)]
-    return Path([Line(a, b) for a, b in zip(corners[:-1], corners[1:], strict=True)], closed=True)
+    return Path([Line(a, b) for a, b in pairwise(corners)], closed=True)
 
 
 def star(radius: float = 0.03, lobes: float = 5, depth: float = 0.3) -> Path:
@@ -63,7 +64,11 @@ def line_line_circle(scale: float = 1.0) -> Path:
     if not (scale > 0.0 and math.isfinite(scale)):
         raise GeometryError(f"scale = {scale!r}: must be > 0 and finite")
     m = 1e-3 * scale
-    curves = [Line((0.0, 0.0), (40 * m, 30 * m)), Line((40 * m, 30 * m), (60 * m, 30 * m)), Arc((90 * m, 30 * m), 30 * m, math.pi, 2.0 * math.pi)]
+    curves = [
+        Line((0.0, 0.0), (40 * m, 30 * m)),
+        Line((40 * m, 30 * m), (60 * m, 30 * m)),
+        Arc((90 * m, 30 * m), 30 * m, math.pi, 2.0 * math.pi),
+    ]
     return Path(curves)
 
 

@@ -19,8 +19,8 @@ _NODES, _WEIGHTS = np.polynomial.legendre.leggauss(12)
 class Parametric(Curve):
     """A curve r(u), u from `first` to `last`, made to run by its arc length.
 
-    The length is integrated by Gauss-Legendre rules of 12 points on intervals that are halved until two halves agree with the whole to 1e-14
-    of the curve; the parameter of an arc length is found by Newton steps inside its interval, to the last digit.
+    The length is integrated by Gauss-Legendre rules of 12 points on intervals that are halved until two halves agree with the whole to
+    1e-14 of the curve; the parameter of an arc length is found by Newton steps inside its interval, to the last digit.
     """
 
     first: float

@@ -101,7 +101,7 @@ class Path:
         found = self.breaks[1:-1][turn > CORNER_ANGLE]
         if self.closed and np.linalg.norm(self._ends[1][-1] - self._starts[1][0]) > CORNER_ANGLE:
             found = np.concatenate([[0.0], found])
-        return found
+        return np.asarray(found)
 
     def local(self, s: ArrayLike) -> tuple[NDArray[np.int64], Array]:
         """Return, for arc lengths (n,), the curve each lies on and the arc length along that curve."""
@@ -141,21 +141,19 @@ class Path:
         return found
 
     def _on_arcs(self, slot: NDArray[np.int64], along: Array, order: int) -> Array:
-        one = self._arc if len(self._arc["radius"]) > 1 else None
-        get = (lambda name: one[name][slot]) if one is not None else (lambda name: self._arc[name])
-        rate, radius, length = get("rate"), get("radius"), get("length")
-        angle = get("start_angle") + rate * along
+        # One arc is broadcast, not gathered: the papers' circles are evaluated often.
+        one = {name: values if len(values) == 1 else values[slot] for name, values in self._arc.items()}
+        angle = one["start_angle"] + one["rate"] * along
         c, d = np.cos(angle)[:, None], np.sin(angle)[:, None]
-        u, v, rise = get("u"), get("v"), get("rise")
-        spoke, swing = c * u + d * v, c * v - d * u
+        spoke, swing = c * one["u"] + d * one["v"], c * one["v"] - d * one["u"]
         found = np.empty((order + 1, along.size, self.n_axis))
-        factor = np.broadcast_to(radius, along.shape)
+        factor = one["radius"]
         for k, turn in enumerate((spoke, swing, -spoke, -swing)[: order + 1]):
             found[k] = factor[:, None] * turn
-            factor = factor * rate
-        found[0] += get("centre") + (along / length)[:, None] * rise
+            factor = factor * one["rate"]
+        found[0] += one["centre"] + (along / one["length"])[:, None] * one["rise"]
         if order:
-            found[1] += rise / (length if np.ndim(length) == 0 else length[:, None])
+            found[1] += one["rise"] / one["length"][:, None]
         return found
 
     def position(self, s: ArrayLike) -> Array:
@@ -167,7 +165,10 @@ class Path:
         return np.asarray(self.derivatives(s, 1)[1])
 
     def normal(self, s: ArrayLike) -> Array:
-        """Return unit normals (n, n_axis): to the left in the plane; towards the centre of curvature in space, zero where the path is straight."""
+        """Return unit normals (n, n_axis): to the left in the plane.
+
+        In space they point to the centre of curvature, and are zero where the path is straight.
+        """
         found = self.derivatives(s, 2)
         if self.is_planar:
             return np.column_stack([-found[1, :, 1], found[1, :, 0]])

@@ -1,6 +1,7 @@
 """The engine's view of a path: quintic pieces in arc length, found without a branch.
 
-Each piece matches position, tangent and curvature vector of the path at both its ends, and never crosses a joint of two curves. The remainder of
+Each piece matches position, tangent and curvature vector of the path at both its ends, and never crosses a joint of two curves. The
+remainder of
 quintic Hermite interpolation over a piece of length h is at most h^6 max|r^(6)| / 46080: proven in closed form for lines (0) and for arcs
 and helices, r^(6) = R rate^6; for other curves pieces are halved until the difference from the curve at points inside, doubled, is
 below the tolerance.
@@ -156,7 +157,10 @@ def _cells(start: Array, length: float) -> tuple[Array, float]:
     n = int(np.ceil(length / shortest)) + 1
     if n > MOST_CELLS:
         where = float(start[int(np.argmin(np.diff(start)))])
-        raise GeometryError(f"a piece of {shortest:.3g} m at arc length {where:.6g} m is too short for a path of {length:.6g} m: join what is shorter than {length / MOST_CELLS:.3g} m")
+        raise GeometryError(
+            f"a piece of {shortest:.3g} m at arc length {where:.6g} m is too short for a path of {length:.6g} m: "
+            f"join what is shorter than {length / MOST_CELLS:.3g} m"
+        )
     inverse = n / length
     # The piece of a cell's left edge, by the same rounding that a look-up makes.
     cell = np.searchsorted(start[:-1] * inverse, np.arange(n), side="right") - 1

@@ -48,7 +48,11 @@ def view_of(path: Path, tolerance: float = 1e-10, pieces: int | None = None, ana
     if analytic and path.closed and path.n_axis == 2 and len(path.curves) == 1 and isinstance(path.curves[0], Arc):
         return _circle(path)
     table = path.table(tolerance, pieces=pieces or 1)
-    parameters = {"path_inverse_cell": float(table.inverse_cell), "path_length": path.length, "path_wrap": 1.0 if path.closed else 0.0}
+    parameters = {
+        "path_inverse_cell": float(table.inverse_cell),
+        "path_length": path.length,
+        "path_wrap": 1.0 if path.closed else 0.0,
+    }
     tables = {"path_start": table.start, "path_coefficients": table.coefficients, "path_cell": table.cell}
     return PathView(_table_evaluator(path.n_axis, len(table.cell)), parameters, tables)
 

@@ -61,7 +61,8 @@ class AxisError:
     position, lead_error : ndarray (n,) [m]
         Error of the tool's position over the axis' position, rising positions, linear between them; empty for none.
     repeatability : float [m], >= 0
-        Unidirectional repeatability in the sense of ISO 230-2 (4 s): at each reversal the tool takes a new offset, normal with s = a quarter of it.
+        Unidirectional repeatability in the sense of ISO 230-2 (4 s): at each reversal the tool takes a new offset, normal with s = a
+        quarter of it.
     """
 
     position: NDArray[np.float64] = field(default_factory=lambda: np.zeros(0))
@@ -125,7 +126,11 @@ class Machine:
             raise ParameterError("axes", ", ".join(names) or "none", "at least one axis, each with a name of its own")
         for axis in self.axes:
             if axis.mounted_on and (axis.mounted_on not in names or axis.name in self.carriers(axis.name)):
-                raise ParameterError(f"axes.{axis.name}.mounted_on", axis.mounted_on, "another axis of the machine, without going in a circle")
+                raise ParameterError(
+                    f"axes.{axis.name}.mounted_on",
+                    axis.mounted_on,
+                    "another axis of the machine, without going in a circle",
+                )
         for pair in self.squareness:
             if len(pair) != 2 or pair[0] == pair[1] or not set(pair) <= set(names):
                 raise ParameterError("squareness", "-".join(pair), "two different axes of the machine")

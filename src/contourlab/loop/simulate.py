@@ -98,8 +98,9 @@ def simulate(
     """
     blocks: list[dict[str, Array]] = []
     status = Status(ok=True)
-    for signals, status in simulate_blocks(machine, controller, reference, seed=seed, jit=jit, view=view):
+    for signals, now in simulate_blocks(machine, controller, reference, seed=seed, jit=jit, view=view):
         blocks.append(signals)
+        status = now
         if progress is not None:
             progress(sum(len(b["arc_length"]) for b in blocks))
     if not status.ok and on_failure == "raise":

@@ -24,7 +24,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from contourlab.components.contract import Component
-from contourlab.geometry.view import PathView, view_of
 from contourlab.components.mechanics import link
 from contourlab.components.sensor.ideal import IdealSensor
 from contourlab.components.velocity.true import TrueVelocity
@@ -32,6 +31,7 @@ from contourlab.engine.schedule import Late, Node, Schedule
 from contourlab.engine.step import Port, Step
 from contourlab.errors import ParameterError
 from contourlab.geometry import Path
+from contourlab.geometry.view import PathView, view_of
 from contourlab.loop.machine import Controller, Machine
 from contourlab.loop.tool import stream_of
 
@@ -53,12 +53,25 @@ EXTERNALS = ("reference", "reference_velocity", "reference_acceleration")
 
 
 class _Builder:
-    def __init__(self, machine: Machine, controller: Controller, path: Path, start: Array, progress: float, overrides: Overrides, seed: int) -> None:
+    def __init__(
+        self,
+        machine: Machine,
+        controller: Controller,
+        path: Path,
+        start: Array,
+        progress: float,
+        overrides: Overrides,
+        seed: int,
+    ) -> None:
         missing = [name for name in machine.axis_names if name not in controller.axes]
         if missing:
             raise ParameterError("controller.axes", ", ".join(controller.axes) or "none", f"given for axis {missing[0]} too")
         if path.n_axis != len(machine.axes):
-            raise ParameterError("path", f"{path.n_axis} coordinates", f"one for each axis of {machine.name}: {', '.join(machine.axis_names)}")
+            raise ParameterError(
+                "path",
+                f"{path.n_axis} coordinates",
+                f"one for each axis of {machine.name}: {', '.join(machine.axis_names)}",
+            )
         self.machine, self.controller, self.path = machine, controller, path
         self.start, self.progress, self.overrides, self.seed = start, progress, overrides, seed
         self.period = machine.servo_period
@@ -121,7 +134,7 @@ class _Builder:
         seen = view or view_of(self.path)
         step = estimator.path_step(seen, len(self.names))  # type: ignore[attr-defined]
         parameters = {**estimator.block(self.period, self.changed("controller.estimator")), **seen.parameters}
-        wires = {"position": positions, "arc_length": "in.arc_length"}
+        wires: dict[str, Any] = {"position": positions, "arc_length": "in.arc_length"}
         self.nodes.append(Node("estimator", step, wires, parameters, seen.tables, {"foot": self.progress}))
         if coupling is not None:
             wires = {
@@ -181,8 +194,8 @@ class _Builder:
         scope: dict[str, Any] = {}
         exec(f"def step(par, x, inp, clock):\n    return (), (inp.load{terms},)\n", scope)
         step = Step("load", scope["step"], tuple(f"alignment_{a.name}" for a in riders), (), "", (), ports, (Port("force"),))
-        wires = {"load": load, **{f"force_{a.name}": Late(f"{a.name}.plant.inertial_force") for a in riders}}
-        self.nodes.append(Node(f"{name}.load", step, wires, {f"alignment_{a.name}": a.alignment for a in riders}))
+        forces: dict[str, Any] = {f"force_{a.name}": Late(f"{a.name}.plant.inertial_force") for a in riders}
+        self.nodes.append(Node(f"{name}.load", step, {"load": load, **forces}, {f"alignment_{a.name}": a.alignment for a in riders}))
         return f"{name}.load.force"
 
     def signals(self) -> dict[str, tuple[str, ...]]:

@@ -25,7 +25,15 @@ from contourlab.geometry import Arc
 from contourlab.metrics.figures import evaluation_window
 from contourlab.result import Result
 
-__all__ = ["Bidirectional", "CircleFigures", "bidirectional", "circle_figures", "circles_of", "least_squares_centre", "minimum_zone"]
+__all__ = [
+    "Bidirectional",
+    "CircleFigures",
+    "bidirectional",
+    "circle_figures",
+    "circles_of",
+    "least_squares_centre",
+    "minimum_zone",
+]
 
 Array = NDArray[np.float64]
 
@@ -123,10 +131,15 @@ def minimum_zone(points: Array) -> tuple[float, Array]:
         level = ((radius - middle) / size)[:, None]
         above = np.hstack([-spoke, -ones, none])
         below = np.hstack([spoke, none, ones])
-        solved = linprog([0.0, 0.0, 1.0, -1.0], np.vstack([above, below]), np.concatenate([-level, level])[:, 0], bounds=[(None, None)] * 4)
+        solved = linprog(
+            [0.0, 0.0, 1.0, -1.0],
+            np.vstack([above, below]),
+            np.concatenate([-level, level])[:, 0],
+            bounds=[(None, None)] * 4,
+        )
         if not solved.success:
             break
-        centre = centre + size * solved.x[:2]
+        centre = centre + size * np.asarray(solved.x)[:2]
     return best, np.asarray(best_centre)
 
 

@@ -149,7 +149,18 @@ def summarise(result: Result, reference: Reference, window: tuple[int, int] | No
     held = tuple(float(np.mean(row)) for row in _held_back(result, cut).T)
     mean, ripple = _feedrate(result, cut)
     cycle = (result.n_sample - 1) * period
-    return Metrics(chosen, basis, error("part_error"), error("contour_error"), error("planning_deviation"), axes, held, mean, ripple, cycle)
+    return Metrics(
+        chosen,
+        basis,
+        error("part_error"),
+        error("contour_error"),
+        error("planning_deviation"),
+        axes,
+        held,
+        mean,
+        ripple,
+        cycle,
+    )
 
 
 def _error_figures(result: Result, reference: Reference, name: str, start: int, stop: int) -> ErrorFigures:

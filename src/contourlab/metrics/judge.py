@@ -4,8 +4,8 @@
 - `contour_error`: tool to planned path: what the servo loops cost;
 - `part_error`: tool to programmed path: what the part gets, and what a tolerance is held against.
 
-Each is the exact shortest distance, found around the reference's progress, so that the right branch is taken where a path meets itself. It has
-a side in the plane (positive to the left of the direction of travel) and is a magnitude in space.
+Each is the exact shortest distance, found around the reference's progress, so that the right branch is taken where a path meets itself.
+It has a side in the plane (positive to the left of the direction of travel) and is a magnitude in space.
 """
 
 from __future__ import annotations

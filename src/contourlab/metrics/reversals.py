@@ -95,4 +95,12 @@ def _spike(result: Result, error: Array, velocity: Array, k: int, end: int, j: i
     if velocity.shape[1] == 2:
         quadrant = {(1, 1): 4, (-1, 1): 1, (-1, -1): 2, (1, -1): 3}.get((int(np.sign(velocity[k, 0])), int(np.sign(velocity[k, 1]))), 0)
     time = (k + result.start) * period
-    return Spike(result.axes[j], time, k + result.start, quadrant, float(away[peak]), time + peak * period, (right - left + 1) * period)
+    return Spike(
+        result.axes[j],
+        time,
+        k + result.start,
+        quadrant,
+        float(away[peak]),
+        time + peak * period,
+        (right - left + 1) * period,
+    )

@@ -1,7 +1,7 @@
 """The judge of a batch: contour error reduced to figures while the lanes run, so that no signal has to be kept.
 
-It is a step like those of the components and runs in the same lanes, but it is no part of the loop: it reads true positions and the path, and
-nothing reads it.
+It is a step like those of the components and runs in the same lanes, but it is no part of the loop: it reads true positions and the
+path, and nothing reads it.
 """
 
 from __future__ import annotations
@@ -14,7 +14,17 @@ from contourlab.primitives import clip, dot, fabs, maximum, select, sqrt, sub
 
 __all__ = ["SUMS", "judge_step"]
 
-SUMS = ("count", "sum_magnitude", "sum_square", "sum_signed", "largest", "largest_at", "sum_tracking", "largest_tracking", "unsure")
+SUMS = (
+    "count",
+    "sum_magnitude",
+    "sum_square",
+    "sum_signed",
+    "largest",
+    "largest_at",
+    "sum_tracking",
+    "largest_tracking",
+    "unsure",
+)
 """States of the judge behind the foot point, in order."""
 
 _ITERATIONS = 3
@@ -35,7 +45,16 @@ def judge_step(view: PathView, n_axis: int) -> Step:
     parameters = ("window", "first", "last", *view.parameters)
     states = (Port("foot"), *(Port(name) for name in SUMS))
     inputs = (Port("position", n_axis), Port("reference", n_axis), Port("arc_length"))
-    return Step("judge", _make(view.evaluate, n_axis), parameters, tuple(view.tables), "", states, inputs, (Port("contour_error"),))
+    return Step(
+        "judge",
+        _make(view.evaluate, n_axis),
+        parameters,
+        tuple(view.tables),
+        "",
+        states,
+        inputs,
+        (Port("contour_error"),),
+    )
 
 
 def _make(evaluate: Any, n_axis: int) -> Any:

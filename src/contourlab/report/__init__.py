@@ -8,9 +8,7 @@ are imported when used.
 
 from contourlab.report.data import (
     AxisBounds,
-    CircleRun,
     FrequencyResponse,
-    Mark,
     Provenance,
     ReportData,
     SchemeReport,
@@ -21,9 +19,7 @@ from contourlab.report.tables import comparison_markdown, comparison_table, comp
 
 __all__ = [
     "AxisBounds",
-    "CircleRun",
     "FrequencyResponse",
-    "Mark",
     "Provenance",
     "ReportData",
     "SchemeReport",

@@ -157,8 +157,8 @@ class PathChart:
     runs : tuple of Magnified
     tolerance : tuple of Magnified
         The edges of the tolerance, if there is one.
-    worst : tuple of Curve
-        Each of one point: where the machine was at the worst error of a run [mm].
+    worst : tuple of Magnified
+        Each of one point: the worst error of a run.
     magnification : float
         To begin with.
     """
@@ -171,5 +171,5 @@ class PathChart:
     lines: tuple[Curve, ...]
     runs: tuple[Magnified, ...]
     tolerance: tuple[Magnified, ...]
-    worst: tuple[Curve, ...]
+    worst: tuple[Magnified, ...]
     magnification: float

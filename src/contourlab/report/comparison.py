@@ -6,7 +6,7 @@ import math
 from dataclasses import dataclass
 
 from contourlab.report.data import ReportData, SchemeReport
-from contourlab.report.figures import Figure, error_figures, figures_of
+from contourlab.report.figures import Figure, figures_of
 from contourlab.report.style import scheme_style
 from contourlab.report.text import nominal, number
 
@@ -86,9 +86,9 @@ def compare(data: ReportData) -> Comparison:
     """
     count = len(data.schemes)
     heads = tuple(Head(scheme.name, scheme_style(i, count)[0]) for i, scheme in enumerate(data.schemes))
-    columns = [figures_of(scheme, data.axes) for scheme in data.schemes]
+    columns = [figures_of(data, scheme) for scheme in data.schemes]
     keys = dict.fromkeys(key for column in columns for key in column)
-    rows = [_row(key, [column.get(key) for column in columns]) for key in keys]
+    rows = [_row([column.get(key) for column in columns]) for key in keys]
     rows = [row for row in rows if any(cell.text != number(math.nan) for cell in row.cells)]
     rows = [*_verdict_row(data), *rows]
     tolerance = "" if data.tolerance is None else nominal(data.tolerance, "µm", 1e6)
@@ -115,11 +115,10 @@ def _passed(scheme: SchemeReport, tolerance: float | None) -> bool | None:
         return bool(scheme.verdict.passed)
     if tolerance is None:
         return None
-    largest = error_figures(scheme)["max"]
-    return bool(largest <= tolerance)
+    return bool(scheme.metrics.part_error.max <= tolerance)
 
 
-def _row(label: str, figures: list[Figure | None]) -> Row:
+def _row(figures: list[Figure | None]) -> Row:
     """Return one row of numbers."""
     known = next(figure for figure in figures if figure is not None)
     values = [math.nan if figure is None else figure.value * known.factor for figure in figures]
@@ -141,7 +140,12 @@ def _change(before: float, after: float, lower_is_better: bool) -> tuple[str, st
 
 def _note(data: ReportData) -> str:
     """Say what cannot be seen from the numbers."""
-    notes = []
+    start, stop = data.schemes[0].metrics.window
+    period = data.schemes[0].result.servo_period
+    basis = data.schemes[0].metrics.basis
+    notes = [f"Errors over the {basis}, {number(start * period, 4)} s to {number(stop * period, 4)} s."]
+    if not data.is_blended:
+        notes.append("The planned path is the programmed one: the contour error is the error of the part.")
     if len(data.schemes) > 1:
         notes.append(f"Change: {data.schemes[-1].name} against {data.schemes[0].name}.")
     for scheme in data.schemes:

@@ -10,14 +10,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 from contourlab.errors import ParameterError
+from contourlab.metrics import Bidirectional, CircleFigures, Metrics, Spike
+from contourlab.result import Result
 
 __all__ = [
     "AxisBounds",
     "Cause",
-    "CircleRun",
     "DrawnPath",
     "FrequencyResponse",
-    "Mark",
     "Provenance",
     "ReportData",
     "SchemeReport",
@@ -56,9 +56,6 @@ class DrawnPath(Protocol):
 
     def tangent(self, s: Array) -> Array:
         """Unit tangents (n, n_axis) at arc lengths (n,) [m]."""
-
-    def foot_point(self, points: Array, around: Array, window: float) -> Any:
-        """Nearest points of the path, looked for within `window` [m] of the arc lengths `around` (n,) [m]."""
 
 
 class Cause(Protocol):
@@ -187,63 +184,6 @@ class FrequencyResponse:
 
 
 @dataclass(frozen=True, eq=False)
-class CircleRun:
-    """One run round a circle, as a ball bar would record it.
-
-    Parameters
-    ----------
-    name : str
-        Which circle, for example ``"XY, radius 20 mm"``; runs of one name share a plot.
-    clockwise : bool
-    radius : float [m], > 0
-        Nominal.
-    angle : ndarray (n,) [rad]
-        Of the points as seen from the centre.
-    deviation : ndarray (n,) [m]
-        Distance from the centre less the nominal radius.
-    figures : mapping of str to float [m]
-        ISO 230-4 figures, for example ``{"circular deviation G": 4e-6}``.
-    """
-
-    name: str
-    clockwise: bool
-    radius: float
-    angle: Array
-    deviation: Array
-    figures: Mapping[str, float] = field(default_factory=dict)
-
-    def __post_init__(self) -> None:
-        angle, deviation = np.asarray(self.angle, dtype=np.float64), np.asarray(self.deviation, dtype=np.float64)
-        if angle.ndim != 1 or angle.shape != deviation.shape or angle.size == 0:
-            raise ParameterError("deviation", deviation.shape, f"one value for each of >= 1 angles {angle.shape}")
-        if not self.radius > 0.0:
-            raise ParameterError("radius", self.radius, "> 0", "m")
-        object.__setattr__(self, "angle", angle)
-        object.__setattr__(self, "deviation", deviation)
-
-
-@dataclass(frozen=True)
-class Mark:
-    """A moment worth marking: the reversal of an axis with its spike, or a corner.
-
-    Parameters
-    ----------
-    time : float [s]
-    label : str
-        For example ``"x reverses"`` or ``"corner"``.
-    kind : str
-        ``"reversal"`` or ``"corner"``.
-    height : float [m] or nan
-        Height of the spike, where it was measured.
-    """
-
-    time: float
-    label: str
-    kind: str = "reversal"
-    height: float = float("nan")
-
-
-@dataclass(frozen=True, eq=False)
 class SchemeReport:
     """One simulated or measured run.
 
@@ -257,19 +197,21 @@ class SchemeReport:
     bounds : AxisBounds or None
     verdict : Verdict or None
     bode : mapping of axis name to FrequencyResponse
-    circles : sequence of CircleRun
-    spikes : sequence of Mark
-        Reversals and corners.
+    circles : sequence of CircleFigures
+    bidirectional : mapping of str to Bidirectional
+        Of those circles that were run in both senses, by their name.
+    spikes : sequence of Spike
     """
 
     name: str
-    result: Any
-    metrics: Any
+    result: Result
+    metrics: Metrics
     bounds: AxisBounds | None = None
     verdict: Verdict | None = None
     bode: Mapping[str, FrequencyResponse] = field(default_factory=dict)
-    circles: Sequence[CircleRun] = ()
-    spikes: Sequence[Mark] = ()
+    circles: Sequence[CircleFigures] = ()
+    bidirectional: Mapping[str, Bidirectional] = field(default_factory=dict)
+    spikes: Sequence[Spike] = ()
 
 
 @dataclass(frozen=True)
@@ -312,7 +254,7 @@ class ReportData:
         The path that was followed.
     provenance : Provenance
     programmed : Path or None
-        The path the program asked for, where it differs.
+        The path that the program asked for, where it differs: the judge's ``foot_arc_length`` belongs to it.
     program : sequence of str
         Source text of the part program, by line; empty where there is none.
     tolerance : float [m] or None, > 0
@@ -350,3 +292,13 @@ class ReportData:
     def axes(self) -> tuple[str, ...]:
         """Names of the axes."""
         return tuple(self.schemes[0].result.axes)
+
+    @property
+    def asked(self) -> DrawnPath:
+        """The path that the part is held against."""
+        return self.planned if self.programmed is None else self.programmed
+
+    @property
+    def is_blended(self) -> bool:
+        """Whether the planned path leaves the programmed one, so that part error and contour error differ."""
+        return any(scheme.metrics.planning_deviation.max > 0.0 for scheme in self.schemes)

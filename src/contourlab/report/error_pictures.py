@@ -2,19 +2,23 @@
 
 from __future__ import annotations
 
+import math
+from dataclasses import dataclass
+
 import numpy as np
 from numpy.typing import NDArray
 
 from contourlab.report.charts import Chart, Curve, Panel, PolarChart, Tick
-from contourlab.report.data import CircleRun, ReportData
+from contourlab.report.data import ReportData
 from contourlab.report.decimate import keep_extremes
 from contourlab.report.read import error_signal, has, reach, signal, times
 from contourlab.report.style import scheme_style
 from contourlab.report.text import nominal, number, quantity, round_down
 
-__all__ = ["error_charts", "polar_charts"]
+__all__ = ["CircleTable", "circle_tables", "error_charts", "polar_charts"]
 
 UM = 1e6
+MARKS = 400  # more marks than this would be a grey wall
 Array = NDArray[np.float64]
 
 
@@ -44,23 +48,34 @@ def error_charts(data: ReportData, points: int) -> tuple[Chart, ...]:
     panel = _panel(data, "time [s]", label, tuple(over_time), signed, _moments(data))
     charts = [Chart("error-time", "Error over time", caption, (panel,))]
     if len(over_arc) == len(data.schemes):
-        places = np.asarray(data.planned.corners, dtype=np.float64).ravel() * 1e3
-        corners = tuple(Tick(float(s), "corner", "corner") for s in (places if places.size <= CORNERS else ()))
+        last = max(float(curve.x[-1]) for curve in over_arc)
+        corners = tuple(Tick(float(s) * 1e3, "corner", "corner") for s in _corners(data, last * 1e-3))
         panel = _panel(data, "arc length [mm]", label, tuple(over_arc), signed, corners)
         caption = "The same error over the progress along the path."
         charts.append(Chart("error-arc", "Error along the path", caption, (panel,)))
     return tuple(charts)
 
 
-CORNERS = 400  # marks beyond this many would be a grey wall
-
-
 def _moments(data: ReportData) -> tuple[Tick, ...]:
     """Return the reversals and corners of the last scheme as marks on the time axis."""
-    marks = sorted(data.schemes[-1].spikes, key=lambda mark: mark.time)
-    marked = marks if len(marks) <= CORNERS else sorted(marks, key=lambda mark: -np.nan_to_num(mark.height))[:CORNERS]
-    heights = (f", spike {quantity(m.height, 'µm', UM)}" if np.isfinite(m.height) else "" for m in marked)
-    return tuple(Tick(m.time, m.label + text, m.kind) for m, text in zip(marked, heights, strict=True))
+    scheme = data.schemes[-1]
+    spikes = sorted(scheme.spikes, key=lambda spike: -abs(spike.height))[:MARKS]
+    ticks = [Tick(s.time, f"{s.axis} reverses, spike {quantity(s.height, 'µm', UM)}", "reversal") for s in spikes]
+    if has(scheme.result, "arc_length"):
+        along = signal(scheme.result, "arc_length")
+        passed = np.searchsorted(along, _corners(data, float(along[-1])))
+        ticks += [Tick(float(t), "corner", "corner") for t in times(scheme.result, passed[passed < along.size])]
+    return tuple(sorted(ticks, key=lambda tick: tick.x))
+
+
+def _corners(data: ReportData, last: float) -> Array:
+    """Return the progress at each corner up to `last` [m], laps included; none where they are too many."""
+    corners = np.asarray(data.planned.corners, dtype=np.float64).ravel()
+    laps = 1 + int(last // data.planned.length) if data.planned.closed else 1
+    if corners.size * laps > MARKS:
+        return np.zeros(0)
+    found = (corners + data.planned.length * np.arange(laps)[:, np.newaxis]).ravel()
+    return np.asarray(found[found <= last], dtype=np.float64)
 
 
 def _panel(
@@ -80,12 +95,11 @@ def _panel(
 
 def _caption(data: ReportData, name: str, signed: bool) -> str:
     """Say what the error is and how its sign is meant."""
-    what = {
-        "part_error": "Part error: shortest distance from the tool to the programmed path.",
-        "contour_error": "Contour error: shortest distance from the machine's position to the planned path.",
-    }[name]
+    path = "programmed" if name == "part_error" else "planned"
+    what = f"{name.replace('_', ' ').capitalize()}: shortest distance from the tool to the {path} path."
     sign = " Positive to the left of the direction of travel." if signed else ""
-    marks = " Marks below: triangles where an axis reverses, diamonds at corners." if data.schemes[-1].spikes else ""
+    marked = data.schemes[-1].spikes or np.size(data.planned.corners)
+    marks = " Marks below: triangles where an axis reverses, diamonds at corners." if marked else ""
     return what + sign + marks
 
 
@@ -122,16 +136,35 @@ def _division(top: float) -> tuple[float, float]:
     return division, division * float(np.ceil(1.05 * top / division))
 
 
-def circle_figures(data: ReportData) -> tuple[tuple[str, str, str, str], ...]:
-    """Return rows (circle, run, figure, value) of the ISO 230-4 figures."""
-    return tuple(
-        (run.name, _run_name(scheme.name, run), figure, quantity(value, "µm", UM))
-        for scheme in data.schemes
-        for run in scheme.circles
-        for figure, value in run.figures.items()
+@dataclass(frozen=True)
+class CircleTable:
+    """ISO 230-4 figures of one circle: a column per run, a row per figure."""
+
+    name: str
+    heads: tuple[str, ...]
+    rows: tuple[tuple[str, tuple[str, ...]], ...]
+
+
+def circle_tables(data: ReportData) -> tuple[CircleTable, ...]:
+    """Return the ISO 230-4 figures, one table per circle."""
+    found: dict[str, dict[str, dict[str, float]]] = {}
+    for scheme in data.schemes:
+        for run in scheme.circles:
+            way = "clockwise" if run.clockwise else "counter-clockwise"
+            found.setdefault(run.name, {})[f"{scheme.name}, {way}"] = run.figures()
+        for name, both in scheme.bidirectional.items():
+            found.setdefault(name, {})[f"{scheme.name}, both"] = {
+                "bi-directional circular deviation G(b)": both.circular_deviation,
+                "mean bi-directional radial deviation D": both.mean_radial,
+                "hysteresis H": both.hysteresis,
+            }
+    return tuple(_table(name, runs) for name, runs in found.items())
+
+
+def _table(name: str, runs: dict[str, dict[str, float]]) -> CircleTable:
+    """Return one table; a figure that a run does not have is a dash."""
+    labels = dict.fromkeys(label for figures in runs.values() for label in figures)
+    rows = tuple(
+        (label, tuple(quantity(figures.get(label, math.nan), "µm", UM) for figures in runs.values())) for label in labels
     )
-
-
-def _run_name(scheme: str, run: CircleRun) -> str:
-    """Name one run of a scheme."""
-    return f"{scheme}, {'clockwise' if run.clockwise else 'counter-clockwise'}"
+    return CircleTable(name, tuple(runs), rows)

@@ -2,27 +2,33 @@
 
 from __future__ import annotations
 
-import math
-from collections.abc import Sequence
+from collections.abc import Iterator
 from dataclasses import dataclass
-from typing import Any
 
-from contourlab.report.data import SchemeReport
+from contourlab.metrics import ErrorFigures
+from contourlab.report.data import ReportData, SchemeReport
 
-__all__ = ["Figure", "error_figures", "figures_of"]
+__all__ = ["Figure", "figures_of"]
 
-_ERRORS = (
-    ("max", "largest", 1e6, "µm"),
-    ("rms", "rms", 1e6, "µm"),
-    ("p95", "95 %", 1e6, "µm"),
-    ("mean", "mean", 1e6, "µm"),
-    ("integral", "integral", 1e6, "µm·s"),
-)
+UM = 1e6
 
 
 @dataclass(frozen=True)
 class Figure:
-    """One number of one run: SI value, and how to print it."""
+    """One number of one run: SI value, and how to print it.
+
+    Parameters
+    ----------
+    label : str
+    value : float
+        SI.
+    factor : float
+        From SI to `unit`.
+    unit : str
+    strong : bool
+        Whether the tolerance is held against it.
+    lower_is_better : bool
+    """
 
     label: str
     value: float
@@ -32,28 +38,47 @@ class Figure:
     lower_is_better: bool = True
 
 
-def error_figures(scheme: SchemeReport) -> dict[str, float]:
-    """Return the figures of the error that the tolerance is held against, by name [m, m s]."""
-    metrics = scheme.metrics
-    found: Any = getattr(metrics, "part_error", None) or metrics.contour_error
-    return {name: float(getattr(found, name, math.nan)) for name, *_ in _ERRORS}
+def figures_of(data: ReportData, scheme: SchemeReport) -> dict[str, Figure]:
+    """Return the figures of a run in the order of print, by label.
 
-
-def figures_of(scheme: SchemeReport, axes: Sequence[str]) -> dict[str, Figure]:
-    """Return the figures of a run in the order of print, by label."""
-    metrics = scheme.metrics
-    found: list[Figure] = []
-    for kind in ("part_error", "contour_error"):
-        error: Any = getattr(metrics, kind, None)
-        if error is None:
-            continue
-        for name, label, factor, unit in _ERRORS:
-            value = float(getattr(error, name, math.nan))
-            strong = name == "max" and not found
-            found.append(Figure(f"{kind.replace('_', ' ')}, {label}", value, factor, unit, strong))
-    for axis, error in zip(axes, getattr(metrics, "tracking_error", ()), strict=False):
-        found.append(Figure(f"tracking error {axis}, rms", float(error.rms), 1e6, "µm"))
-    for axis, share in zip(axes, getattr(metrics, "saturation", ()), strict=False):
-        found.append(Figure(f"command {axis} saturated", float(share), 100.0, "% of time"))
-    found.append(Figure("cycle time", float(getattr(metrics, "cycle_time", math.nan)), 1.0, "s"))
+    Notes
+    -----
+    Where the planned path is the programmed one, part error and contour error are the same thing and are printed once.
+    """
+    found = [*_errors(data, scheme), *_axes(data, scheme), *_motion(scheme)]
     return {figure.label: figure for figure in found}
+
+
+def _errors(data: ReportData, scheme: SchemeReport) -> Iterator[Figure]:
+    """Yield the figures of the errors."""
+    metrics = scheme.metrics
+    if data.is_blended:
+        yield Figure("part error, largest", metrics.part_error.max, UM, "µm", strong=True)
+        yield Figure("part error, rms", metrics.part_error.rms, UM, "µm")
+        yield Figure("planning deviation, largest", metrics.planning_deviation.max, UM, "µm")
+    yield from _contour(metrics.contour_error, strong=not data.is_blended)
+
+
+def _contour(error: ErrorFigures, strong: bool) -> Iterator[Figure]:
+    """Yield the figures of the contour error."""
+    yield Figure("contour error, largest", error.max, UM, "µm", strong=strong)
+    yield Figure("contour error, rms", error.rms, UM, "µm")
+    yield Figure("contour error, mean", error.mean, UM, "µm")
+    yield Figure("contour error, 95th percentile", error.p95, UM, "µm")
+    yield Figure("contour error, signed mean", error.signed_mean, UM, "µm", lower_is_better=False)
+    yield Figure("contour error, integral", error.integral, UM, "µm·s")
+
+
+def _axes(data: ReportData, scheme: SchemeReport) -> Iterator[Figure]:
+    """Yield the figures of each axis and its drive."""
+    for axis, error in zip(data.axes, scheme.metrics.tracking_error, strict=True):
+        yield Figure(f"tracking error {axis}, rms", error.rms, UM, "µm")
+    for axis, part in zip(data.axes, scheme.metrics.saturation, strict=True):
+        yield Figure(f"drive {axis} saturated", part, 100.0, "% of time")
+
+
+def _motion(scheme: SchemeReport) -> Iterator[Figure]:
+    """Yield the figures of feed and time."""
+    yield Figure("feedrate, mean", scheme.metrics.feedrate_mean, 6e4, "mm/min", lower_is_better=False)
+    yield Figure("feedrate, ripple", scheme.metrics.feedrate_ripple, 100.0, "%")
+    yield Figure("cycle time", scheme.metrics.cycle_time, 1.0, "s")

@@ -14,7 +14,7 @@ from contourlab.report.axis_pictures import axis_charts, bode_charts
 from contourlab.report.comparison import compare
 from contourlab.report.data import ReportData
 from contourlab.report.decimate import share
-from contourlab.report.error_pictures import circle_figures, error_charts, polar_charts
+from contourlab.report.error_pictures import circle_tables, error_charts, polar_charts
 from contourlab.report.path_picture import path_charts
 from contourlab.report.plotly_view import Figure, line_figure, path_figure, polar_figure
 from contourlab.report.style import scheme_style
@@ -75,7 +75,7 @@ def render_html(data: ReportData) -> str:
             data=data,
             comparison=compare(data),
             groups=groups,
-            circle_figures=circle_figures(data),
+            circle_tables=circle_tables(data),
             verdicts=[_verdict(scheme, index, len(data.schemes)) for index, scheme in enumerate(data.schemes)],
             program=_program(data),
             scenario=_clipped(data.provenance.scenario),

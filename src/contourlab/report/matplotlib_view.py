@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from contourlab.report.charts import Chart, Curve, Panel, PathChart, PolarChart
+from contourlab.report.charts import Chart, Magnified, Panel, PathChart, PolarChart
 from contourlab.report.style import BAND, GRID, INK, LIMIT, MUTED
 from contourlab.report.text import nominal
 
@@ -135,7 +135,8 @@ def polar_drawing(chart: PolarChart) -> Figure:
     count = round(high / chart.division)
     place.set_rlim(low, high)
     steps = range(-2 * count + 1, count + 1)
-    names = [f"{k * chart.division:+g}".replace("-", "−") if k % 2 == 0 and k >= -count else "" for k in steps]
+    names = [f"{k * chart.division:+g}" if k % 2 == 0 and k >= -count else "" for k in steps]
+    names = [name.replace("-", "−").replace("+0", "0") for name in names]
     place.set_rgrids([k * chart.division for k in steps], names, angle=67.5, size=7)
     place.set_title(_plain(chart.title), pad=14)
     place.annotate(f"one ring {nominal(chart.division, 'µm')}", (0, 0), xycoords="axes fraction", size=7.5, color=MUTED)
@@ -156,7 +157,7 @@ def path_drawing(chart: PathChart) -> Figure:
         named.add(run.name)
         place.plot(points[:, 0], points[:, 1], label=label, **_look(run))
     for worst in chart.worst:
-        _ring(place, worst)
+        _ring(place, worst, chart.magnification)
     place.set_aspect("equal", adjustable="datalim")
     place.set_xlabel(_plain(chart.labels[0]))
     place.set_ylabel(_plain(chart.labels[1]))
@@ -165,7 +166,8 @@ def path_drawing(chart: PathChart) -> Figure:
     return figure
 
 
-def _ring(place: Axes, worst: Curve) -> None:
-    """Draw a ring round the worst place of a run."""
+def _ring(place: Axes, worst: Magnified, magnification: float) -> None:
+    """Draw a ring round the worst error of a run."""
     style: dict[str, Any] = {"marker": "o", "markersize": 9, "markerfacecolor": "none", "linestyle": "none"}
-    place.plot(worst.x, worst.y, color=worst.colour, markeredgewidth=1.4, label=_plain(worst.name), **style)
+    x, y = worst.drawn(magnification).T
+    place.plot(x, y, color=worst.colour, markeredgewidth=1.4, label=_plain(worst.name), **style)

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from itertools import combinations
-from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -11,7 +10,7 @@ from numpy.typing import NDArray
 from contourlab.report.charts import Curve, Magnified, PathChart
 from contourlab.report.data import DrawnPath, ReportData, SchemeReport
 from contourlab.report.decimate import keep_extremes
-from contourlab.report.read import has, reach, signal
+from contourlab.report.read import reach, signal
 from contourlab.report.style import BAND, INK, REFERENCE, scheme_style
 from contourlab.report.text import magnification, nominal, quantity
 
@@ -20,7 +19,6 @@ __all__ = ["path_charts"]
 Array = NDArray[np.float64]
 MM, UM = 1e3, 1e6
 FLAT = 1e-3  # an extent below this part of the largest shows nothing: no view across it
-SAME = 1e-7  # m: paths nearer than this are drawn as one
 
 
 def path_charts(data: ReportData, points: int) -> tuple[PathChart, ...]:
@@ -32,14 +30,14 @@ def path_charts(data: ReportData, points: int) -> tuple[PathChart, ...]:
     points : int
         Most points of a run, and of the path.
     """
-    s = _places(data.planned, points)
-    planned = data.planned.position(s)
-    runs = [_run(data.planned, scheme, points) for scheme in data.schemes]
-    views = _views(planned)
-    size = float(np.max(np.ptp(planned, axis=0)))
+    s = _places(data.asked, points)
+    asked = data.asked.position(s)
+    runs = [_run(data, scheme, points) for scheme in data.schemes]
+    views = _views(asked)
+    size = float(np.max(np.ptp(asked, axis=0)))
     calm = [reach(error) for (_, error), scheme in zip(runs, data.schemes, strict=True) if scheme.result.status.ok]
     scale = magnification(size, max(calm, default=0.0))
-    return tuple(_chart(data, pair, s, planned, runs, scale, number) for number, pair in enumerate(views))
+    return tuple(_chart(data, pair, s, asked, runs, scale, number) for number, pair in enumerate(views))
 
 
 def _views(planned: Array) -> list[tuple[int, int]]:
@@ -64,29 +62,21 @@ def _places(path: DrawnPath, points: int) -> Array:
     return np.asarray(s[(s >= 0.0) & (s <= path.length)], dtype=np.float64)
 
 
-def _run(path: DrawnPath, scheme: SchemeReport, points: int) -> tuple[Array, Array]:
+def _run(data: ReportData, scheme: SchemeReport, points: int) -> tuple[Array, Array]:
     """Return foot points and errors (n, n_axis) [m] of the samples that show a run's extremes."""
     result = scheme.result
-    kept = keep_extremes(signal(result, "contour_error"), points)
-    position = signal(result, _judged_position(result))[kept]
-    good = np.all(np.isfinite(position), axis=1)
-    kept, position = kept[good], position[good]
-    around = signal(result, "arc_length")[kept]
-    lag = reach(signal(result, "tracking_error")[kept])
-    foot = np.asarray(path.foot_point(position, around, 2.0 * lag + 1e-4 * path.length).position)
-    return foot, position - foot
-
-
-def _judged_position(result: Any) -> str:
-    """Return the signal that the contour error belongs to."""
-    return "tool_position" if has(result, "tool_position") else "position"
+    kept = keep_extremes(signal(result, "part_error"), points)
+    tool, along = signal(result, "tool_position")[kept], signal(result, "foot_arc_length")[kept]
+    good = np.all(np.isfinite(tool), axis=1) & np.isfinite(along)
+    foot = np.asarray(data.asked.position(along[good]), dtype=np.float64)
+    return foot, tool[good] - foot
 
 
 def _chart(
     data: ReportData,
     pair: tuple[int, int],
     s: Array,
-    planned: Array,
+    asked: Array,
     runs: list[tuple[Array, Array]],
     scale: float,
     index: int,
@@ -99,11 +89,10 @@ def _chart(
         Magnified(foot[:, columns] * MM, error[:, columns] * UM, scheme.name, *scheme_style(i, count))
         for i, ((foot, error), scheme) in enumerate(zip(runs, data.schemes, strict=True))
     )
-    lines = [_outline(planned[:, columns], "planned path", INK, "solid")]
-    if data.programmed is not None:
-        wanted = data.programmed.position(_places(data.programmed, s.size))
-        if not _same(data.programmed, data.planned):
-            lines.append(_outline(wanted[:, columns], "programmed path", REFERENCE, "dash"))
+    lines = [_outline(asked[:, columns], "programmed path", INK, "solid")]
+    if data.is_blended:
+        planned = data.planned.position(_places(data.planned, s.size))
+        lines.append(_outline(planned[:, columns], "planned path", REFERENCE, "dash"))
     labels = (f"{data.axes[pair[0]]} [mm]", f"{data.axes[pair[1]]} [mm]")
     return PathChart(
         f"path-{index}",
@@ -113,7 +102,7 @@ def _chart(
         labels,
         tuple(lines),
         magnified,
-        _tolerance(data, planned, s, columns, scale),
+        _tolerance(data, asked, s, columns, scale),
         _worst(data, columns),
         scale,
     )
@@ -124,39 +113,31 @@ def _outline(points: Array, name: str, colour: str, dash: str) -> Curve:
     return Curve(points[:, 0] * MM, points[:, 1] * MM, name, colour, dash, 1.0)
 
 
-def _same(path: DrawnPath, other: DrawnPath) -> bool:
-    """Tell whether two paths would be drawn as one line."""
-    if path is other:
-        return True
-    if path.n_axis != other.n_axis or abs(path.length - other.length) > SAME:
-        return False
-    s = np.linspace(0.0, min(path.length, other.length), 257)
-    return reach(path.position(s) - other.position(s)) < SAME
-
-
-def _tolerance(data: ReportData, planned: Array, s: Array, columns: list[int], scale: float) -> tuple[Magnified, ...]:
+def _tolerance(data: ReportData, asked: Array, s: Array, columns: list[int], scale: float) -> tuple[Magnified, ...]:
     """Return the edges of the tolerance beside a plane path, unless they would lie far off it."""
     if data.tolerance is None or min(columns) == max(columns):
         return ()
-    size = float(np.max(np.ptp(planned, axis=0)))
-    off_plane = np.delete(planned, columns, axis=1)
+    size = float(np.max(np.ptp(asked, axis=0)))
+    off_plane = np.delete(asked, columns, axis=1)
     if data.tolerance * scale > 0.3 * size or (off_plane.size and reach(np.ptp(off_plane, axis=0)) > FLAT * size):
         return ()
-    tangent = data.planned.tangent(s)[:, columns]
+    tangent = data.asked.tangent(s)[:, columns]
     normal = np.column_stack([-tangent[:, 1], tangent[:, 0]]) * data.tolerance * UM
     name = f"tolerance ±{nominal(data.tolerance, 'µm', UM)}"
-    foot = planned[:, columns] * MM
+    foot = asked[:, columns] * MM
     return tuple(Magnified(foot, side * normal, name, BAND, "dot") for side in (1.0, -1.0))
 
 
-def _worst(data: ReportData, columns: list[int]) -> tuple[Curve, ...]:
-    """Return the place of the worst error of every run that was judged."""
+def _worst(data: ReportData, columns: list[int]) -> tuple[Magnified, ...]:
+    """Return the worst error of every run that was judged."""
     places = []
     for index, scheme in enumerate(data.schemes):
-        if scheme.verdict is not None:
-            worst = scheme.verdict.worst
-            x, y = np.asarray(worst.position, dtype=np.float64)[columns] * MM
+        sample = -1 if scheme.verdict is None else scheme.verdict.worst.sample - scheme.result.start
+        if scheme.verdict is not None and 0 <= sample < scheme.result.n_sample:
+            along = signal(scheme.result, "foot_arc_length")[sample : sample + 1]
+            foot = np.asarray(data.asked.position(along), dtype=np.float64)
+            error = signal(scheme.result, "tool_position")[sample] - foot
             colour, _ = scheme_style(index, len(data.schemes))
-            name = f"worst of {scheme.name}, {quantity(worst.value, 'µm', UM)}"
-            places.append(Curve(np.array([x]), np.array([y]), name, colour))
+            name = f"worst of {scheme.name}, {quantity(scheme.verdict.worst.value, 'µm', UM)}"
+            places.append(Magnified(foot[:, columns] * MM, error[:, columns] * UM, name, colour))
     return tuple(places)

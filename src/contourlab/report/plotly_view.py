@@ -211,8 +211,8 @@ def polar_figure(chart: PolarChart) -> Figure:
     count = round(high / chart.division)
     rings = [k * chart.division for k in range(-2 * count, count + 1)]
     # Every ring has a line; every second one its number, and the hole in the middle stays free of them.
-    texts = [f"{r:+g}".replace("-", "−") if k % 2 == 0 and k >= -count else "" for k, r in enumerate(rings, -2 * count)]
-    texts[-1] = f"{high:+g} µm"
+    texts = [f"{r:+g}" if k % 2 == 0 and -count <= k < count - 1 else "" for k, r in enumerate(rings, -2 * count)]
+    texts = [*(text.replace("-", "−").replace("+0", "0") for text in texts[:-1]), f"{high:+g} µm"]
     look = {"gridcolor": GRID, "linecolor": "#b9c1c9", "tickfont": {"size": 11, "color": MUTED}}
     radial: Figure = {**look, "tickvals": rings, "ticktext": texts, "ticks": ""}
     radial |= {"range": [low, high], "angle": 67.5, "tickangle": 67.5}
@@ -245,13 +245,13 @@ def path_figure(chart: PathChart) -> Figure:
         else:
             trace |= {"hoverinfo": "skip", "hovertemplate": None}
             trace["line"]["width"] = 1
-        foot, error = ([packed(part[:, 0]), packed(part[:, 1])] for part in (run.foot, run.error))
-        curves.append({"trace": len(data), "foot": foot, "error": error})
+        curves.append({"trace": len(data), **_columns(run)})
         data.append(trace)
     for worst in chart.worst:
         mark = {"symbol": "circle-open", "size": 15, "color": worst.colour, "line": {"width": 2}}
-        place = {"x": packed(worst.x), "y": packed(worst.y), "hoverinfo": "name"}
-        data.append({"type": "scatter", "mode": "markers", "name": _plain(worst.name), "marker": mark, **place})
+        curves.append({"trace": len(data), **_columns(worst)})
+        more = {"name": _plain(worst.name), "hoverinfo": "name"}
+        data.append({"type": "scatter", "mode": "markers", "marker": mark, **more})
     layout = _layout(680, hovermode="closest", dragmode="pan")
     layout["legend"] |= {"orientation": "v", "x": 1.01, "y": 1, "yanchor": "top"}
     layout["margin"] |= {"t": 24}
@@ -259,6 +259,11 @@ def path_figure(chart: PathChart) -> Figure:
     layout["yaxis"] = _axis(chart.labels[1], scaleanchor="x", constrain="domain")
     magnify = {"start": chart.magnification, "curves": curves, "bar": _bar(chart)}
     return {"data": data, "layout": layout, "magnify": magnify}
+
+
+def _columns(run: Magnified) -> Figure:
+    """Return foot points [mm] and errors [um] as the page wants them."""
+    return {key: [packed(part[:, 0]), packed(part[:, 1])] for key, part in (("foot", run.foot), ("error", run.error))}
 
 
 def _bar(chart: PathChart) -> float:

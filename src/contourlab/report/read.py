@@ -40,9 +40,8 @@ def axis_column(result: Any, name: str, axis: int) -> Array:
 
 
 def error_signal(data: ReportData) -> str:
-    """Return the signal that the tolerance is held against: the part error where every scheme has it."""
-    every = all(has(scheme.result, "part_error") for scheme in data.schemes)
-    return "part_error" if every else "contour_error"
+    """Return the signal that the tolerance is held against; without blending the two errors are one."""
+    return "part_error" if data.is_blended else "contour_error"
 
 
 def times(result: Any, samples: NDArray[np.int64]) -> Array:

@@ -17,7 +17,17 @@ from contourlab.result.signals import Result, Signal, Status
 __all__ = ["ResultWriter", "read_result"]
 
 _CHUNK = 1 << 14
-_FIXED = ("format", "scheme", "axes", "servo_period", "start", "status_ok", "status_sample", "status_axis", "status_reason")
+_FIXED = (
+    "format",
+    "scheme",
+    "axes",
+    "servo_period",
+    "start",
+    "status_ok",
+    "status_sample",
+    "status_axis",
+    "status_reason",
+)
 
 
 class ResultWriter:
@@ -137,7 +147,12 @@ def read_result(file: str | Path) -> Result:
             }
     except (OSError, KeyError, ValueError) as error:
         raise ResultError(f"{file}: cannot be read as a result: {error}") from error
-    status = Status(bool(header["status_ok"]), int(header["status_sample"]), str(header["status_axis"]), str(header["status_reason"]))
+    status = Status(
+        bool(header["status_ok"]),
+        int(header["status_sample"]),
+        str(header["status_axis"]),
+        str(header["status_reason"]),
+    )
     attributes = {name.removeprefix("attribute_"): value for name, value in header.items() if name not in _FIXED}
     return Result(str(header["scheme"]), axes, float(header["servo_period"]), signals, status, attributes, int(header["start"]))
 

@@ -3,7 +3,8 @@
 The causes are worked out, not guessed. The same reference is run again with one imperfection after another taken away, and each cause is
 what the signed error at the worst place changes by when its own is taken away:
 
-1. *geometry*: the machine's error map; 2. *quantisation*: ideal encoders; 3. *reversal*: no friction, no disturbance; 4. *saturation*: drives
+1. *geometry*: the machine's error map; 2. *quantisation*: ideal encoders; 3. *reversal*: no friction, no disturbance; 4. *saturation*:
+drives
 without limit; 5. *servo mismatch*: every axis a copy of one of them, averaged over the choice; 6. *lag*: what is left; and *planning*: the
 planned path's own distance from the programmed one. The sum is the error itself, by construction.
 
@@ -17,6 +18,7 @@ from collections.abc import Callable
 from dataclasses import dataclass, replace
 
 import numpy as np
+from numpy.typing import NDArray
 
 from contourlab.components.coupling.modified_reference import ModifiedReference
 from contourlab.components.estimator.newton import Newton
@@ -27,6 +29,8 @@ from contourlab.loop import Controller, Machine, simulate
 from contourlab.metrics import judge
 from contourlab.result import Result
 from contourlab.studies import idealise
+
+Array = NDArray[np.float64]
 
 __all__ = ["Cause", "Verdict", "Worst", "verdict"]
 
@@ -122,7 +126,7 @@ def _place(judged: Result, reference: Reference, sample: int, lines: tuple[str, 
     return Worst(value, sample, sample * judged.servo_period, position, along, line, text)
 
 
-def _signed_error(machine: Machine, controller: Controller, reference: Reference, sample: int, seed: int, direction: np.ndarray) -> float:  # type: ignore[type-arg]
+def _signed_error(machine: Machine, controller: Controller, reference: Reference, sample: int, seed: int, direction: Array) -> float:
     """Return the part error at a sample, along the direction in which the original run was off."""
     judged = judge(simulate(machine, controller, reference, seed=seed, on_failure="return"), reference)
     if judged.n_sample <= sample:
@@ -185,7 +189,10 @@ def _candidates(machine: Machine, controller: Controller) -> list[tuple[str, Con
         del plant
         return replace(part, controller=c.replace(model_gain=model[0], model_damping=model[1]))
 
-    found += [("raising the position and velocity gains by a quarter", gains(1.25)), ("lowering the position and velocity gains by a fifth", gains(0.8))]
+    found += [
+        ("raising the position and velocity gains by a quarter", gains(1.25)),
+        ("lowering the position and velocity gains by a fifth", gains(0.8)),
+    ]
     found.append(("feeding forward the model that the loop really follows", every(own_model)))
     if all(part.observer is None for part in controller.axes.values()):
 
@@ -203,7 +210,12 @@ def _candidates(machine: Machine, controller: Controller) -> list[tuple[str, Con
 
         found.append(("raising the observer's bandwidth by half", every(faster)))
     if controller.coupling is None and len(machine.axes) > 1:
-        found.append(("coupling the axes by a modified reference", replace(controller, estimator=Newton(), coupling=ModifiedReference())))
+        found.append(
+            (
+                "coupling the axes by a modified reference",
+                replace(controller, estimator=Newton(), coupling=ModifiedReference()),
+            )
+        )
     return found
 
 
@@ -214,7 +226,12 @@ def _model_of(machine: Machine, name: str) -> tuple[float, float]:
 
 
 def _advice(
-    machine: Machine, controller: Controller, reference: Reference, worst: float, slower: Callable[[float], Reference] | None, seed: int
+    machine: Machine,
+    controller: Controller,
+    reference: Reference,
+    worst: float,
+    slower: Callable[[float], Reference] | None,
+    seed: int,
 ) -> str:
     trials: list[tuple[float, str]] = []
 

@@ -13,7 +13,22 @@ from contourlab.engine.runner import make_group
 from contourlab.engine.schedule import Late, Node, Schedule
 from contourlab.engine.step import Port, Step
 from contourlab.errors import EngineError
-from contourlab.primitives import Clock, add, delayed, dot, exp, lincomb, log, lookup, normal, scale, sin, sub, tanh, uniform
+from contourlab.primitives import (
+    Clock,
+    add,
+    delayed,
+    dot,
+    exp,
+    lincomb,
+    log,
+    lookup,
+    normal,
+    scale,
+    sin,
+    sub,
+    tanh,
+    uniform,
+)
 from contourlab.primitives import cos as cosine
 
 FORMS = [(False, 1), (True, 1), (True, 32)]
@@ -47,14 +62,20 @@ def test_feedback_is_one_tick_late(jit, width):
         return (), (inp.u - inp.back,)
 
     step = Step("subtract", subtract, inputs=(Port("u"), Port("back")), outputs=(Port("y"),))
-    nodes = (Node("difference", step, {"u": "in.u", "back": Late("hold.y")}), Node("hold", GAIN, {"u": "difference.y"}, {"factor": 1.0}))
+    nodes = (
+        Node("difference", step, {"u": "in.u", "back": Late("hold.y")}),
+        Node("hold", GAIN, {"u": "difference.y"}, {"factor": 1.0}),
+    )
     log = run(Schedule(nodes, (Port("u"),), 1e-3, 2), np.ones((5, 1)), ["difference.y"], jit, width)
     assert np.array_equal(log[:, 0, 0], [1, 0, 1, 0, 1])
 
 
 @pytest.mark.parametrize(("jit", "width"), FORMS)
 def test_record_point_sees_the_state_before_the_move(jit, width):
-    nodes = (Node("drive", GAIN, {"u": "in.u"}, {"factor": 2.0}), Node("plant", INTEGRATE, {"u": "drive.y"}, initial={"total": 5.0}, start={"y": 5.0}))
+    nodes = (
+        Node("drive", GAIN, {"u": "in.u"}, {"factor": 2.0}),
+        Node("plant", INTEGRATE, {"u": "drive.y"}, initial={"total": 5.0}, start={"y": 5.0}),
+    )
     log = run(Schedule(nodes, (Port("u"),), 0.5, 1), np.ones((3, 1)), ["drive.y", "plant.y"], jit, width)
     assert np.array_equal(log[:, 1, 0], [5.0, 6.0, 7.0])
 
@@ -110,15 +131,33 @@ def test_vectors_and_tables(jit, width):
     wires = {"a": "in.a", "b": ("in.b[0]", "in.b[1]", 7.0), "i": 2.0}
     node = Node("mix", step, wires, tables={"table": np.array([10.0, 20.0, 30.0])})
     a, b = np.array([1.0, 2.0, 3.0]), np.array([4.0, 5.0, 7.0])
-    log = run(Schedule((node,), (Port("a", 3), Port("b", 2)), 1.0, 1), [[1, 2, 3, 4, 5]], ["mix.v[0]", "mix.v[1]", "mix.v[2]", "mix.d"], jit, width)
+    log = run(
+        Schedule((node,), (Port("a", 3), Port("b", 2)), 1.0, 1),
+        [[1, 2, 3, 4, 5]],
+        ["mix.v[0]", "mix.v[1]", "mix.v[2]", "mix.d"],
+        jit,
+        width,
+    )
     assert np.array_equal(log[0, :3, 0], 2 * a - (b - a) + 3 * b)
     assert log[0, 3, 0] == a @ b + 30.0
 
 
 def test_a_lane_does_not_depend_on_its_neighbours():
     factors = np.linspace(0.5, 2.0, 32)
-    alone = run(Schedule((Node("g", GAIN, {"u": "in.u"}, {"factor": np.full(32, factors[7])}),), (Port("u"),), 1.0, 1), [[3.7]], ["g.y"], True, 32)
-    mixed = run(Schedule((Node("g", GAIN, {"u": "in.u"}, {"factor": factors}),), (Port("u"),), 1.0, 1), [[3.7]], ["g.y"], True, 32)
+    alone = run(
+        Schedule((Node("g", GAIN, {"u": "in.u"}, {"factor": np.full(32, factors[7])}),), (Port("u"),), 1.0, 1),
+        [[3.7]],
+        ["g.y"],
+        True,
+        32,
+    )
+    mixed = run(
+        Schedule((Node("g", GAIN, {"u": "in.u"}, {"factor": factors}),), (Port("u"),), 1.0, 1),
+        [[3.7]],
+        ["g.y"],
+        True,
+        32,
+    )
     assert alone[0, 0, 7] == mixed[0, 0, 7]
 
 
@@ -196,8 +235,13 @@ def test_a_nan_in_one_lane_stays_there():
 
 def test_wiring_errors_say_what_is_wrong():
     with pytest.raises(EngineError, match="computed later"):
-        Schedule((Node("a", GAIN, {"u": "b.y"}, {"factor": 1.0}), Node("b", GAIN, {"u": "in.u"}, {"factor": 1.0})), (Port("u"),), 1.0, 2)
-    with pytest.raises(EngineError, match="no signal 'in.w'"):
+        Schedule(
+            (Node("a", GAIN, {"u": "b.y"}, {"factor": 1.0}), Node("b", GAIN, {"u": "in.u"}, {"factor": 1.0})),
+            (Port("u"),),
+            1.0,
+            2,
+        )
+    with pytest.raises(EngineError, match=r"no signal 'in\.w'"):
         Schedule((Node("a", GAIN, {"u": "in.w"}, {"factor": 1.0}),), (Port("u"),), 1.0, 1)
     with pytest.raises(EngineError, match="its own output"):
         Schedule((Node("a", GAIN, {"u": Late("a.y")}, {"factor": 1.0}),), (Port("u"),), 1.0, 1)

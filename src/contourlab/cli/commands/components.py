@@ -29,8 +29,8 @@ def components(
     plugin: Annotated[list[Path] | None, typer.Option(help="Load components from a Python file; may be given again.")] = None,
 ) -> int:
     """List the components; those of a family, or a single one, with all that is known of their parameters."""
-    from contourlab.components.registry import load_plugin
     from contourlab.components.registry import components as known
+    from contourlab.components.registry import load_plugin
 
     for file in plugin or ():
         load_plugin(file)

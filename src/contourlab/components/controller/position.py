@@ -27,13 +27,19 @@ class PositionController(Component):
 
     References
     ----------
-    Ghaffari & Ulsoy, "Component swapping modularity for distributed precision contouring", eqs (15), (16), (20)-(23). Eq (15) gives P/R' = 1
-    with the ideal axis; eq (16) belongs to the structure without feedforward. Eq (20) lacks an s in the term 2 zeta w_n s.
+    Ghaffari & Ulsoy, "Component swapping modularity for distributed precision contouring", eqs (15), (16), (20)-(23). Eq (15) gives P/R'
+    = 1 with the ideal axis; eq (16) belongs to the structure without feedforward. Eq (20) lacks an s in the term 2 zeta w_n s.
     """
 
     family = "controller"
     kind = "position"
-    example = {"velocity_gain": 100.0, "position_gain": 4000.0, "integral_gain": 11.8, "model_gain": 0.9, "model_damping": 30.0}
+    example = {
+        "velocity_gain": 100.0,
+        "position_gain": 4000.0,
+        "integral_gain": 11.8,
+        "model_gain": 0.9,
+        "model_damping": 30.0,
+    }
     reference = "Ghaffari & Ulsoy, eqs 15-16 and 20-23"
     states = (Port("integral"), Port("start"), Port("last_command"))
     inputs = (
@@ -48,20 +54,20 @@ class PositionController(Component):
     outputs = (Port("command"),)
     derived = ("integral_rate", "acceleration_feedforward", "velocity_feedforward")
 
-    velocity_gain: float = param(0.0, unit="{command}*s/m", minimum=0.0, display="{command}*s/mm", doc="K_V")
-    position_gain: float = param(0.0, unit="{command}/m", minimum=0.0, display="{command}/mm", doc="K_P")
-    integral_gain: float = param(0.0, unit="1/s", minimum=0.0, doc="K_I; the integral acts with K_P K_I")
+    velocity_gain: float = param(default=0.0, unit="{command}*s/m", minimum=0.0, display="{command}*s/mm", doc="K_V")
+    position_gain: float = param(default=0.0, unit="{command}/m", minimum=0.0, display="{command}/mm", doc="K_P")
+    integral_gain: float = param(default=0.0, unit="1/s", minimum=0.0, doc="K_I; the integral acts with K_P K_I")
     model_gain: float = param(
-        math.inf,
+        default=math.inf,
         unit="m/s^2/{command}",
         minimum=0.0,
         exclusive=True,
         display="mm/s^2/{command}",
         doc="acceleration per command of the model fed forward, a'; infinite for no feedforward",
     )
-    model_damping: float = param(0.0, unit="1/s", minimum=0.0, doc="decay of the model's velocity, b'")
-    structure: str = text_param("feedforward", ("feedforward", "ipv"), doc="eq (15), or the form of eq (16)")
-    anti_windup: str = text_param("hold", ("hold", "none"), doc="what the integral does while the drive saturates")
+    model_damping: float = param(default=0.0, unit="1/s", minimum=0.0, doc="decay of the model's velocity, b'")
+    structure: str = text_param(default="feedforward", choices=("feedforward", "ipv"), doc="eq (15), or the form of eq (16)")
+    anti_windup: str = text_param(default="hold", choices=("hold", "none"), doc="what the integral does while the drive saturates")
 
     def derive(self, par: Any, dt: float) -> tuple[Any, ...]:
         return par.position_gain * par.integral_gain, 1.0 / par.model_gain, par.model_damping / par.model_gain
@@ -111,7 +117,12 @@ class PositionController(Component):
         >>> round(gains["velocity_gain"] / 1000, 4), round(gains["position_gain"] / 1000, 3), round(gains["integral_gain"], 2)
         (0.0576, 2.119, 11.82)
         """
-        for name, value in (("natural_frequency", natural_frequency), ("damping", damping), ("pole", pole), ("model_gain", model_gain)):
+        for name, value in (
+            ("natural_frequency", natural_frequency),
+            ("damping", damping),
+            ("pole", pole),
+            ("model_gain", model_gain),
+        ):
             if not (value > 0.0 and math.isfinite(value)):
                 raise ParameterError(name, f"{value:g}", "> 0 and finite")
         velocity_gain = (pole + 2.0 * damping * natural_frequency - model_damping) / model_gain

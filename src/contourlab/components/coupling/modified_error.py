@@ -29,7 +29,7 @@ class ModifiedError(Component):
     inputs = (Port("reference", -1), Port("position", -1), Port("foot_position", -1), Port("error_vector", -1))
     outputs = (Port("modified_reference", -1),)
 
-    weight: float = param(0.75, minimum=0.0, maximum=0.99, doc="lambda: weight of the contour error against the tracking error")
+    weight: float = param(default=0.75, minimum=0.0, maximum=0.99, doc="lambda: weight of the contour error against the tracking error")
 
     @staticmethod
     def step(par: Any, x: Any, inp: Any, clock: Any) -> Any:

@@ -28,7 +28,7 @@ class ModifiedReference(Component):
     inputs = (Port("reference", -1), Port("position", -1), Port("foot_position", -1), Port("error_vector", -1))
     outputs = (Port("modified_reference", -1),)
 
-    weight: float = param(0.75, minimum=0.0, maximum=0.99, doc="lambda: 0 follows the leading point, towards 1 the nearest one")
+    weight: float = param(default=0.75, minimum=0.0, maximum=0.99, doc="lambda: 0 follows the leading point, towards 1 the nearest one")
 
     @staticmethod
     def step(par: Any, x: Any, inp: Any, clock: Any) -> Any:

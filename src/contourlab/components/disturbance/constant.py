@@ -20,7 +20,7 @@ class ConstantLoad(Component):
     outputs = (Port("force"),)
 
     force: float = param(unit="{force}", doc="force along the axis")
-    start: float = param(0.0, unit="s", minimum=0.0, doc="time from which it acts")
+    start: float = param(default=0.0, unit="s", minimum=0.0, doc="time from which it acts")
 
     @staticmethod
     def step(par: Any, x: Any, inp: Any, clock: Any) -> Any:

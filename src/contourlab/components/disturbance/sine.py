@@ -24,7 +24,7 @@ class SineLoad(Component):
 
     amplitude: float = param(unit="{force}", minimum=0.0, doc="amplitude, A")
     frequency: float = param(unit="Hz", minimum=0.0, doc="frequency, f")
-    phase: float = param(0.0, unit="rad", doc="phase at time 0")
+    phase: float = param(default=0.0, unit="rad", doc="phase at time 0")
 
     def derive(self, par: Any, dt: float) -> tuple[Any, ...]:
         return (2.0 * math.pi * par.frequency,)

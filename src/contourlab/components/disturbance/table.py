@@ -22,16 +22,22 @@ class TableLoad(Component):
 
     family = "disturbance"
     kind = "table"
-    example = {"over": "position", "beyond": "hold", "origin": -0.3, "step_size": 0.2, "values_given": (0.0, 1.0, -0.5, 2.0)}
+    example = {
+        "over": "position",
+        "beyond": "hold",
+        "origin": -0.3,
+        "step_size": 0.2,
+        "values_given": (0.0, 1.0, -0.5, 2.0),
+    }
     unbounded = ("origin", "values_given")
     inputs = (Port("position"),)
     outputs = (Port("force"),)
     tables = ("values_table",)
     derived = ("inverse_step", "intervals")
 
-    over: str = text_param("time", ("time", "position"), doc="what the table is over")
-    beyond: str = text_param("hold", ("hold", "repeat"), doc="what holds outside the table")
-    origin: float = param(0.0, unit="", doc="time [s] or position [m] of the first value")
+    over: str = text_param(default="time", choices=("time", "position"), doc="what the table is over")
+    beyond: str = text_param(default="hold", choices=("hold", "repeat"), doc="what holds outside the table")
+    origin: float = param(default=0.0, unit="", doc="time [s] or position [m] of the first value")
     step_size: float = param(unit="", minimum=0.0, exclusive=True, doc="time [s] or distance [m] between two values")
     values_given: tuple[float, ...] = param(unit="{force}", vector=True, doc="the forces; at least two")
 

@@ -16,8 +16,8 @@ __all__ = ["DelayedSaturation"]
 class DelayedSaturation(Component):
     """Amplifier with a limit, whose command arrives late by any length of time.
 
-    The delay is n whole servo periods and a fraction f of one; the value between two ticks is the mean weighted by f, which is exact for the
-    average that a held command has over the period.
+    The delay is n whole servo periods and a fraction f of one; the value between two ticks is the mean weighted by f, which is exact for
+    the average that a held command has over the period.
     """
 
     family = "drive"
@@ -29,7 +29,7 @@ class DelayedSaturation(Component):
     derived = ("whole", "fraction")
     ring = "command"
 
-    limit: float = param(math.inf, unit="{command}", minimum=0.0, exclusive=True, doc="largest command in either direction")
+    limit: float = param(default=math.inf, unit="{command}", minimum=0.0, exclusive=True, doc="largest command in either direction")
     delay: float = param(unit="s", minimum=0.0, maximum=10.0, display="ms", doc="time from command to effect")
 
     def derive(self, par: Any, dt: float) -> tuple[Any, ...]:

@@ -23,7 +23,7 @@ class Saturation(Component):
     inputs = (Port("command"),)
     outputs = (Port("applied"),)
 
-    limit: float = param(math.inf, unit="{command}", minimum=0.0, exclusive=True, doc="largest command in either direction")
+    limit: float = param(default=math.inf, unit="{command}", minimum=0.0, exclusive=True, doc="largest command in either direction")
 
     @staticmethod
     def step(par: Any, x: Any, inp: Any, clock: Any) -> Any:

@@ -5,8 +5,8 @@ from __future__ import annotations
 from typing import Any
 
 from contourlab.components.contract import Component, Port, param, text_param
-from contourlab.geometry.view import PathView
 from contourlab.engine.step import Step
+from contourlab.geometry.view import PathView
 from contourlab.primitives import clip, dot, lincomb, maximum, select, sqrt, sub
 
 __all__ = ["Newton"]
@@ -15,14 +15,15 @@ __all__ = ["Newton"]
 class Newton(Component):
     """Foot point on the path by Newton steps on |r(s) - p|^2/2, from the foot point of the tick before.
 
-    Each iteration is s -= g/max(h, |r'|^2/10), g = r'.(r - p), h = |r'|^2 + r''.(r - p); s stays within the window around the reference. What
+    Each iteration is s -= g/max(h, |r'|^2/10), g = r'.(r - p), h = |r'|^2 + r''.(r - p); s stays within the window around the reference.
+    What
     is returned is the projection of the error on the normal at s: its error is of second order in that of s, where the distance to r(s)
     would be of first order.
 
     With ``start = "both"`` the iteration also starts from the reference's own place and the nearer result is taken: beyond a corner the
     warm start alone may stay on the side it came from.
 
-    Convergence from a lag L on a curvature radius rho: the foot error after one iteration is L^3/(3 rho^2), and squares with each further one.
+    From a lag L on a curvature radius rho the foot error after one iteration is L^3/(3 rho^2); it squares with each further one.
 
     References
     ----------
@@ -35,11 +36,23 @@ class Newton(Component):
     reference = "Ghaffari & Ulsoy 2016, in discrete time"
     states = (Port("foot"),)
     inputs = (Port("position", -1), Port("arc_length"))
-    outputs = (Port("foot_position", -1), Port("error_vector", -1), Port("contour_error_estimate"), Port("foot_arc_length"))
+    outputs = (
+        Port("foot_position", -1),
+        Port("error_vector", -1),
+        Port("contour_error_estimate"),
+        Port("foot_arc_length"),
+    )
 
-    window: float = param(5e-3, unit="m", minimum=0.0, exclusive=True, display="mm", doc="how far from the reference's place the foot point is sought")
-    iterations: float = param(2.0, minimum=1.0, maximum=8.0, whole=True, structural=True, doc="Newton steps per tick")
-    start: str = text_param("both", ("both", "warm"), doc="from where the iteration starts")
+    window: float = param(
+        default=5e-3,
+        unit="m",
+        minimum=0.0,
+        exclusive=True,
+        display="mm",
+        doc="how far from the reference's place the foot point is sought",
+    )
+    iterations: float = param(default=2.0, minimum=1.0, maximum=8.0, whole=True, structural=True, doc="Newton steps per tick")
+    start: str = text_param(default="both", choices=("both", "warm"), doc="from where the iteration starts")
 
     def path_step(self, view: PathView, n_axis: int) -> Step:
         """Return the step on a given path."""
@@ -79,11 +92,8 @@ def _make(evaluate: Any, n_axis: int, iterations: int, both: bool) -> Any:
         gap = sub(q, position)
         square = dot(q1, q1)
         normal = lincomb(1.0, gap, -dot(q1, gap) / square, q1)
-        if planar:
-            # Positive to the left of the direction of travel.
-            estimate = (q1[1] * gap[0] - q1[0] * gap[1]) / sqrt(square)
-        else:
-            estimate = sqrt(dot(normal, normal))
+        # In the plane, positive to the left of the direction of travel.
+        estimate = (q1[1] * gap[0] - q1[0] * gap[1]) / sqrt(square) if planar else sqrt(dot(normal, normal))
         return (s,), (q, normal, estimate, s)
 
     return step

@@ -29,9 +29,16 @@ class Coulomb(Component):
     reference = "Armstrong-Helouvry, Dupont & Canudas de Wit 1994"
 
     coulomb: float = param(unit="{force}", minimum=0.0, doc="sliding friction at speed, F_c")
-    breakaway: float = param(0.0, unit="{force}", minimum=0.0, doc="friction at rest, F_s; taken as F_c where it is smaller")
-    stribeck_velocity: float = param(1e-3, unit="m/s", minimum=0.0, exclusive=True, display="mm/s", doc="speed at which friction has come down from F_s to F_c, v_s")
-    viscous: float = param(0.0, unit="{force}*s/m", minimum=0.0, doc="rise of friction with speed, c")
+    breakaway: float = param(default=0.0, unit="{force}", minimum=0.0, doc="friction at rest, F_s; taken as F_c where it is smaller")
+    stribeck_velocity: float = param(
+        default=1e-3,
+        unit="m/s",
+        minimum=0.0,
+        exclusive=True,
+        display="mm/s",
+        doc="speed at which friction has come down from F_s to F_c, v_s",
+    )
+    viscous: float = param(default=0.0, unit="{force}*s/m", minimum=0.0, doc="rise of friction with speed, c")
 
     @staticmethod
     def held(par: Any) -> float:

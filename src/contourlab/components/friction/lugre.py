@@ -30,10 +30,17 @@ class LuGre(Component):
 
     coulomb: float = param(unit="{force}", minimum=0.0, exclusive=True, doc="sliding friction at speed, F_c")
     breakaway: float = param(unit="{force}", minimum=0.0, exclusive=True, doc="largest friction at vanishing speed, F_s")
-    stribeck_velocity: float = param(1e-3, unit="m/s", minimum=0.0, exclusive=True, display="mm/s", doc="speed at which friction has come down to F_c, v_s")
+    stribeck_velocity: float = param(
+        default=1e-3,
+        unit="m/s",
+        minimum=0.0,
+        exclusive=True,
+        display="mm/s",
+        doc="speed at which friction has come down to F_c, v_s",
+    )
     stiffness: float = param(unit="{force}/m", minimum=0.0, exclusive=True, doc="of the bristles, s0")
-    bristle_damping: float = param(0.0, unit="{force}*s/m", minimum=0.0, doc="of the bristles, s1")
-    viscous: float = param(0.0, unit="{force}*s/m", minimum=0.0, doc="rise of friction with speed, s2")
+    bristle_damping: float = param(default=0.0, unit="{force}*s/m", minimum=0.0, doc="of the bristles, s1")
+    viscous: float = param(default=0.0, unit="{force}*s/m", minimum=0.0, doc="rise of friction with speed, s2")
 
     @staticmethod
     def level(par: Any, v: float) -> float:

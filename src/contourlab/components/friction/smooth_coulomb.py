@@ -25,9 +25,23 @@ class SmoothCoulomb(Component):
 
     coulomb: float = param(unit="{force}", minimum=0.0, doc="friction at speed, F_c")
     breakaway: float = param(unit="{force}", minimum=0.0, doc="friction near rest, F_s")
-    stribeck_velocity: float = param(1e-3, unit="m/s", minimum=0.0, exclusive=True, display="mm/s", doc="speed at which friction has come down to F_c, v_s")
-    smoothing_velocity: float = param(1e-5, unit="m/s", minimum=0.0, exclusive=True, display="mm/s", doc="speed over which friction changes its sign, v_e")
-    viscous: float = param(0.0, unit="{force}*s/m", minimum=0.0, doc="rise of friction with speed, c")
+    stribeck_velocity: float = param(
+        default=1e-3,
+        unit="m/s",
+        minimum=0.0,
+        exclusive=True,
+        display="mm/s",
+        doc="speed at which friction has come down to F_c, v_s",
+    )
+    smoothing_velocity: float = param(
+        default=1e-5,
+        unit="m/s",
+        minimum=0.0,
+        exclusive=True,
+        display="mm/s",
+        doc="speed over which friction changes its sign, v_e",
+    )
+    viscous: float = param(default=0.0, unit="{force}*s/m", minimum=0.0, doc="rise of friction with speed, c")
 
     @staticmethod
     def force(par: Any, v: float) -> float:

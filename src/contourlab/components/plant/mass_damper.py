@@ -23,9 +23,14 @@ class MassDamper(SingleMass):
     force_unit = "N"
     derived = ("mobility_value", "decay_value")
 
-    mass: float = param(unit="kg", minimum=0.0, exclusive=True, doc="moved mass of the axis itself, rotating parts included as m = J (2 pi / lead)^2")
-    carried_mass: float = param(0.0, unit="kg", minimum=0.0, doc="mass that the axis carries besides its own")
-    damping: float = param(0.0, unit="N*s/m", minimum=0.0, doc="viscous damping of guides, screw and motor")
+    mass: float = param(
+        unit="kg",
+        minimum=0.0,
+        exclusive=True,
+        doc="moved mass of the axis itself, rotating parts included as m = J (2 pi / lead)^2",
+    )
+    carried_mass: float = param(default=0.0, unit="kg", minimum=0.0, doc="mass that the axis carries besides its own")
+    damping: float = param(default=0.0, unit="N*s/m", minimum=0.0, doc="viscous damping of guides, screw and motor")
     force_constant: float = param(unit="N/A", minimum=0.0, exclusive=True, doc="force of the drive per command")
 
     def derive(self, par: Any, dt: float) -> tuple[Any, ...]:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from typing import Any, ClassVar
 
 import numpy as np
@@ -15,17 +14,13 @@ __all__ = ["SingleMass"]
 class SingleMass(Component):
     """A mass with viscous damping, pushed by a drive: v' = mobility (drive force + load - friction) - decay v.
 
-    A plant of this family gives two functions of its parameters; the integration, together with a friction, is in
+    A plant of this family gives three functions of its parameters; the integration, together with a friction, is in
     `contourlab.components.mechanics`.
 
     Attributes
     ----------
     command_unit, force_unit : str
         Units of the command that drives it and of the forces on it.
-    mobility, decay : functions of par
-        Acceleration per force [m/s^2 per force unit] and rate at which a free motion decays [1/s].
-    drive_force : function of par and command
-        Force of the drive.
     """
 
     family = "plant"
@@ -35,9 +30,20 @@ class SingleMass(Component):
     inputs = (Port("command"), Port("load"))
     outputs = (Port("position"), Port("velocity"), Port("inertial_force"))
 
-    mobility: ClassVar[Callable[[Any], float]]
-    decay: ClassVar[Callable[[Any], float]]
-    drive_force: ClassVar[Callable[[Any, float], float]]
+    @staticmethod
+    def mobility(par: Any) -> float:
+        """Return the acceleration per force [m/s^2 per force unit]."""
+        raise NotImplementedError
+
+    @staticmethod
+    def decay(par: Any) -> float:
+        """Return the rate at which a free motion decays [1/s]."""
+        raise NotImplementedError
+
+    @staticmethod
+    def drive_force(par: Any, command: float) -> float:
+        """Return the force of the drive."""
+        raise NotImplementedError
 
     def at_rest(self, position: float) -> tuple[dict[str, float], dict[str, float]]:
         return {"position": position}, {"position": position}

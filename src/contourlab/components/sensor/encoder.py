@@ -24,8 +24,14 @@ class Encoder(Component):
     outputs = (Port("position"),)
 
     resolution: float = param(unit="m", minimum=0.0, exclusive=True, display="um", doc="travel per count, interpolation included")
-    noise: float = param(0.0, unit="m", minimum=0.0, display="um", doc="standard deviation of the signal before it is counted")
-    stream: float = param(0.0, minimum=0.0, maximum=2.0**53, whole=True, doc="number of the noise stream; set by the run from its seed")
+    noise: float = param(default=0.0, unit="m", minimum=0.0, display="um", doc="standard deviation of the signal before it is counted")
+    stream: float = param(
+        default=0.0,
+        minimum=0.0,
+        maximum=2.0**53,
+        whole=True,
+        doc="number of the noise stream; set by the run from its seed",
+    )
 
     @staticmethod
     def step(par: Any, x: Any, inp: Any, clock: Any) -> Any:

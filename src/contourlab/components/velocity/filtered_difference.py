@@ -25,7 +25,7 @@ class FilteredDifference(Component):
     derived = ("weight",)
 
     bandwidth: float = param(unit="rad/s", minimum=0.0, exclusive=True, doc="corner of the low-pass, w")
-    discretisation: str = text_param("backward-euler", RULES, doc="how the low-pass is sampled")
+    discretisation: str = text_param(default="backward-euler", choices=RULES, doc="how the low-pass is sampled")
 
     def derive(self, par: Any, dt: float) -> tuple[Any, ...]:
         return (low_pass_weight(par.bandwidth, dt, self.discretisation),)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import replace
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -13,14 +14,23 @@ from contourlab.analysis.tick_map import spectral_radius
 from contourlab.components.controller.position import PositionController
 from contourlab.components.drive.saturation import Saturation
 from contourlab.components.friction.none import NoFriction
-from contourlab.components.sensor.ideal import IdealSensor
 from contourlab.components.mechanics import link
+from contourlab.components.sensor.ideal import IdealSensor
 from contourlab.engine.step import record
 from contourlab.geometry import contour
 from contourlab.loop.machine import AxisController, Controller, Machine
 from contourlab.loop.template import build
 from contourlab.primitives import Clock
-from contourlab.studies.reproduce.ghaffari_setup import AXES, PLACED_POLES, TABLE_2, TABLE_3, Gains, Reading, axis, axis_controller
+from contourlab.studies.reproduce.ghaffari_setup import (
+    AXES,
+    PLACED_POLES,
+    TABLE_2,
+    TABLE_3,
+    Gains,
+    Reading,
+    axis,
+    axis_controller,
+)
 from contourlab.studies.reproduce.rows import Row, row
 
 __all__ = ["linear_rows"]
@@ -36,13 +46,27 @@ def linear_rows() -> list[Row]:
 def _table_2() -> list[Row]:
     found = []
     # One unit of the last printed digit: the paper cuts K_V off instead of rounding it.
-    digits = {"velocity_gain": ("K_V", 1e-3, 1e-3), "position_gain": ("K_P", 1e-3, 1e-2), "integral_gain": ("K_I", 1.0, 1e-2)}
+    digits = {
+        "velocity_gain": ("K_V", 1e-3, 1e-3),
+        "position_gain": ("K_P", 1e-3, 1e-2),
+        "integral_gain": ("K_I", 1.0, 1e-2),
+    }
     units = {"velocity_gain": "full_scale*s/mm", "position_gain": "full_scale/mm", "integral_gain": "1/s"}
     for number, printed in TABLE_2.items():
         gains = PositionController.place(**PLACED_POLES, model_gain=printed.model_gain * 1e-3, model_damping=printed.model_damping)
         for name, (symbol, factor, digit) in digits.items():
             note = "eqs 21-23; the paper truncates" if symbol == "K_V" else "eqs 21-23"
-            found.append(row(f"Table II {symbol}", f"axis {number}", getattr(printed, name), gains[name] * factor, units[name], digit, note))
+            found.append(
+                row(
+                    f"Table II {symbol}",
+                    f"axis {number}",
+                    getattr(printed, name),
+                    gains[name] * factor,
+                    units[name],
+                    digit,
+                    note,
+                )
+            )
     return found
 
 
@@ -74,12 +98,12 @@ def _poles() -> list[Row]:
     return found
 
 
-def exact_compensated(number: int, gains: Gains, reading: Reading, s: Complex) -> tuple[Complex, Complex]:
+def exact_compensated(number: int, gains: Gains, reading: Reading, s: NDArray[Any]) -> tuple[Complex, Complex]:
     """Return V/U_c and V/D of eqs (10)-(13), lengths in mm."""
     a, b, ah, bh = AXES[number].gain, AXES[number].damping, gains.observer_gain, gains.observer_damping
     wz, wd = reading.filter_bandwidth, reading.bandwidth
     below = s**3 + (wz + b) * s**2 + ((wz + bh) * wd * a / ah + wz * b) * s + wd * wz * bh * a / ah
-    return a * (s + wz) * (s + wd) / below, a * s * (s + wz) / below
+    return np.asarray(a * (s + wz) * (s + wd) / below, dtype=complex), np.asarray(a * s * (s + wz) / below, dtype=complex)
 
 
 def _observer() -> list[Row]:
@@ -88,16 +112,39 @@ def _observer() -> list[Row]:
     reading = Reading()
     for table, name in ((TABLE_2, "Table II"), (TABLE_3, "Table III")):
         for number in AXES:
-            continuous = AxisController(axis_controller(table[number], reading).controller, observer=axis_controller(table[number], reading).observer)
+            continuous = AxisController(
+                axis_controller(table[number], reading).controller,
+                observer=axis_controller(table[number], reading).observer,
+            )
             bare = replace(axis(number, reading), friction=NoFriction(), sensor=IdealSensor())
             response = axis_response(bare, continuous, 0.0, w)
             exact, disturbed = exact_compensated(number, table[number], reading, 1j * w)
             case = f"axis {number}, {name}"
             error = float(np.abs(response.compensated / (exact * 1e-3) - 1.0).max())
-            found.append(row("DOB identity (10)-(13), largest relative difference", case, 0.0, error, "", 1e-9, "our observer joined with the plant"))
+            found.append(
+                row(
+                    "DOB identity (10)-(13), largest relative difference",
+                    case,
+                    0.0,
+                    error,
+                    "",
+                    1e-9,
+                    "our observer joined with the plant",
+                )
+            )
             ratio = table[number].observer_gain / table[number].observer_damping
             gain = float(np.abs(response.compensated[0])) * 1e3
-            found.append(row("DC gain u_c to v", case, ratio, gain, "mm/s/full_scale", 1e-3 * ratio, "a_hat/b_hat, whatever the plant"))
+            found.append(
+                row(
+                    "DC gain u_c to v",
+                    case,
+                    ratio,
+                    gain,
+                    "mm/s/full_scale",
+                    1e-3 * ratio,
+                    "a_hat/b_hat, whatever the plant",
+                )
+            )
             slope = float(np.abs(disturbed[0] / w[0]))
             level = ratio / reading.bandwidth
             note = "a_hat/(b_hat w_d): velocity per rate of a slow disturbance"
@@ -134,7 +181,15 @@ def _comparison() -> list[Row]:
     larger = 100.0 * ((one.gain / one.damping) / (two.gain / two.damping) - 1.0)
     found = [
         row("response of axis 1 faster than axis 2", "open loop", 55.0, faster, "%", 1.0, "ratio of b"),
-        row("DC gain of axis 1 larger than axis 2", "open loop", 70.0, larger, "%", 2.0, "ratio of a/b; the paper rounds to tens"),
+        row(
+            "DC gain of axis 1 larger than axis 2",
+            "open loop",
+            70.0,
+            larger,
+            "%",
+            2.0,
+            "ratio of a/b; the paper rounds to tens",
+        ),
     ]
     for number, printed in ((1, 5.5), (2, 8.8), (3, 7.7)):
         note = "slow ramp of the command on the simulated axis, as in Fig 5(a): the command at which it first moves"
@@ -187,7 +242,12 @@ def stable(gains: Gains, number: int, reading: Reading) -> bool:
     made = axis_controller(gains, reading)
     free = replace(made, controller=made.controller.replace(anti_windup="none"))
     twin = replace(bare, name="twin")
-    loop = build(Machine("axis", (bare, twin), reading.servo_period), Controller({bare.name: free, "twin": free}), contour("circle"), np.zeros(2))
+    loop = build(
+        Machine("axis", (bare, twin), reading.servo_period),
+        Controller({bare.name: free, "twin": free}),
+        contour("circle"),
+        np.zeros(2),
+    )
     return spectral_radius(loop.schedule) < 1.0 + 1e-9
 
 

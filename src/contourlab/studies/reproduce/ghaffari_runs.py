@@ -47,7 +47,17 @@ def _fig_9() -> list[Row]:
         error = figures.contour_error
         integrals[first] = _MICRO * error.integral
         note = "one period of 2 s; 5 % of the printed figure counts as agreement, since the paper leaves several numbers open"
-        found.append(row(f"contour error integral A3-A{first}", case, PRINTED[first], integrals[first], "um s", 0.05 * PRINTED[first], note))
+        found.append(
+            row(
+                f"contour error integral A3-A{first}",
+                case,
+                PRINTED[first],
+                integrals[first],
+                "um s",
+                0.05 * PRINTED[first],
+                note,
+            )
+        )
         note = "positive to the left, so the circle is too small: a radius error from the feedforward gain a', not friction"
         found.append(row("signed mean of contour error", case, None, _MICRO * error.signed_mean, "um", note=note))
         note = "what friction, mismatch and counting leave when the radius error is taken out"
@@ -55,15 +65,43 @@ def _fig_9() -> list[Row]:
         start, stop = reference.laps[-1]
         for spike in reversal_spikes(judged, (start - 5, stop)):
             name = f"reversal spike at {round(2.0 * spike.time) / 2.0:g} s"
-            found.append(row(name, case, None, _MICRO * spike.height, "um", note=f"axis {spike.axis} turns; {1e3 * spike.width:.0f} ms wide at half height"))
+            found.append(
+                row(
+                    name,
+                    case,
+                    None,
+                    _MICRO * spike.height,
+                    "um",
+                    note=f"axis {spike.axis} turns; {1e3 * spike.width:.0f} ms wide at half height",
+                )
+            )
     gap = 100.0 * abs(integrals[1] / integrals[2] - 1.0)
-    found.append(row("difference between configurations", "A3-A1, A3-A2", 100.0 * (1.0 - PRINTED[1] / PRINTED[2]), gap, "%", 3.0, "one and the same controller"))
+    found.append(
+        row(
+            "difference between configurations",
+            "A3-A1, A3-A2",
+            100.0 * (1.0 - PRINTED[1] / PRINTED[2]),
+            gap,
+            "%",
+            3.0,
+            "one and the same controller",
+        )
+    )
     for first in (1, 2):
         off = integral(first, replace(Reading(), observer=False))
         note = f"{off / integrals[first]:.1f} times as large; the paper gives no figure"
         found.append(row("contour error integral, observer off", f"A3-A{first}, Table III", None, off, "um s", note=note))
         initial = integral(first, Reading(), TABLE_2)
-        found.append(row("contour error integral, initial gains", f"A3-A{first}, Table II", None, initial, "um s", note="before the calibration"))
+        found.append(
+            row(
+                "contour error integral, initial gains",
+                f"A3-A{first}, Table II",
+                None,
+                initial,
+                "um s",
+                note="before the calibration",
+            )
+        )
     return found
 
 
@@ -96,7 +134,7 @@ def _readings() -> list[Row]:
     found.append(row("largest of these", "reading", None, max(all_values), "um s"))
     for first in (1, 2):
         made = controller(first, TABLE_3, base)
-        raised = {name: replace(part, controller=part.controller.replace(model_gain=0.96)) for name, part in made.axes.items()}  # type: ignore[attr-defined]
+        raised = {name: replace(part, controller=part.controller.replace(model_gain=0.96)) for name, part in made.axes.items()}
         reference = uniform(contour("circle", radius=0.02), 0.5, 2, base.servo_period)
         judged = judge(simulate(machine(first, base), replace(made, axes=raised), reference), reference)
         value = _MICRO * summarise(judged, reference).contour_error.integral
@@ -108,14 +146,20 @@ def _readings() -> list[Row]:
 def _weights() -> list[Row]:
     """Lambda over shape and feed: contour and tracking error of each weight."""
     found = []
-    shapes: dict[str, Path] = {"circle": contour("circle"), "ellipse": contour("ellipse", a=0.03, b=0.015), "lemniscate": contour("lemniscate", a=0.025)}
+    shapes: dict[str, Path] = {
+        "circle": contour("circle"),
+        "ellipse": contour("ellipse", a=0.03, b=0.015),
+        "lemniscate": contour("lemniscate", a=0.025),
+    }
     reading = Reading()
     made: Controller = controller(1, TABLE_3, reading)
     for shape, path in shapes.items():
         for frequency in (0.25, 0.5):
             reference = uniform(path, frequency, 2, reading.servo_period)
             batch = simulate_batch(machine(1, reading), made, reference, {"controller.coupling.weight": WEIGHTS})
-            for weight, contouring, tracking in zip(WEIGHTS, batch.figures["contour_error_rms"], batch.figures["tracking_error_rms"], strict=True):
+            for weight, contouring, tracking in zip(
+                WEIGHTS, batch.figures["contour_error_rms"], batch.figures["tracking_error_rms"], strict=True
+            ):
                 case = f"A3-A1, {shape}, {60e3 * path.length * frequency:.0f} mm/min, lambda {weight:g}"
                 found.append(row("contour error, rms", case, None, _MICRO * contouring, "um"))
                 found.append(row("tracking error, rms", case, None, _MICRO * tracking, "um"))

@@ -1,8 +1,9 @@
 """The modular stage of Ghaffari & Ulsoy: its axes and gains, as printed and as read.
 
-The paper leaves open the observer's bandwidths, the servo period, how the velocity is had, and whether stiction is in parts of full scale. The
-reading used here, by default: u in parts of full scale; Coulomb friction of 5.5, 8.8 and 7.7 % of it with true sticking; servo period 1 ms;
-w_d = 200 rad/s, w_z = 2000 rad/s; velocity as the difference of encoder counts behind 800 rad/s; low-passes sampled by pole matching; lambda = 0.75.
+The paper leaves open the observer's bandwidths, the servo period, how the velocity is had, how filters are sampled, and whether stiction is
+in parts of full scale. The reading used here, by default: u in parts of full scale; Coulomb friction of 5.5, 8.8 and 7.7 % of it with true
+sticking; servo period 1 ms; w_d = 200 rad/s, w_z = 2000 rad/s; velocity as the difference of encoder counts behind 800 rad/s; low-passes
+sampled by pole matching; lambda = 0.75.
 """
 
 from __future__ import annotations

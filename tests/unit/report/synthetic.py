@@ -1,0 +1,133 @@
+"""Runs with known errors: a circle gone round with a lag and a given radial deviation, judged by the judge itself."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from contourlab.feed import Reference, uniform
+from contourlab.geometry import Path, contour
+from contourlab.metrics import circles_of, judge, reversal_spikes, summarise
+from contourlab.report import AxisBounds, FrequencyResponse, Provenance, ReportData, SchemeReport
+from contourlab.result import Result, Signal
+
+RADIUS, LAG, FREQUENCY = 0.02, 50e-6, 0.5
+BOTH = ("sample", "axis")
+
+
+@dataclass(frozen=True)
+class Place:
+    """A worst place, as the verdict tells it."""
+
+    value: float
+    line: int
+    text: str
+    position: tuple[float, ...]
+    time: float
+    sample: int
+
+
+@dataclass(frozen=True)
+class Reason:
+    """A cause, as the verdict tells it."""
+
+    name: str
+    contribution: float
+    share: float
+
+
+@dataclass(frozen=True)
+class Judgement:
+    """A verdict."""
+
+    passed: bool
+    tolerance: float
+    worst: Place
+    causes: tuple[Reason, ...]
+    advice: str
+
+
+def deviation(angle: np.ndarray, amplitude: float) -> np.ndarray:
+    """Radial deviation [m]: out of round, with a spike behind each quadrant; the largest magnitude is not at a round angle."""
+    behind = np.mod(angle, 0.5 * np.pi)
+    return np.asarray(amplitude * (0.5 * np.cos(2.0 * angle + 0.4) + np.exp(-behind / 0.06) - 0.1))
+
+
+def run(name: str, reference: Reference, amplitude: float) -> Result:
+    """Return a judged run along a circle with a lag and the deviation above."""
+    block = reference.block(0, reference.n_sample)
+    n, n_axis = block.position.shape
+    tool = np.array(block.position)
+    angle = np.arctan2(tool[:, 1], tool[:, 0]) - LAG / RADIUS
+    radius = RADIUS + deviation(angle, amplitude)
+    tool[:, 0], tool[:, 1] = radius * np.cos(angle), radius * np.sin(angle)
+    noise = np.random.default_rng(1).standard_normal((n, n_axis))
+    command = 0.4 * np.sign(block.velocity) + 0.05 * noise
+    signals = {
+        "reference": Signal(block.position, BOTH, "m"),
+        "reference_velocity": Signal(block.velocity, BOTH, "m/s"),
+        "reference_acceleration": Signal(block.acceleration, BOTH, "m/s^2"),
+        "arc_length": Signal(block.arc_length, ("sample",), "m"),
+        "feedrate": Signal(block.feedrate, ("sample",), "m/s"),
+        "position": Signal(tool, BOTH, "m"),
+        "tool_position": Signal(tool, BOTH, "m"),
+        "velocity": Signal(np.gradient(tool, reference.servo_period, axis=0), BOTH, "m/s"),
+        "command": Signal(command, BOTH, "full_scale"),
+        "applied_command": Signal(np.clip(command, -1.0, 1.0), BOTH, "full_scale"),
+    }
+    return judge(Result(name, ("x", "y", "z")[:n_axis], reference.servo_period, signals), reference)
+
+
+def judgement(result: Result, tolerance: float, text: str = "G3 X20 Y0 I-20 J0") -> Judgement:
+    """Return a verdict on the largest part error."""
+    sample = int(np.argmax(np.abs(result["part_error"])))
+    value = float(abs(result["part_error"][sample]))
+    place = Place(value, 4, text, tuple(result["tool_position"][sample]), sample * result.servo_period, sample)
+    causes = (Reason("reversal", 0.8 * value, 0.7), Reason("servo mismatch", 0.3 * value, 0.2), Reason("lag", -0.1 * value, 0.1))
+    advice = "With a disturbance observer on x and y the worst error is 2.1 µm."
+    return Judgement(value <= tolerance, tolerance, place, causes, advice)
+
+
+def response(bandwidth: float) -> FrequencyResponse:
+    """Return a second-order closed loop."""
+    frequency = np.geomspace(0.1, 1000.0, 300)
+    s = 1j * frequency / bandwidth
+    return FrequencyResponse(frequency, 1.0 / (s * s + 1.4 * s + 1.0), {"bandwidth": f"{bandwidth:g} Hz"})
+
+
+def scheme(name: str, reference: Reference, amplitude: float, tolerance: float = 5e-6) -> SchemeReport:
+    """Return one run with all that can be told of it."""
+    result = run(name, reference, amplitude)
+    n = len(result.axes)
+    bounds = AxisBounds(np.full(n, 0.1), np.full(n, 1.0), np.full(n, 20.0), np.ones(n))
+    bode = {axis: response(25.0 + 10.0 * i) for i, axis in enumerate(result.axes)}
+    circles = circles_of(result, reference) if reference.n_sample < 20_000 else ()
+    spikes = reversal_spikes(result, summarise(result, reference).window)
+    metrics = summarise(result, reference)
+    return SchemeReport(name, result, metrics, bounds, judgement(result, tolerance), bode, circles, {}, spikes)
+
+
+def report(
+    amplitudes: tuple[float, ...] = (8e-6, 2e-6), *, laps: int = 2, servo_period: float = 1e-3, path: Path | None = None
+) -> ReportData:
+    """Return a report of runs round the circle, worst first."""
+    path = path or contour("circle", radius=RADIUS)
+    reference = uniform(path, FREQUENCY, laps, servo_period)
+    names = ("independent axes", "modified reference", "cross-coupled", "observer", "everything")
+    schemes = tuple(scheme(name, reference, a) for name, a in zip(names, amplitudes, strict=False))
+    program = ("%", "(ring of 20 mm)", "G21 G90 F3770", "G3 X20 Y0 I-20 J0", "M30")
+    source = Provenance(
+        "0.1.0",
+        "contourlab run circle.toml",
+        "contourlab report circle.toml --seed 1",
+        '[machine]\nname = "two axes"\n\n[run]\ntolerance = "5 um"\nseed = 1\n',
+        1,
+        "Linux x86_64, Python 3.11",
+    )
+    return ReportData("Circle of 20 mm at 3770 mm/min", schemes, path, source, None, program, 5e-6)
+
+
+def with_result(data: ReportData, result: Result) -> ReportData:
+    """Return the report with the result of its only scheme replaced."""
+    return replace(data, schemes=(replace(data.schemes[0], result=result),))
