@@ -52,6 +52,7 @@ imports: $(STAMP)
 
 docs: $(STAMP)
 	$(BIN)/python docs/check.py
+	$(BIN)/python -m pytest --doctest-modules src/contourlab --quiet
 
 bench: $(STAMP)
 	$(BIN)/python benchmarks/run.py $(ARGS)

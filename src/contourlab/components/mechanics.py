@@ -12,6 +12,7 @@ Three laws, each with its own way through time; the command and the load are hel
 from __future__ import annotations
 
 from collections.abc import Callable
+from functools import cache
 from typing import Any
 
 from contourlab.components.contract import Component
@@ -48,6 +49,7 @@ def link(plant: Component, friction: Component) -> Step:
     return Step(f"plant/{plant.kind}+{friction.kind}", function, parameters, (), "", states, plant.inputs, plant.outputs)
 
 
+@cache
 def _smooth(plant: Any, friction: Any) -> Callable[..., Any]:
     mobility, decay, drive_force, resistance = plant.mobility, plant.decay, plant.drive_force, friction.force
 
@@ -69,11 +71,12 @@ def _smooth(plant: Any, friction: Any) -> Callable[..., Any]:
         slope = k1 + 2.0 * (k2 + k3) + k4
         p_next = p + sixth * (v + 2.0 * (v2 + v3) + v4)
         v_next = v + sixth * slope
-        return (p_next, v_next), (p_next, v_next, slope / (6.0 * mobility(par)))
+        return (p_next, v_next), (p_next, v_next, slope / 6.0)
 
     return step
 
 
+@cache
 def _sticking(plant: Any, friction: Any) -> Callable[..., Any]:
     mobility, decay, drive_force = plant.mobility, plant.decay, plant.drive_force
     held, sliding = friction.held, friction.sliding
@@ -124,11 +127,12 @@ def _sticking(plant: Any, friction: Any) -> Callable[..., Any]:
         stuck = way == 0.0
         p_next = select(stuck, p, select(reverses, p_after, p1))
         v_next = select(stuck, 0.0, select(reverses, v_after, v1))
-        return (p_next, v_next), (p_next, v_next, (v_next - v) / (dt * mobility(par)))
+        return (p_next, v_next), (p_next, v_next, (v_next - v) / dt)
 
     return step
 
 
+@cache
 def _bristle(plant: Any, friction: Any) -> Callable[..., Any]:
     mobility, decay, drive_force, level = plant.mobility, plant.decay, plant.drive_force, friction.level
 
@@ -148,6 +152,6 @@ def _bristle(plant: Any, friction: Any) -> Callable[..., Any]:
         pb, vb, zb = advance(par, pa, va, za, push, 0.5 * dt)
         # Extrapolation over the step size cancels the first-order error.
         p_next, v_next, z_next = 2.0 * pb - p1, 2.0 * vb - v1, 2.0 * zb - z1
-        return (p_next, v_next, z_next), (p_next, v_next, (v_next - v) / (dt * mobility(par)))
+        return (p_next, v_next, z_next), (p_next, v_next, (v_next - v) / dt)
 
     return step

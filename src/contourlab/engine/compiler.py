@@ -185,4 +185,4 @@ def compile_step(step: Step, width: int) -> int:
     EngineError
         If the step uses what cannot be compiled, or its tuples do not fit its ports.
     """
-    return store.address(source_key(step, width), lambda: _compile(step, width), step.name)
+    return store.address(source_key(step, width), lambda: _compile(step, width), step.name, inner=True)

@@ -38,8 +38,8 @@ class InterpretedGroup(Group):
             values.append(_PastOf(self.rings[n][:, lane]))
         return node.step.par_type(*values)  # type: ignore[no-any-return]
 
-    def run(self, external: Array, log_rows: list[int]) -> Array:
-        log = np.empty((len(external), len(log_rows), self.width))
+    def run(self, external: Array, log_rows: list[int], out: Array | None = None) -> Array:
+        log = np.empty((len(external), len(log_rows), self.width)) if out is None else out
         for step, fed in enumerate(np.asarray(external, dtype=float)):
             self.signals[: len(fed)] = fed[:, None]
             for n in range(len(self.schedule.nodes) + 1):

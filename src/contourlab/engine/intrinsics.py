@@ -186,16 +186,6 @@ def libm_tanh(x: float) -> float:
     return math.tanh(x)
 
 
-@njit(**INLINE)
-def libm_sin(x: float) -> float:
-    return math.sin(x)
-
-
-@njit(**INLINE)
-def libm_cos(x: float) -> float:
-    return math.cos(x)
-
-
 # --- polynomials: what lanes need, since the vectoriser cannot see into libm -------------------------------------------------------
 
 
@@ -299,8 +289,8 @@ def poly_cos(x: float) -> float:
 
 
 def scalar_maths() -> dict[str, Callable[..., Any]]:
-    """Return the primitives for one variant."""
-    return {"exp": libm_exp, "log": libm_log, "tanh": libm_tanh, "sin": libm_sin, "cos": libm_cos, **_common(1)}
+    """Return the primitives for one variant: libm's exp and tanh have less latency, sine and cosine together are faster as polynomials."""
+    return {"exp": libm_exp, "log": libm_log, "tanh": libm_tanh, "sin": poly_sin, "cos": poly_cos, **_common(1)}
 
 
 def lane_maths(width: int) -> dict[str, Callable[..., Any]]:

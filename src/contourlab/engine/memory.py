@@ -6,6 +6,7 @@ from typing import Any
 
 from llvmlite import ir
 from numba import types
+from numba.core import cgutils
 from numba.extending import intrinsic
 
 _DOUBLE = ir.DoubleType()
@@ -100,9 +101,12 @@ def _make_call() -> Any:
     @intrinsic
     def call(typingctx: Any, function: Any, par: Any, table: Any, x: Any, inp: Any, out: Any, k: Any, t: Any, dt: Any) -> Any:
         def codegen(context: Any, builder: Any, signature: Any, args: Any) -> Any:
-            kinds = [ir.IntType(64)] * 5 + [_DOUBLE] * 3
-            pointer = builder.inttoptr(args[0], ir.FunctionType(ir.VoidType(), kinds).as_pointer())
-            builder.call(pointer, args[1:])
+            # The compiled function itself, not its C wrapper: two more arguments, for a result and an exception that it never gives.
+            pointer = ir.IntType(8).as_pointer()
+            kinds = [pointer, pointer] + [ir.IntType(64)] * 5 + [_DOUBLE] * 3
+            target = builder.inttoptr(args[0], ir.FunctionType(ir.IntType(32), kinds).as_pointer())
+            unused = builder.bitcast(cgutils.alloca_once(builder, ir.IntType(64)), pointer)
+            builder.call(target, [unused, unused, *args[1:]])
             return context.get_dummy_value()
 
         return types.void(word, *arguments), codegen

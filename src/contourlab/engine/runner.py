@@ -89,8 +89,8 @@ class Group:
                 return node.name
         return ""
 
-    def run(self, external: Array, log_rows: list[int]) -> Array:
-        """Run one tick per row of `external` (n_tick, n_external); return the log (n_tick, n_log, width)."""
+    def run(self, external: Array, log_rows: list[int], out: Array | None = None) -> Array:
+        """Run one tick per row of `external` (n_tick, n_external); return the log (n_tick, n_log, width), in `out` where it is given."""
         raise NotImplementedError
 
 
@@ -143,10 +143,11 @@ class CompiledGroup(Group):
                 words.append(self._row_address(source))
         return self._keep(np.array(words or [0], dtype=np.int64))
 
-    def run(self, external: Array, log_rows: list[int]) -> Array:
+    def run(self, external: Array, log_rows: list[int], out: Array | None = None) -> Array:
         external = np.ascontiguousarray(external, dtype=float)
         n_tick = len(external)
-        log = np.empty((n_tick, len(log_rows), self.width))
+        log = np.empty((n_tick, len(log_rows), self.width)) if out is None else out
+        assert log.flags.c_contiguous  # the tick loop knows no strides
         addresses = np.array([self._row_address(row) for row in log_rows] or [0], dtype=np.int64)
         self._kernel(
             self._records.ctypes.data,

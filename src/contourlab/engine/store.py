@@ -24,7 +24,8 @@ from numba.core.registry import cpu_target
 
 __all__ = ["address", "folder", "toolchain"]
 
-_FORMAT = 1
+_FORMAT = 2
+_addresses: dict[str, int] = {}
 _alive: list[Any] = []  # libraries whose code is in use: dropping one would free the code
 
 
@@ -55,16 +56,36 @@ def folder() -> Path:
     return Path(tempfile.mkdtemp(prefix="contourlab-"))
 
 
-def address(key: str, build: Callable[[], Any], name: str) -> int:
-    """Return the address of the code filed under `key`; build and file it first where it is missing."""
+def address(key: str, build: Callable[[], Any], name: str, inner: bool = False) -> int:
+    """Return the address of the code filed under `key`; build and file it first where it is missing.
+
+    Parameters
+    ----------
+    key : str
+    build : callable
+        Returns a Numba cfunc.
+    name : str
+        Kept with the code, for people.
+    inner : bool
+        Whether the function inside the C wrapper is wanted, which the tick loop calls without a detour.
+    """
+    if key in _addresses:
+        return _addresses[key]
+    _addresses[key] = found = _loaded(key, build, name, inner)
+    return found
+
+
+def _loaded(key: str, build: Callable[[], Any], name: str, inner: bool) -> int:
     file = folder() / f"{key}.bin"
     with contextlib.suppress(OSError, EOFError, pickle.UnpicklingError, ValueError, KeyError, RuntimeError):
         return _restore(file.read_bytes())
     compiled = build()
     _alive.append(compiled)
     library = compiled._library
-    _write(file, pickle.dumps((compiled._wrapper_name, name, library.serialize_using_object_code())))
-    return int(compiled.address)
+    symbol = compiled._wrapper_name
+    symbol = symbol.removeprefix("cfunc.") if inner else symbol
+    _write(file, pickle.dumps((symbol, name, library.serialize_using_object_code())))
+    return int(library.get_pointer_to_function(symbol))
 
 
 def _restore(data: bytes) -> int:

@@ -69,7 +69,7 @@ SHARES = tuple(
 
 def _ratio(limit: Array, demand: Array) -> Array:
     """Divide limits by |demand|, with inf where nothing is asked."""
-    with np.errstate(divide="ignore", invalid="ignore"):
+    with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
         return np.where(demand == 0.0, np.inf, limit / np.abs(demand))
 
 
@@ -111,7 +111,7 @@ def _taper(samples: Samples, speed: Array, acceleration: Array, limits: AxisLimi
     """
     t, k = np.abs(samples.tangent), np.abs(samples.second)
     V, A = speed[:, None], acceleration[:, None]
-    with np.errstate(divide="ignore", invalid="ignore"):
+    with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
         first = np.sqrt(np.maximum((limits.acceleration - A * t) / k, 0.0))  # where g falls below A
         root = (2.0 * V + np.sqrt(np.maximum(4.0 * V**2 - 3.0 * limits.acceleration / k, 0.0))) / 3.0
         lowest = np.clip(root, first, V)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import hashlib
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from itertools import pairwise
 from typing import NamedTuple
 
@@ -17,6 +17,8 @@ from contourlab.geometry import Path
 __all__ = ["Reference", "ReferenceBlock", "lap_ranges", "whole_samples"]
 
 Array = NDArray[np.float64]
+KEPT_BLOCKS = 4
+"""How many blocks a reference keeps for the next run along it: a study runs the same ones many times."""
 
 
 class ReferenceBlock(NamedTuple):
@@ -27,6 +29,8 @@ class ReferenceBlock(NamedTuple):
         Progress: it grows over the laps of a closed path.
     feedrate : ndarray (n,) [m/s]
         Speed along the path.
+    table : ndarray (n, 3 n_axis + 2)
+        All of these side by side, in this order; the others are views of it.
     """
 
     position: Array
@@ -34,6 +38,7 @@ class ReferenceBlock(NamedTuple):
     acceleration: Array
     arc_length: Array
     feedrate: Array
+    table: Array
 
 
 class Recorded(NamedTuple):
@@ -107,6 +112,7 @@ class Reference:
     source_lines: NDArray[np.int64]
     laps: tuple[tuple[int, int], ...] = ()
     recorded: Recorded | None = None
+    _kept: dict[tuple[int, int], ReferenceBlock] = field(default_factory=dict, init=False, repr=False)
 
     @property
     def n_axis(self) -> int:
@@ -140,22 +146,30 @@ class Reference:
         """
         if not 0 <= start <= stop <= self.n_sample:
             raise FeedError(f"block({start}, {stop}): the reference has the samples 0 to {self.n_sample}")
+        if (start, stop) not in self._kept:
+            if len(self._kept) >= KEPT_BLOCKS:
+                del self._kept[next(iter(self._kept))]
+            self._kept[start, stop] = self._sampled(start, stop)
+        return self._kept[start, stop]
+
+    def _sampled(self, start: int, stop: int) -> ReferenceBlock:
+        n = self.n_axis
+        table = np.empty((stop - start, 3 * n + 2))
         if self.recorded is not None:
             velocity, acceleration = _differences(self.recorded.position, self.servo_period, start, stop)
-            feedrate = np.linalg.norm(velocity, axis=1)
             position, progress = (part[start:stop] for part in self.recorded)
-            return ReferenceBlock(position, velocity, acceleration, progress, feedrate)
-        assert self.profile is not None  # a reference is either planned or recorded
-        motion = self.profile.motion(np.arange(start, stop, dtype=np.float64) * self.servo_period)
-        position, first, second = self.path.derivatives(motion.arc_length, 2)
-        speed = motion.speed[:, None]
-        return ReferenceBlock(
-            position,
-            first * speed,
-            second * speed**2 + first * motion.acceleration[:, None],
-            motion.arc_length,
-            motion.speed,
-        )
+            table[:, :n], table[:, n : 2 * n], table[:, 2 * n : 3 * n] = position, velocity, acceleration
+            table[:, -2], table[:, -1] = progress, np.linalg.norm(velocity, axis=1)
+        else:
+            assert self.profile is not None  # a reference is either planned or recorded
+            motion = self.profile.motion(np.arange(start, stop, dtype=np.float64) * self.servo_period)
+            position, first, second = self.path.derivatives(motion.arc_length, 2)
+            speed = motion.speed[:, None]
+            table[:, :n], table[:, n : 2 * n] = position, first * speed
+            table[:, 2 * n : 3 * n] = second * speed**2 + first * motion.acceleration[:, None]
+            table[:, -2], table[:, -1] = motion.arc_length, motion.speed
+        table.flags.writeable = False
+        return ReferenceBlock(table[:, :n], table[:, n : 2 * n], table[:, 2 * n : 3 * n], table[:, -2], table[:, -1], table)
 
     def source_line(self, arc_length: ArrayLike) -> NDArray[np.int64]:
         """Return the line of the program at some progress.

@@ -8,6 +8,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
+from functools import cache
 from typing import Any
 
 import numpy as np
@@ -51,10 +52,13 @@ def view_of(path: Path, tolerance: float = 1e-10, pieces: int | None = None, ana
     parameters = {
         "path_inverse_cell": float(table.inverse_cell),
         "path_length": path.length,
+        "path_inverse_length": 1.0 / path.length,
         "path_wrap": 1.0 if path.closed else 0.0,
+        "path_last_cell": float(len(table.cell) - 1),
+        "path_last_piece": float(len(table.coefficients) - 1),
     }
     tables = {"path_start": table.start, "path_coefficients": table.coefficients, "path_cell": table.cell}
-    return PathView(_table_evaluator(path.n_axis, len(table.cell)), parameters, tables)
+    return PathView(_table_evaluator(path.n_axis), parameters, tables)
 
 
 def _circle(path: Path) -> PathView:
@@ -71,15 +75,16 @@ def _circle(path: Path) -> PathView:
         "path_centre_1": float(centre[1]),
     }
 
-    def evaluate(par: Any, s: float) -> Any:
-        angle = par.path_phase + par.path_rate * s
-        c, d = cos(angle), sin(angle)
-        slope = par.path_radius * par.path_rate
-        bend = slope * par.path_rate
-        point = (par.path_centre_0 + par.path_radius * c, par.path_centre_1 + par.path_radius * d)
-        return point, (-slope * d, slope * c), (-bend * c, -bend * d)
+    return PathView(_on_circle, parameters, {})
 
-    return PathView(evaluate, parameters, {})
+
+def _on_circle(par: Any, s: float) -> Any:
+    angle = par.path_phase + par.path_rate * s
+    c, d = cos(angle), sin(angle)
+    slope = par.path_radius * par.path_rate
+    bend = slope * par.path_rate
+    point = (par.path_centre_0 + par.path_radius * c, par.path_centre_1 + par.path_radius * d)
+    return point, (-slope * d, slope * c), (-bend * c, -bend * d)
 
 
 def _quintic(table: Any, base: float, h: float) -> Any:
@@ -100,15 +105,17 @@ def _gather(n_axis: int) -> Callable[..., Any]:
     return scope["gather"]  # type: ignore[no-any-return]
 
 
-def _table_evaluator(n_axis: int, n_cell: int) -> Callable[[Any, float], Any]:
-    gather, stride, last = _gather(n_axis), 6.0 * n_axis, float(n_cell - 1)
+@cache
+def _table_evaluator(n_axis: int) -> Callable[[Any, float], Any]:
+    gather, stride = _gather(n_axis), 6.0 * n_axis
 
     def evaluate(par: Any, s: float) -> Any:
         # On a closed path s counts laps; on an open one it is held to the path.
-        along = s - par.path_wrap * par.path_length * floor(s / par.path_length)
+        along = s - par.path_wrap * par.path_length * floor(s * par.path_inverse_length)
         along = clip(along, 0.0, par.path_length)
-        piece = lookup(par.path_cell, clip(floor(along * par.path_inverse_cell), 0.0, last))
+        piece = lookup(par.path_cell, clip(floor(along * par.path_inverse_cell), 0.0, par.path_last_cell))
         piece = piece + (1.0 if along >= lookup(par.path_start, piece + 1.0) else 0.0)
+        piece = clip(piece, 0.0, par.path_last_piece)
         return gather(par.path_coefficients, stride * piece, along - lookup(par.path_start, piece))
 
     return evaluate

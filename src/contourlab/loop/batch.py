@@ -17,7 +17,7 @@ from contourlab.errors import ParameterError
 from contourlab.feed import Reference
 from contourlab.geometry.view import PathView, view_of
 from contourlab.loop.machine import Controller, Machine, parameter_names
-from contourlab.loop.simulate import external_rows, jit_enabled
+from contourlab.loop.simulate import BLOCK, jit_enabled
 from contourlab.loop.template import Loop, build
 from contourlab.metrics.streaming import SUMS, judge_step
 
@@ -116,28 +116,28 @@ def simulate_batch(
     groups = [make_group(loop.schedule, LANES, slice(i, i + LANES), compiled) for i in range(0, n, LANES)]
     failed = np.full(len(groups) * LANES, -1, dtype=np.int64)
     rows = [loop.schedule.row(signal) for name in keep for signal in _signal(loop, name)]
-    kept = np.empty((reference.n_sample, len(rows), len(groups) * LANES)) if rows else np.empty((0, 0, 0))
+    kept = np.empty((len(groups), reference.n_sample, len(rows), LANES))
     limits = np.array([axis.limits.following_error for axis in machine.axes])
     positions = [loop.schedule.row(f"{axis.name}.plant.position") for axis in machine.axes]
 
     def advance(g: int, external: Array, k: int) -> None:
-        log = groups[g].run(external, rows)
+        groups[g].run(external, rows, kept[g, k : k + len(external)])
         lanes = slice(g * LANES, (g + 1) * LANES)
-        if rows:
-            kept[k : k + len(log), :, lanes] = log
         behind = np.abs(groups[g].signals[positions] - external[-1, : len(positions), None])
         bad = ~groups[g].finite() | ~(behind <= limits[:, None]).all(axis=0)
         failed[lanes] = np.where((failed[lanes] < 0) & bad, k, failed[lanes])
 
     with ThreadPoolExecutor(threads or os.cpu_count() or 1) as pool:
         for k in range(0, reference.n_sample, _BLOCK):
-            external = external_rows(reference.block(k, min(k + _BLOCK, reference.n_sample)))
+            sampled = k - k % BLOCK
+            table = reference.block(sampled, min(sampled + BLOCK, reference.n_sample)).table
+            external = table[k - sampled : k - sampled + _BLOCK]
             list(pool.map(lambda g, e=external, at=k: advance(g, e, at), range(len(groups))))
             if progress is not None:
                 progress(min(k + _BLOCK, reference.n_sample))
     sums = _sums(groups, loop)[:, :n] if judge else np.zeros((len(SUMS), n))
     figures = _figures(sums, failed[:n], machine.servo_period) if judge else {}
-    return BatchResult(figures, failed[:n], sums[SUMS.index("unsure")], _split(kept[:, :, :n], keep, loop))
+    return BatchResult(figures, failed[:n], sums[SUMS.index("unsure")], _split(kept, n, keep, loop))
 
 
 def _checked(machine: Machine, controller: Controller, variants: Mapping[str, ArrayLike]) -> tuple[dict[str, Array], int]:
@@ -197,10 +197,13 @@ def _figures(sums: Array, failed: NDArray[np.int64], period: float) -> dict[str,
     return {name: np.where(failed < 0, values, np.nan) for name, values in figures.items()}
 
 
-def _split(kept: Array, keep: Sequence[str], loop: Loop) -> dict[str, Array]:
+def _split(kept: Array, n: int, keep: Sequence[str], loop: Loop) -> dict[str, Array]:
     found, column = {}, 0
     for name in keep:
         width = len(loop.signals[name])
-        found[name] = kept[:, column : column + width]
+        part = kept[:, :, column : column + width]
+        # One group is handed out as it lies; several are put side by side.
+        joined = part[0] if len(part) == 1 else np.concatenate(list(part), axis=2)
+        found[name] = joined[:, :, :n]
         column += width
     return found

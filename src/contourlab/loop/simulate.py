@@ -3,14 +3,14 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from typing import Any, Literal
 
 import numpy as np
 from numpy.typing import NDArray
 
 from contourlab.engine.runner import Group, make_group
-from contourlab.errors import DivergenceError
+from contourlab.errors import DivergenceError, ParameterError
 from contourlab.feed import Reference, ReferenceBlock
 from contourlab.geometry.view import PathView
 from contourlab.loop.machine import Controller, Machine
@@ -22,6 +22,7 @@ __all__ = ["UNITS", "jit_enabled", "simulate", "simulate_blocks"]
 
 Array = NDArray[np.float64]
 BLOCK = 1 << 16
+"""Samples of a block: a whole number of the blocks in which a batch looks for what runs away."""
 
 UNITS = {
     "reference": "m",
@@ -48,11 +49,6 @@ def jit_enabled() -> bool:
     return os.environ.get("CONTOURLAB_JIT", "1") != "0"
 
 
-def external_rows(block: ReferenceBlock) -> Array:
-    """Return what the schedule is fed with at each tick."""
-    return np.column_stack([block.position, block.velocity, block.acceleration, block.arc_length])
-
-
 def simulate(
     machine: Machine,
     controller: Controller,
@@ -63,6 +59,7 @@ def simulate(
     on_failure: Literal["raise", "return"] = "raise",
     jit: bool | None = None,
     view: PathView | None = None,
+    signals: Sequence[str] | None = None,
     progress: Callable[[int], None] | None = None,
 ) -> Result:
     """Run a machine along a reference and return every signal.
@@ -83,6 +80,8 @@ def simulate(
         Compiled, or plain Python; by default as `jit_enabled` says.
     view : PathView, optional
         How the estimator sees the path.
+    signals : sequence of str, optional
+        Which signals to keep; all by default.
     progress : callable, optional
         Told the number of samples done.
 
@@ -98,15 +97,17 @@ def simulate(
     """
     blocks: list[dict[str, Array]] = []
     status = Status(ok=True)
-    for signals, now in simulate_blocks(machine, controller, reference, seed=seed, jit=jit, view=view):
-        blocks.append(signals)
+    done = 0
+    for block, now in simulate_blocks(machine, controller, reference, seed=seed, jit=jit, view=view, signals=signals):
+        blocks.append(block)
         status = now
+        done += len(next(iter(block.values())))
         if progress is not None:
-            progress(sum(len(b["arc_length"]) for b in blocks))
+            progress(done)
     if not status.ok and on_failure == "raise":
         raise DivergenceError(status.reason, sample=status.sample, time=status.sample * machine.servo_period, axis=status.axis)
     command_unit = machine.axes[0].plant.command_unit
-    joined = {name: np.concatenate([block[name] for block in blocks]) for name in blocks[0]}
+    joined = blocks[0] if len(blocks) == 1 else {name: np.concatenate([block[name] for block in blocks]) for name in blocks[0]}
     return Result(
         scheme=scheme,
         axes=machine.axis_names,
@@ -132,69 +133,85 @@ def simulate_blocks(
     seed: int = 0,
     jit: bool | None = None,
     view: PathView | None = None,
+    signals: Sequence[str] | None = None,
     block: int = BLOCK,
 ) -> Iterator[tuple[dict[str, Array], Status]]:
     """Run block by block, so that memory does not grow with the run; yields signals and the status so far.
 
-    The last block ends with the sample of a failure.
+    The last block ends with the sample of a failure. Arguments as of `simulate`; `block` is the number of samples of a block.
     """
     first = reference.block(0, 1)
     loop = build(machine, controller, reference.path, first.position[0], float(first.arc_length[0]), view=view, seed=seed)
     group = make_group(loop.schedule, 1, slice(0, 1), jit_enabled() if jit is None else jit)
     tool = ToolPosition(machine, seed)
+    wanted = _wanted(loop, signals)
     for start in range(0, reference.n_sample, block):
         asked = reference.block(start, min(start + block, reference.n_sample))
         saved = group.snapshot()
-        signals = _run(group, loop, asked)
-        status = _verdict(machine, signals, start)
+        found = _run(group, loop, asked, wanted | _WATCHED)
+        status = _verdict(machine, found, asked.position, start)
         if status.ok and not group.finite().all():
             status = _first_non_finite(group, saved, loop, asked, start)
         if not status.ok:
-            signals = {name: data[: status.sample - start + 1] for name, data in signals.items()}
-        signals["tool_position"] = tool.of(signals["axis_position"], signals["axis_velocity"])
-        yield signals, status
+            found = {name: data[: status.sample - start + 1] for name, data in found.items()}
+        if "tool_position" in wanted:
+            found["tool_position"] = tool.of(found["axis_position"], found["axis_velocity"])
+        yield {name: data for name, data in found.items() if name in wanted}, status
         if not status.ok:
             return
 
 
-def _run(group: Group, loop: Loop, asked: ReferenceBlock) -> dict[str, Array]:
-    """Run one block; return its signals."""
-    names = [signal for signals in loop.signals.values() for signal in signals]
-    log = group.run(external_rows(asked), [loop.schedule.row(name) for name in names])[:, :, 0]
-    found: dict[str, Any] = {
-        "reference": asked.position,
-        "reference_velocity": asked.velocity,
-        "reference_acceleration": asked.acceleration,
-        "arc_length": asked.arc_length,
-        "feedrate": asked.feedrate,
-    }
-    column = 0
-    for name, signals in loop.signals.items():
-        part = log[:, column : column + len(signals)]
+_GIVEN = {"reference": 0, "reference_velocity": 1, "reference_acceleration": 2, "arc_length": 3, "feedrate": 4}
+_WATCHED = frozenset({"axis_position", "command"})
+
+
+def _wanted(loop: Loop, signals: Sequence[str] | None) -> frozenset[str]:
+    known = {*_GIVEN, *loop.signals, "tool_position"}
+    for name in signals or ():
+        if name not in known:
+            raise ParameterError("signals", repr(name), "one of " + ", ".join(sorted(known)))
+    return frozenset(signals if signals is not None else known) or _WATCHED
+
+
+def _run(group: Group, loop: Loop, asked: ReferenceBlock, wanted: frozenset[str]) -> dict[str, Array]:
+    """Run one block; return the signals that are wanted, and what the tool's position needs."""
+    needed = wanted | {"axis_velocity"} if "tool_position" in wanted else wanted
+    logged = {name: rows for name, rows in loop.signals.items() if name in needed}
+    # A row that several signals share (an ideal sensor's position is the axis') is logged once.
+    rows = list(dict.fromkeys(signal for signals in logged.values() for signal in signals))
+    log = group.run(asked.table, [loop.schedule.row(name) for name in rows])[:, :, 0]
+    column = {name: i for i, name in enumerate(rows)}
+    found: dict[str, Array] = {name: asked[field] for name, field in _GIVEN.items() if name in wanted}
+    for name, signals in logged.items():
+        columns = [column[signal] for signal in signals]
+        step = columns[1] - columns[0] if len(columns) > 1 else 1
+        even = columns == list(range(columns[0], columns[0] + step * len(columns), step)) if step > 0 else False
+        part = log[:, columns[0] : columns[-1] + 1 : step] if even else log[:, columns]
         found[name] = part[:, 0] if name == "contour_error_estimate" else part
-        column += len(signals)
-    return {name: np.ascontiguousarray(data) for name, data in found.items()}
+    return found
 
 
-def _verdict(machine: Machine, signals: dict[str, Array], start: int) -> Status:
+def _verdict(machine: Machine, signals: dict[str, Array], asked: Array, start: int) -> Status:
     """Return the first sample at which an axis is not finite or beyond its following-error limit."""
-    limit = np.array([axis.limits.following_error for axis in machine.axes])
-    error = np.abs(signals["reference"] - signals["axis_position"])
-    bad = ~(error <= limit) | ~np.isfinite(signals["command"])
-    if not bad.any():
+    limits = [axis.limits.following_error for axis in machine.axes]
+    gaps = [asked[:, j] - signals["axis_position"][:, j] for j in range(len(limits))]
+    # A number that is not finite makes these comparisons false.
+    sound = [gap.max() <= limit and -gap.min() <= limit for gap, limit in zip(gaps, limits, strict=True)]
+    if all(sound) and all(np.isfinite(command.max() - command.min()) for command in signals["command"].T):
         return Status(ok=True)
-    sample, axis = (int(i) for i in np.argwhere(bad)[0])
+    error = np.abs(np.column_stack(gaps))
+    sample, axis = (int(i) for i in np.argwhere(~(error <= limits) | ~np.isfinite(signals["command"]))[0])
     worst = error[sample, axis]
     reason = "the loop gave a number that is not finite"
-    if np.isfinite(worst) and worst > limit[axis]:
-        reason = f"following error {worst * 1e3:.4g} mm passes the limit of {limit[axis] * 1e3:.4g} mm"
+    if np.isfinite(worst) and worst > limits[axis]:
+        reason = f"following error {worst * 1e3:.4g} mm passes the limit of {limits[axis] * 1e3:.4g} mm"
     return Status(ok=False, sample=start + sample, axis=machine.axis_names[axis], reason=reason)
 
 
 def _first_non_finite(group: Group, saved: Any, loop: Loop, asked: ReferenceBlock, start: int) -> Status:
     """Run the block again tick by tick to find where a state stopped being finite."""
     group.restore(saved)
-    for k, row in enumerate(external_rows(asked)):
+    for k, row in enumerate(asked.table):
         group.run(row[None, :], [])
         if not group.finite().all():
             node = group.first_bad_node()

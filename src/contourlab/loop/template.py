@@ -18,6 +18,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
+from functools import cache
 from typing import Any
 
 import numpy as np
@@ -184,18 +185,14 @@ class _Builder:
                 values = carrying.block(self.period, self.changed(f"{prefix}.plant"))
             values |= friction.block(self.period, self.changed(f"{prefix}.friction"))
             initial, start = plant.at_rest(float(at))
-            wires = {"command": f"{name}.drive.applied", "load": load}
-            self.nodes.append(Node(f"{name}.plant", link(plant, friction), wires, values, {}, initial, start, repeat=axis.substeps))
+            pushed: dict[str, Any] = {"command": f"{name}.drive.applied", "load": load}
+            self.nodes.append(Node(f"{name}.plant", link(plant, friction), pushed, values, {}, initial, start, repeat=axis.substeps))
 
     def reaction(self, name: str, load: Any, riders: list[Any]) -> str:
         """Add the node that sums what acts on an axis: its disturbance, and the reaction to the axes that move along it on top."""
-        ports = (Port("load"), *(Port(f"force_{a.name}") for a in riders))
-        terms = "".join(f" - par.alignment_{a.name} * inp.force_{a.name}" for a in riders)
-        scope: dict[str, Any] = {}
-        exec(f"def step(par, x, inp, clock):\n    return (), (inp.load{terms},)\n", scope)
-        step = Step("load", scope["step"], tuple(f"alignment_{a.name}" for a in riders), (), "", (), ports, (Port("force"),))
-        forces: dict[str, Any] = {f"force_{a.name}": Late(f"{a.name}.plant.inertial_force") for a in riders}
-        self.nodes.append(Node(f"{name}.load", step, {"load": load, **forces}, {f"alignment_{a.name}": a.alignment for a in riders}))
+        step = _reaction_step(tuple(a.name for a in riders))
+        forces: dict[str, Any] = {f"acceleration_{a.name}": Late(f"{a.name}.plant.acceleration") for a in riders}
+        self.nodes.append(Node(f"{name}.load", step, {"load": load, **forces}, {f"reaction_{a.name}": a.alignment / mobility_of(a) for a in riders}))
         return f"{name}.load.force"
 
     def signals(self) -> dict[str, tuple[str, ...]]:
@@ -217,6 +214,20 @@ class _Builder:
         if self.controller.coupling is not None:
             found["modified_reference"] = tuple(f"coupling.modified_reference[{j}]" for j in range(len(self.names)))
         return found
+
+
+def mobility_of(axis: Any) -> float:
+    """Return the acceleration per force of an axis' plant: its inverse is what the reaction is counted with."""
+    return float(type(axis.plant).mobility(axis.plant.constants()))
+
+
+@cache
+def _reaction_step(riders: tuple[str, ...]) -> Step:
+    ports = (Port("load"), *(Port(f"acceleration_{name}") for name in riders))
+    terms = "".join(f" - par.reaction_{name} * inp.acceleration_{name}" for name in riders)
+    scope: dict[str, Any] = {"__name__": __name__}
+    exec(f"def step(par, x, inp, clock):\n    return (), (inp.load{terms},)\n", scope)
+    return Step("load", scope["step"], tuple(f"reaction_{name}" for name in riders), (), "", (), ports, (Port("force"),))
 
 
 def build(
@@ -259,5 +270,5 @@ def build(
     record_point = len(builder.nodes)
     builder.move()
     n = len(builder.names)
-    externals = (*(Port(name, n) for name in EXTERNALS), Port("arc_length"))
+    externals = (*(Port(name, n) for name in EXTERNALS), Port("arc_length"), Port("feedrate"))
     return Loop(Schedule(tuple(builder.nodes), externals, machine.servo_period, record_point), builder.signals())

@@ -6,6 +6,7 @@ path, and nothing reads it.
 
 from __future__ import annotations
 
+from functools import cache
 from typing import Any
 
 from contourlab.engine.step import Port, Step
@@ -57,6 +58,7 @@ def judge_step(view: PathView, n_axis: int) -> Step:
     )
 
 
+@cache
 def _make(evaluate: Any, n_axis: int) -> Any:
     planar = n_axis == 2
 

@@ -48,10 +48,7 @@ def make_arc(block: Block, state: ModalState, end: Point, line: int) -> Arc:
     here, there = (start[first], start[second]), (end[first], end[second])
     clockwise = state.motion == 20
     _check_words(block, state)
-    if "R" in words:
-        centre = _centre_of_radius(words["R"], state, here, there, clockwise)
-    else:
-        centre = _centre_of_offsets(block, state, here, there)
+    centre = _centre_of_radius(words["R"], state, here, there, clockwise) if "R" in words else _centre_of_offsets(block, state, here, there)
     middle = list(start)
     middle[first], middle[second] = centre
     turns = _turns(words.get("P"))

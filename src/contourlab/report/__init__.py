@@ -8,7 +8,9 @@ are imported when used.
 
 from contourlab.report.data import (
     AxisBounds,
+    CircleRun,
     FrequencyResponse,
+    Mark,
     Provenance,
     ReportData,
     SchemeReport,
@@ -19,7 +21,9 @@ from contourlab.report.tables import comparison_markdown, comparison_table, comp
 
 __all__ = [
     "AxisBounds",
+    "CircleRun",
     "FrequencyResponse",
+    "Mark",
     "Provenance",
     "ReportData",
     "SchemeReport",

@@ -118,6 +118,13 @@ class PolarChart:
     reach: tuple[float, float]
     radius: float
 
+    def rings(self) -> list[tuple[float, str]]:
+        """Return each ring [um] with its text; every second one is numbered, those in the middle are not."""
+        count = round(self.reach[1] / self.division)
+        texts = {k: f"{k * self.division:+g}".replace("-", "−") for k in range(-count, count - 1) if k % 2 == 0}
+        texts |= {0: "0", count: f"{self.reach[1]:+g} µm"}
+        return [(k * self.division, texts.get(k, "")) for k in range(-2 * count, count + 1)]
+
 
 @dataclass(frozen=True, eq=False)
 class Magnified:

@@ -16,8 +16,10 @@ from contourlab.result import Result
 __all__ = [
     "AxisBounds",
     "Cause",
+    "CircleRun",
     "DrawnPath",
     "FrequencyResponse",
+    "Mark",
     "Provenance",
     "ReportData",
     "SchemeReport",
@@ -26,6 +28,7 @@ __all__ = [
 ]
 
 Array = NDArray[np.float64]
+NANOMETRE = 1e-9  # below this two paths are one: so far may the curves of a path be apart at a joint
 
 
 class DrawnPath(Protocol):
@@ -184,6 +187,67 @@ class FrequencyResponse:
 
 
 @dataclass(frozen=True, eq=False)
+class CircleRun:
+    """One run round a circle, as a ball bar would record it; `contourlab.metrics.CircleFigures` can stand for it.
+
+    Parameters
+    ----------
+    name : str
+        Which circle, for example ``"XY, radius 20 mm"``; runs of one name share a plot.
+    clockwise : bool
+    radius : float [m], > 0
+        Nominal.
+    angle : ndarray (n,) [rad]
+        Of the points as seen from the centre.
+    deviation : ndarray (n,) [m]
+        Distance from the centre less the nominal radius.
+    figures : mapping of str to float [m]
+        By their names in ISO 230-4.
+    """
+
+    name: str
+    clockwise: bool
+    radius: float
+    angle: Array
+    deviation: Array
+    figures: Mapping[str, float] = field(default_factory=dict)
+
+    def __post_init__(self) -> None:
+        angle, deviation = np.asarray(self.angle, dtype=np.float64), np.asarray(self.deviation, dtype=np.float64)
+        if angle.ndim != 1 or angle.shape != deviation.shape or angle.size == 0:
+            raise ParameterError("deviation", deviation.shape, f"one value per angle, at least 1: {angle.shape}")
+        if not 0.0 < self.radius < float("inf"):
+            raise ParameterError("radius", self.radius, "finite and > 0", "m")
+        object.__setattr__(self, "angle", angle)
+        object.__setattr__(self, "deviation", deviation)
+
+
+@dataclass(frozen=True)
+class Mark:
+    """A moment worth marking on the error over time; `contourlab.metrics.Spike` can stand for it.
+
+    Parameters
+    ----------
+    time : float [s]
+    label : str
+        For example ``"x reverses"``.
+    kind : str
+        ``"reversal"`` or ``"corner"``. The corners of the planned path are marked without being given.
+    height : float [m] or nan
+        Of the spike, where it was measured.
+    """
+
+    time: float
+    label: str
+    kind: str = "reversal"
+    height: float = float("nan")
+
+    def __post_init__(self) -> None:
+        if self.kind not in ("reversal", "corner"):
+            raise ParameterError("kind", self.kind, "'reversal' or 'corner'")
+
+
+@dataclass(frozen=True, eq=False)
 class SchemeReport:
     """One simulated or measured run.
 
@@ -197,10 +261,10 @@ class SchemeReport:
     bounds : AxisBounds or None
     verdict : Verdict or None
     bode : mapping of axis name to FrequencyResponse
-    circles : sequence of CircleFigures
+    circles : sequence of CircleRun or CircleFigures
     bidirectional : mapping of str to Bidirectional
         Of those circles that were run in both senses, by their name.
-    spikes : sequence of Spike
+    spikes : sequence of Mark or Spike
     """
 
     name: str
@@ -209,9 +273,27 @@ class SchemeReport:
     bounds: AxisBounds | None = None
     verdict: Verdict | None = None
     bode: Mapping[str, FrequencyResponse] = field(default_factory=dict)
-    circles: Sequence[CircleFigures] = ()
+    circles: Sequence[CircleRun | CircleFigures] = ()
     bidirectional: Mapping[str, Bidirectional] = field(default_factory=dict)
-    spikes: Sequence[Spike] = ()
+    spikes: Sequence[Mark | Spike] = ()
+
+    @property
+    def runs(self) -> tuple[CircleRun, ...]:
+        """The circles in one form."""
+        return tuple(
+            CircleRun(c.name, c.clockwise, c.radius, c.angle, c.deviation, c.figures())
+            if isinstance(c, CircleFigures)
+            else c
+            for c in self.circles
+        )
+
+    @property
+    def marks(self) -> tuple[Mark, ...]:
+        """The spikes in one form."""
+        return tuple(
+            Mark(s.time, f"{s.axis} reverses", "reversal", abs(s.height)) if isinstance(s, Spike) else s
+            for s in self.spikes
+        )
 
 
 @dataclass(frozen=True)
@@ -301,4 +383,4 @@ class ReportData:
     @property
     def is_blended(self) -> bool:
         """Whether the planned path leaves the programmed one, so that part error and contour error differ."""
-        return any(scheme.metrics.planning_deviation.max > 0.0 for scheme in self.schemes)
+        return any(scheme.metrics.planning_deviation.max > NANOMETRE for scheme in self.schemes)

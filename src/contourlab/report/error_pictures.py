@@ -59,8 +59,10 @@ def error_charts(data: ReportData, points: int) -> tuple[Chart, ...]:
 def _moments(data: ReportData) -> tuple[Tick, ...]:
     """Return the reversals and corners of the last scheme as marks on the time axis."""
     scheme = data.schemes[-1]
-    spikes = sorted(scheme.spikes, key=lambda spike: -abs(spike.height))[:MARKS]
-    ticks = [Tick(s.time, f"{s.axis} reverses, spike {quantity(s.height, 'µm', UM)}", "reversal") for s in spikes]
+    # Of too many the highest are shown; one whose height is not known counts as low.
+    marks = sorted(scheme.marks, key=lambda mark: -mark.height if math.isfinite(mark.height) else 0.0)[:MARKS]
+    heights = (f", spike {quantity(m.height, 'µm', UM)}" if math.isfinite(m.height) else "" for m in marks)
+    ticks = [Tick(m.time, m.label + text, m.kind) for m, text in zip(marks, heights, strict=True)]
     if has(scheme.result, "arc_length"):
         along = signal(scheme.result, "arc_length")
         passed = np.searchsorted(along, _corners(data, float(along[-1])))
@@ -105,7 +107,7 @@ def _caption(data: ReportData, name: str, signed: bool) -> str:
 
 def polar_charts(data: ReportData, points: int) -> tuple[PolarChart, ...]:
     """Return one ball-bar plot for each circle that any scheme went round."""
-    names = dict.fromkeys(run.name for scheme in data.schemes for run in scheme.circles)
+    names = dict.fromkeys(run.name for scheme in data.schemes for run in scheme.runs)
     return tuple(_polar(data, name, number, points) for number, name in enumerate(names))
 
 
@@ -114,7 +116,7 @@ def _polar(data: ReportData, name: str, index: int, points: int) -> PolarChart:
     curves, radius, top = [], 0.0, 0.0
     for place, scheme in enumerate(data.schemes):
         colour, _ = scheme_style(place, len(data.schemes))
-        for run in (run for run in scheme.circles if run.name == name):
+        for run in (run for run in scheme.runs if run.name == name):
             kept = keep_extremes(run.deviation, points)
             way, dash = ("clockwise", "dash") if run.clockwise else ("counter-clockwise", "solid")
             angle = np.degrees(np.unwrap(run.angle))[kept]
@@ -149,9 +151,9 @@ def circle_tables(data: ReportData) -> tuple[CircleTable, ...]:
     """Return the ISO 230-4 figures, one table per circle."""
     found: dict[str, dict[str, dict[str, float]]] = {}
     for scheme in data.schemes:
-        for run in scheme.circles:
+        for run in scheme.runs:
             way = "clockwise" if run.clockwise else "counter-clockwise"
-            found.setdefault(run.name, {})[f"{scheme.name}, {way}"] = run.figures()
+            found.setdefault(run.name, {})[f"{scheme.name}, {way}"] = dict(run.figures)
         for name, both in scheme.bidirectional.items():
             found.setdefault(name, {})[f"{scheme.name}, both"] = {
                 "bi-directional circular deviation G(b)": both.circular_deviation,

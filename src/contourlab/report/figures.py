@@ -56,16 +56,17 @@ def _errors(data: ReportData, scheme: SchemeReport) -> Iterator[Figure]:
         yield Figure("part error, largest", metrics.part_error.max, UM, "µm", strong=True)
         yield Figure("part error, rms", metrics.part_error.rms, UM, "µm")
         yield Figure("planning deviation, largest", metrics.planning_deviation.max, UM, "µm")
-    yield from _contour(metrics.contour_error, strong=not data.is_blended)
+    yield from _contour(metrics.contour_error, strong=not data.is_blended, sided=len(data.axes) == 2)
 
 
-def _contour(error: ErrorFigures, strong: bool) -> Iterator[Figure]:
-    """Yield the figures of the contour error."""
+def _contour(error: ErrorFigures, strong: bool, sided: bool) -> Iterator[Figure]:
+    """Yield the figures of the contour error; in space it has no side, and so no signed mean."""
     yield Figure("contour error, largest", error.max, UM, "µm", strong=strong)
     yield Figure("contour error, rms", error.rms, UM, "µm")
     yield Figure("contour error, mean", error.mean, UM, "µm")
     yield Figure("contour error, 95th percentile", error.p95, UM, "µm")
-    yield Figure("contour error, signed mean", error.signed_mean, UM, "µm", lower_is_better=False)
+    if sided:
+        yield Figure("contour error, signed mean", error.signed_mean, UM, "µm", lower_is_better=False)
     yield Figure("contour error, integral", error.integral, UM, "µm·s")
 
 

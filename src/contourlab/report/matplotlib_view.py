@@ -132,12 +132,9 @@ def polar_drawing(chart: PolarChart) -> Figure:
     round_ = np.linspace(0.0, 2.0 * np.pi, 361)
     place.plot(round_, np.zeros_like(round_), color=INK, linewidth=0.9, label="nominal")
     low, high = chart.reach
-    count = round(high / chart.division)
     place.set_rlim(low, high)
-    steps = range(-2 * count + 1, count + 1)
-    names = [f"{k * chart.division:+g}" if k % 2 == 0 and k >= -count else "" for k in steps]
-    names = [name.replace("-", "−").replace("+0", "0") for name in names]
-    place.set_rgrids([k * chart.division for k in steps], names, angle=67.5, size=7)
+    rings, texts = zip(*chart.rings()[1:], strict=True)
+    place.set_rgrids(list(rings), list(texts), angle=67.5, size=7)
     place.set_title(_plain(chart.title), pad=14)
     place.annotate(f"one ring {nominal(chart.division, 'µm')}", (0, 0), xycoords="axes fraction", size=7.5, color=MUTED)
     figure.legend(loc="outside lower left", ncols=2)

@@ -12,7 +12,7 @@ from contourlab.report.data import DrawnPath, ReportData, SchemeReport
 from contourlab.report.decimate import keep_extremes
 from contourlab.report.read import reach, signal
 from contourlab.report.style import BAND, INK, REFERENCE, scheme_style
-from contourlab.report.text import magnification, nominal, quantity
+from contourlab.report.text import magnification, nominal, number, quantity
 
 __all__ = ["path_charts"]
 
@@ -37,7 +37,7 @@ def path_charts(data: ReportData, points: int) -> tuple[PathChart, ...]:
     size = float(np.max(np.ptp(asked, axis=0)))
     calm = [reach(error) for (_, error), scheme in zip(runs, data.schemes, strict=True) if scheme.result.status.ok]
     scale = magnification(size, max(calm, default=0.0))
-    return tuple(_chart(data, pair, s, asked, runs, scale, number) for number, pair in enumerate(views))
+    return tuple(_chart(data, pair, s, asked, runs, scale, i) for i, pair in enumerate(views))
 
 
 def _views(planned: Array) -> list[tuple[int, int]]:
@@ -63,9 +63,13 @@ def _places(path: DrawnPath, points: int) -> Array:
 
 
 def _run(data: ReportData, scheme: SchemeReport, points: int) -> tuple[Array, Array]:
-    """Return foot points and errors (n, n_axis) [m] of the samples that show a run's extremes."""
+    """Return foot points and errors (n, n_axis) [m] of the samples that show a run's extremes, where its figures count.
+
+    Many laps at once would leave too few points for each, and the lines between them would cut its corners.
+    """
     result = scheme.result
-    kept = keep_extremes(signal(result, "part_error"), points)
+    start, stop = scheme.metrics.window
+    kept = start + keep_extremes(signal(result, "part_error")[start:stop], points)
     tool, along = signal(result, "tool_position")[kept], signal(result, "foot_arc_length")[kept]
     good = np.all(np.isfinite(tool), axis=1) & np.isfinite(along)
     foot = np.asarray(data.asked.position(along[good]), dtype=np.float64)
@@ -98,7 +102,7 @@ def _chart(
         f"path-{index}",
         view,
         "Path with magnified error",
-        "Each run is drawn at its foot point on the path plus its error, enlarged; the path itself is to scale.",
+        _caption(data),
         labels,
         tuple(lines),
         magnified,
@@ -106,6 +110,14 @@ def _chart(
         _worst(data, columns),
         scale,
     )
+
+
+def _caption(data: ReportData) -> str:
+    """Say how the errors are drawn, and which part of the run."""
+    first = data.schemes[0]
+    start, stop = (f"{number(sample * first.result.servo_period, 4)} s" for sample in first.metrics.window)
+    how = "Each run is drawn at its foot point on the path plus its error, enlarged; the path itself is to scale."
+    return f"{how} Drawn: the {first.metrics.basis}, {start} to {stop}."
 
 
 def _outline(points: Array, name: str, colour: str, dash: str) -> Curve:
@@ -132,7 +144,7 @@ def _worst(data: ReportData, columns: list[int]) -> tuple[Magnified, ...]:
     """Return the worst error of every run that was judged."""
     places = []
     for index, scheme in enumerate(data.schemes):
-        sample = -1 if scheme.verdict is None else scheme.verdict.worst.sample - scheme.result.start
+        sample = -1 if scheme.verdict is None else scheme.verdict.worst.sample
         if scheme.verdict is not None and 0 <= sample < scheme.result.n_sample:
             along = signal(scheme.result, "foot_arc_length")[sample : sample + 1]
             foot = np.asarray(data.asked.position(along), dtype=np.float64)

@@ -192,7 +192,7 @@ def _decorate(layout: Figure, panel: Panel, tail: str) -> None:
 def _note(text: str, colour: str, tail: str) -> Figure:
     """Return a small text above the right end of a panel."""
     font = {"size": 11, "color": colour}
-    place = {"xref": f"x{tail} domain", "yref": f"y{tail} domain", "x": 1, "y": 1}
+    place = {"xref": f"x{tail} domain", "yref": f"y{tail} domain", "x": 1, "y": 1, "yshift": 2}
     return {"text": text, "showarrow": False, "font": font, **place, "xanchor": "right", "yanchor": "bottom"}
 
 
@@ -208,13 +208,9 @@ def polar_figure(chart: PolarChart) -> Figure:
     ring = {"type": "scatterpolar", "mode": "lines", "name": "nominal", "line": nominal, "hoverinfo": "skip"}
     data.append({**ring, "theta": list(range(0, 361, 3)), "r": [0] * 121})
     low, high = chart.reach
-    count = round(high / chart.division)
-    rings = [k * chart.division for k in range(-2 * count, count + 1)]
-    # Every ring has a line; every second one its number, and the hole in the middle stays free of them.
-    texts = [f"{r:+g}" if k % 2 == 0 and -count <= k < count - 1 else "" for k, r in enumerate(rings, -2 * count)]
-    texts = [*(text.replace("-", "−").replace("+0", "0") for text in texts[:-1]), f"{high:+g} µm"]
+    rings, texts = zip(*chart.rings(), strict=True)
     look = {"gridcolor": GRID, "linecolor": "#b9c1c9", "tickfont": {"size": 11, "color": MUTED}}
-    radial: Figure = {**look, "tickvals": rings, "ticktext": texts, "ticks": ""}
+    radial: Figure = {**look, "tickvals": list(rings), "ticktext": list(texts), "ticks": ""}
     radial |= {"range": [low, high], "angle": 67.5, "tickangle": 67.5}
     angular = {**look, "ticksuffix": "°", "dtick": 45}
     polar = {"radialaxis": radial, "angularaxis": angular, "bgcolor": "#ffffff", "domain": {"x": [0.0, 0.72]}}
@@ -252,13 +248,19 @@ def path_figure(chart: PathChart) -> Figure:
         curves.append({"trace": len(data), **_columns(worst)})
         more = {"name": _plain(worst.name), "hoverinfo": "name"}
         data.append({"type": "scatter", "mode": "markers", "marker": mark, **more})
-    layout = _layout(680, hovermode="closest", dragmode="pan")
+    layout = _layout(_path_height(chart), hovermode="closest", dragmode="pan")
     layout["legend"] |= {"orientation": "v", "x": 1.01, "y": 1, "yanchor": "top"}
     layout["margin"] |= {"t": 24}
     layout["xaxis"] = _axis(chart.labels[0], constrain="domain")
     layout["yaxis"] = _axis(chart.labels[1], scaleanchor="x", constrain="domain")
     magnify = {"start": chart.magnification, "curves": curves, "bar": _bar(chart)}
     return {"data": data, "layout": layout, "magnify": magnify}
+
+
+def _path_height(chart: PathChart) -> int:
+    """Return the height [px] that suits the path's shape in a drawing 760 px wide."""
+    wide, high = float(np.ptp(chart.lines[0].x)), float(np.ptp(chart.lines[0].y))
+    return round(min(max(760.0 * high / wide + 110.0, 340.0), 680.0)) if wide > 0.0 else 680
 
 
 def _columns(run: Magnified) -> Figure:

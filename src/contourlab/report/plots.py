@@ -59,16 +59,19 @@ def write_plots(data: ReportData, folder: str | Path, formats: Sequence[str] = (
     for name in formats:
         if name not in FORMATS:
             raise ParameterError("formats", name, f"of {', '.join(FORMATS)}")
-    written = []
     with matplotlib.rc_context(rc=LOOKS):  # type: ignore[arg-type]
-        for key, figure in _drawings(data):
-            for name in formats:
-                file = Path(folder) / f"{key}.{name}"
-                buffer = io.BytesIO()
-                figure.savefig(buffer, format=name, metadata=_TIMELESS[name])
-                write_bytes_atomic(file, buffer.getvalue())
-                written.append(file)
-    return tuple(written)
+        files = [
+            _write(figure, Path(folder) / f"{key}.{name}", name) for key, figure in _drawings(data) for name in formats
+        ]
+    return tuple(files)
+
+
+def _write(figure: Figure, file: Path, name: str) -> Path:
+    """Write one picture in one format, whole or not at all."""
+    buffer = io.BytesIO()
+    figure.savefig(buffer, format=name, metadata=_TIMELESS[name])
+    write_bytes_atomic(file, buffer.getvalue())
+    return file
 
 
 def _drawings(data: ReportData) -> Iterator[tuple[str, Figure]]:

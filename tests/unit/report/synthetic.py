@@ -131,3 +131,21 @@ def report(
 def with_result(data: ReportData, result: Result) -> ReportData:
     """Return the report with the result of its only scheme replaced."""
     return replace(data, schemes=(replace(data.schemes[0], result=result),))
+
+
+def around(data: ReportData, path: Path, reference: Reference, offset: float = 4e-6) -> ReportData:
+    """Return the report for a run along any path, off by a constant vector; without circles, verdict and Bode plots."""
+    block = reference.block(0, reference.n_sample)
+    tool = block.position + offset
+    signals = {
+        "reference": Signal(block.position, BOTH, "m"),
+        "reference_velocity": Signal(block.velocity, BOTH, "m/s"),
+        "reference_acceleration": Signal(block.acceleration, BOTH, "m/s^2"),
+        "arc_length": Signal(block.arc_length, ("sample",), "m"),
+        "tool_position": Signal(tool, BOTH, "m"),
+    }
+    axes = ("x", "y", "z")[: path.n_axis]
+    result = judge(Result("off by a vector", axes, reference.servo_period, signals), reference)
+    only = SchemeReport("off by a vector", result, summarise(result, reference))
+    programmed = None if reference.programmed is reference.path else reference.programmed
+    return replace(data, schemes=(only,), planned=path, programmed=programmed, program=(), tolerance=None)

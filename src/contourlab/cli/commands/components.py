@@ -23,7 +23,8 @@ STAND_IN = ("full_scale", "full_scale")
 
 def components(
     name: Annotated[
-        str | None, typer.Argument(metavar="KIND", help="A family (plant), a kind (rigid-axis) or both (plant/rigid-axis).", show_default=False)
+        str | None,
+        typer.Argument(metavar="KIND", help="A family (plant), a kind (rigid-axis) or both (plant/rigid-axis).", show_default=False),
     ] = None,
     as_json: Annotated[bool, typer.Option("--json", help="Print JSON alone on standard output.")] = False,
     plugin: Annotated[list[Path] | None, typer.Option(help="Load components from a Python file; may be given again.")] = None,

@@ -17,7 +17,7 @@ def demo(
     as_json: Annotated[bool, typer.Option("--json", help="Print JSON alone on standard output.")] = False,
 ) -> int:
     """Run a shipped part on a shipped machine under several controllers, and compare them."""
-    from contourlab.studies.demo import run_demo
+    from contourlab.session.demo import run_demo
 
     outcome = run_demo(out, progress=wants_progress(as_json))
     if as_json:

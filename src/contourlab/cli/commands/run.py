@@ -13,7 +13,9 @@ __all__ = ["run"]
 
 
 def run(
-    file: Annotated[Path, typer.Argument(metavar="SCENARIO|PART", help="A scenario (.toml), or a part program in G-code.", show_default=False)],
+    file: Annotated[
+        Path, typer.Argument(metavar="SCENARIO|PART", help="A scenario (.toml), or a part program in G-code.", show_default=False)
+    ],
     machine: Annotated[str | None, typer.Option(help="Machine: a file, or the name of one that is shipped.")] = None,
     controller: Annotated[str | None, typer.Option(help="Controller: a file, or the name of one that is shipped.")] = None,
     out: Annotated[Path, typer.Option(help="Folder for the results; made if it is not there.")] = Path("results"),
@@ -24,7 +26,7 @@ def run(
     plugin: Annotated[list[Path] | None, typer.Option(help="Load components from a Python file; may be given again.")] = None,
 ) -> int:
     """Simulate a scenario or a part program, judge the contour, write report and results."""
-    from contourlab.studies.run import run_scenario
+    from contourlab.session.run import run_scenario
 
     outcome = run_scenario(
         file,
@@ -32,7 +34,6 @@ def run(
         machine=machine,
         controller=controller,
         plugins=tuple(plugin or ()),
-        json=as_json,
         check=check,
         plots=tuple(plots or ()),
         signals=tuple(signals or ()),

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from functools import cache
 from typing import Any
 
 import numpy as np
@@ -11,6 +12,27 @@ from contourlab.components.contract import Component, LinearModel, Port, param, 
 from contourlab.errors import ParameterError
 
 __all__ = ["PositionController"]
+
+
+@cache
+def _make(hold: bool, ipv: bool) -> Any:
+    def step(par: Any, x: Any, inp: Any, clock: Any) -> Any:
+        error = inp.reference - inp.position
+        rise = clock.dt * error
+        if hold:
+            beyond = x.last_command - inp.applied
+            rise = 0.0 if beyond * error > 0.0 else rise
+        integral = x.integral + rise
+        if ipv:
+            proportional = par.position_gain * (x.start - inp.position) - par.velocity_gain * inp.velocity
+            command = proportional + par.integral_rate * integral - inp.disturbance_estimate
+        else:
+            forward = par.acceleration_feedforward * inp.reference_acceleration + par.velocity_feedforward * inp.reference_velocity
+            loop = par.velocity_gain * (inp.reference_velocity - inp.velocity) + par.position_gain * error
+            command = loop + par.integral_rate * integral + forward - inp.disturbance_estimate
+        return (integral, x.start, command), (command,)
+
+    return step
 
 
 class PositionController(Component):
@@ -73,25 +95,7 @@ class PositionController(Component):
         return par.position_gain * par.integral_gain, 1.0 / par.model_gain, par.model_damping / par.model_gain
 
     def step_function(self) -> Any:
-        hold, ipv = self.anti_windup == "hold", self.structure == "ipv"
-
-        def step(par: Any, x: Any, inp: Any, clock: Any) -> Any:
-            error = inp.reference - inp.position
-            rise = clock.dt * error
-            if hold:
-                beyond = x.last_command - inp.applied
-                rise = 0.0 if beyond * error > 0.0 else rise
-            integral = x.integral + rise
-            if ipv:
-                proportional = par.position_gain * (x.start - inp.position) - par.velocity_gain * inp.velocity
-                command = proportional + par.integral_rate * integral - inp.disturbance_estimate
-            else:
-                forward = par.acceleration_feedforward * inp.reference_acceleration + par.velocity_feedforward * inp.reference_velocity
-                loop = par.velocity_gain * (inp.reference_velocity - inp.velocity) + par.position_gain * error
-                command = loop + par.integral_rate * integral + forward - inp.disturbance_estimate
-            return (integral, x.start, command), (command,)
-
-        return step
+        return _make(self.anti_windup == "hold", self.structure == "ipv")
 
     def at_rest(self, position: float) -> tuple[dict[str, float], dict[str, float]]:
         return {"start": position}, {}

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from functools import cache
 from typing import Any
 
 import numpy as np
@@ -11,6 +12,19 @@ from contourlab.components.contract import Component, Port, param, text_param
 from contourlab.primitives import clip, floor, lookup
 
 __all__ = ["TableLoad"]
+
+
+@cache
+def _make(over_time: bool, repeat: bool) -> Any:
+    def step(par: Any, x: Any, inp: Any, clock: Any) -> Any:
+        where = clock.t if over_time else inp.position
+        u = (where - par.origin) * par.inverse_step
+        u = u - par.intervals * floor(u / par.intervals) if repeat else clip(u, 0.0, par.intervals)
+        i = clip(floor(u), 0.0, par.intervals - 1.0)
+        low = lookup(par.values_table, i)
+        return (), (low + (u - i) * (lookup(par.values_table, i + 1.0) - low),)
+
+    return step
 
 
 class TableLoad(Component):
@@ -42,17 +56,7 @@ class TableLoad(Component):
     values_given: tuple[float, ...] = param(unit="{force}", vector=True, doc="the forces; at least two")
 
     def step_function(self) -> Any:
-        over_time, repeat = self.over == "time", self.beyond == "repeat"
-
-        def step(par: Any, x: Any, inp: Any, clock: Any) -> Any:
-            where = clock.t if over_time else inp.position
-            u = (where - par.origin) * par.inverse_step
-            u = u - par.intervals * floor(u / par.intervals) if repeat else clip(u, 0.0, par.intervals)
-            i = clip(floor(u), 0.0, par.intervals - 1.0)
-            low = lookup(par.values_table, i)
-            return (), (low + (u - i) * (lookup(par.values_table, i + 1.0) - low),)
-
-        return step
+        return _make(self.over == "time", self.beyond == "repeat")
 
     def derive(self, par: Any, dt: float) -> tuple[Any, ...]:
         return 1.0 / par.step_size, float(len(self.values_given) - 1)

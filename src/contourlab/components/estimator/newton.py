@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from functools import cache
 from typing import Any
 
 from contourlab.components.contract import Component, Port, param, text_param
@@ -62,6 +63,7 @@ class Newton(Component):
         return Step("estimator/newton", function, parameters, tuple(view.tables), "", states, inputs, outputs)
 
 
+@cache
 def _make(evaluate: Any, n_axis: int, iterations: int, both: bool) -> Any:
     planar = n_axis == 2
 

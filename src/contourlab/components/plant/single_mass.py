@@ -28,7 +28,7 @@ class SingleMass(Component):
     force_unit: ClassVar[str] = "N"
     states = (Port("position"), Port("velocity"))
     inputs = (Port("command"), Port("load"))
-    outputs = (Port("position"), Port("velocity"), Port("inertial_force"))
+    outputs = (Port("position"), Port("velocity"), Port("acceleration"))
 
     @staticmethod
     def mobility(par: Any) -> float:

@@ -1,0 +1,250 @@
+"""`make bench`: one work, several ways, one run; see README.md beside this file."""
+
+from __future__ import annotations
+
+import argparse
+import ctypes
+import json
+import math
+import os
+import platform
+import shutil
+import statistics
+import subprocess
+import sys
+import tempfile
+import time
+from collections.abc import Callable
+from pathlib import Path
+
+import numpy as np
+
+import contourlab as cl
+from contourlab.components.controller.position import PositionController
+from contourlab.components.coupling.modified_reference import ModifiedReference
+from contourlab.components.drive.saturation import Saturation
+from contourlab.components.estimator.newton import Newton
+from contourlab.components.friction.smooth_coulomb import SmoothCoulomb
+from contourlab.components.observer.disturbance_observer import DisturbanceObserver
+from contourlab.components.plant.rigid_axis import RigidAxis
+from contourlab.geometry.view import view_of
+
+HERE = Path(__file__).resolve().parent
+PERIOD, STEPS, RADIUS, FREQUENCY, WEIGHT = 1e-4, 40_000, 20.0, 0.5, 0.75
+FLAGS = ("-O3", "-march=native", "-fPIC", "-shared")
+SIGNALS = ("position", "applied_command", "contour_error_estimate")
+NAMES = (
+    "gain damping coulomb breakaway stribeck smoothing limit bandwidth filter model_gain model_damping kv kp ki forward_gain forward_damping"
+).split()
+
+
+def axis_numbers(gain: float, damping: float, coulomb: float, model_gain: float, model_damping: float) -> list[float]:
+    """Return the numbers of an axis with lengths in mm, in the order of reference.c."""
+    plant = [gain, damping, coulomb, 1.3 * coulomb, 1.0, 0.05, 10.0]
+    return [*plant, 200.0, 2000.0, model_gain, model_damping, 0.1, 4.0, 11.8, 900.0, 25.0]
+
+
+AXES = (axis_numbers(1116.0, 5.8, 0.077, 1000.0, 25.0), axis_numbers(648.0, 6.5, 0.088, 600.0, 20.0))
+
+
+def machine_and_controller() -> tuple[cl.Machine, cl.Controller]:
+    """Return the benchmark's machine and controller in SI."""
+    axes, controllers = [], {}
+    for name, numbers in zip("xy", AXES, strict=True):
+        n = dict(zip(NAMES, numbers, strict=True))
+        friction = SmoothCoulomb(
+            coulomb=n["coulomb"],
+            breakaway=n["breakaway"],
+            stribeck_velocity=1e-3 * n["stribeck"],
+            smoothing_velocity=1e-3 * n["smoothing"],
+        )
+        plant = RigidAxis(gain=1e-3 * n["gain"], damping=n["damping"])
+        axes.append(cl.Axis(name, plant, friction, Saturation(limit=n["limit"]), limits=cl.Limits(following_error=1.0)))
+        position = PositionController(
+            velocity_gain=1e3 * n["kv"],
+            position_gain=1e3 * n["kp"],
+            integral_gain=n["ki"],
+            model_gain=1e-3 * n["forward_gain"],
+            model_damping=n["forward_damping"],
+            anti_windup="none",
+        )
+        observer = DisturbanceObserver(
+            bandwidth=n["bandwidth"], filter_bandwidth=n["filter"], model_gain=1e-3 * n["model_gain"], model_damping=n["model_damping"]
+        )
+        controllers[name] = cl.AxisController(position, observer=observer)
+    coupling = ModifiedReference(weight=WEIGHT)
+    return cl.Machine("bench", tuple(axes), PERIOD), cl.Controller(controllers, Newton(iterations=1, start="warm", window=1.0), coupling)
+
+
+def timed(work: Callable[[], object], repeat: int) -> float:
+    """Return the median processor time of some runs [s]; a shared machine's pauses do not count."""
+    found = []
+    for _ in range(repeat):
+        start = time.process_time()
+        work()
+        found.append(time.process_time() - start)
+    return statistics.median(found)
+
+
+def rms(error: np.ndarray) -> float:
+    """Return the root mean square over the second lap [mm]."""
+    return float(np.sqrt(np.mean(np.square(error[STEPS // 2 :]))))
+
+
+def compiled_c(folder: Path) -> ctypes.CDLL | None:
+    """Compile the reference, or return None where there is no compiler."""
+    compiler = next((c for c in ("cc", "gcc", "clang") if shutil.which(c)), None)
+    if compiler is None:
+        return None
+    library = folder / "reference.so"
+    subprocess.run([compiler, *FLAGS, "-o", str(library), str(HERE / "reference.c"), "-lm"], check=True)
+    return ctypes.CDLL(str(library))
+
+
+class Bench:
+    """Collects rows."""
+
+    def __init__(self, repeat: int) -> None:
+        self.repeat = repeat
+        self.rows: list[dict[str, object]] = []
+        self.reference: float | None = None
+
+    def add(self, name: str, seconds: float, error: float, variants: int = 1, steps: int = STEPS, note: str = "") -> None:
+        """Keep and print one row."""
+        ns = seconds / steps / variants * 1e9
+        if name == "c":
+            self.reference = ns
+        ratio = ns / self.reference if self.reference else None
+        self.rows.append({"name": name, "ns_per_step_variant": ns, "ratio_to_c": ratio, "rms": error, "note": note})
+        shown = f"{ratio:10.3f}" if ratio is not None else " " * 10
+        print(f"{name:36s}{ns:14.1f}{shown}   {error:.12g}   {note}", flush=True)
+
+
+def bench_c(bench: Bench, folder: Path) -> None:
+    """Hand-written C."""
+    library = compiled_c(folder)
+    if library is None:
+        print("c: no compiler found; ratios are left out")
+        return
+    numbers = np.array([*AXES[0], *AXES[1], RADIUS, 2.0 * math.pi * FREQUENCY, WEIGHT])
+    log = np.zeros((STEPS, 5))
+    pointer = ctypes.POINTER(ctypes.c_double)
+    function = library.simulate
+    function.argtypes = [pointer, ctypes.c_ssize_t, ctypes.c_double, pointer]
+
+    def work() -> None:
+        function(numbers.ctypes.data_as(pointer), STEPS, PERIOD, log.ctypes.data_as(pointer))
+
+    work()
+    bench.add("c", timed(work, 3 * bench.repeat), rms(log[:, 4]), note=" ".join(FLAGS))
+
+
+def bench_single(bench: Bench) -> None:
+    """One variant through `simulate`."""
+    machine, controller = machine_and_controller()
+    path = cl.contour("circle", radius=1e-3 * RADIUS)
+    reference = cl.uniform(path, FREQUENCY, 2, PERIOD)
+    held: list[cl.Result] = []
+
+    def work() -> None:
+        held[:] = [cl.simulate(machine, controller, reference, signals=SIGNALS)]
+
+    work()
+    seconds = timed(work, 3 * bench.repeat)
+    bench.add("contourlab single", seconds, 1e3 * rms(held[0]["contour_error_estimate"]), note="reference sampled within")
+
+
+def spread(n: int) -> dict[str, np.ndarray]:
+    """Return n variants whose gains and plants differ by a few per cent; the first is nominal."""
+    i = np.arange(n)
+    machine, controller = machine_and_controller()
+    found = {"controller.coupling.weight": WEIGHT * (1.0 - 0.2 * np.sin(0.3 * i) ** 2)}
+    for k, (axis, number) in enumerate((a, p) for a in "xy" for p in ("gain", "damping")):
+        value = getattr(machine.axis(axis).plant, number)
+        found[f"axes.{axis}.plant.{number}"] = value * (1.0 + 0.05 * np.sin(i * (k + 1.0)))
+    for k, (axis, number) in enumerate((a, p) for a in "xy" for p in ("velocity_gain", "position_gain", "integral_gain")):
+        value = getattr(controller.axes[axis].controller, number)
+        found[f"controller.axes.{axis}.controller.{number}"] = value * (1.0 + 0.1 * np.sin(i * (k + 7.0)))
+    return found
+
+
+def bench_batch(bench: Bench, name: str, pieces: int | None) -> None:
+    """32 variants in lanes through `simulate_batch`, on one thread."""
+    machine, controller = machine_and_controller()
+    reference = cl.uniform(cl.contour("circle", radius=1e-3 * RADIUS), FREQUENCY, 2, PERIOD)
+    view = view_of(reference.path, pieces=pieces, analytic=pieces is None)
+    variants = spread(32)
+    held: list[cl.BatchResult] = []
+
+    def work() -> None:
+        held[:] = [cl.simulate_batch(machine, controller, reference, variants, keep=SIGNALS, threads=1, judge=False, view=view)]
+
+    work()
+    seconds = timed(work, bench.repeat)
+    bench.add(name, seconds, 1e3 * rms(held[0].signals["contour_error_estimate"][:, 0, 0]), 32, note="reference sampled within")
+
+
+def bench_threads(bench: Bench) -> None:
+    """Twice the work on two threads, in wall time."""
+    machine, controller = machine_and_controller()
+    reference = cl.uniform(cl.contour("circle", radius=1e-3 * RADIUS), FREQUENCY, 2, PERIOD)
+    variants = spread(128)
+    times = {}
+    for threads in (1, 2):
+        cl.simulate_batch(machine, controller, reference, variants, threads=threads)
+        found = []
+        for _ in range(bench.repeat):
+            start = time.perf_counter()
+            held = cl.simulate_batch(machine, controller, reference, variants, threads=threads)
+            found.append(time.perf_counter() - start)
+        times[threads] = min(found)
+    note = f"128 variants, judged while they run; two threads {times[1] / times[2]:.2f} times one, of {os.cpu_count()} processors"
+    bench.add("contourlab batch, judged, 2 threads", times[2], 1e3 * held.figures["contour_error_rms"][0], 128, note=note)
+
+
+def bench_plain(bench: Bench) -> None:
+    """The same steps without a compiler."""
+    machine, controller = machine_and_controller()
+    reference = cl.uniform(cl.contour("circle", radius=1e-3 * RADIUS), FREQUENCY, 2, PERIOD)
+    start = time.process_time()
+    held = cl.simulate(machine, controller, reference, jit=False, signals=SIGNALS)
+    bench.add("plain python", time.process_time() - start, 1e3 * rms(held["contour_error_estimate"]), note="the components as written")
+
+
+def main() -> int:
+    """Run the benchmark and write benchmarks/out/bench.json."""
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--repeat", type=int, default=7, help="runs of each row; their median counts")
+    parser.add_argument("--quick", action="store_true", help="leave out the slow rows")
+    options = parser.parse_args()
+    bench = Bench(options.repeat)
+    print(f"{platform.platform()}, Python {platform.python_version()}, {os.cpu_count()} processors; {STEPS} steps of {PERIOD * 1e3:g} ms")
+    print(f"{'':36s}{'ns/step/variant':>14s}{'to C':>10s}   rms contour error, second lap [mm]")
+    with tempfile.TemporaryDirectory() as folder:
+        bench_c(bench, Path(folder))
+    bench_single(bench)
+    bench_batch(bench, "contourlab batch 32", None)
+    bench_batch(bench, "contourlab batch 32 table 4k", 4_000)
+    bench_batch(bench, "contourlab batch 32 table 200k", 200_000)
+    bench_threads(bench)
+    if not options.quick:
+        from others import python_control, scipy_ivp
+
+        bench_plain(bench)
+        for name, work in (("python-control", python_control), ("solve_ivp", scipy_ivp)):
+            seconds, error, steps = work(AXES, NAMES, RADIUS, FREQUENCY, WEIGHT, PERIOD)
+            bench.add(
+                name,
+                seconds,
+                error,
+                steps=steps,
+                note=f"{steps} steps; the error is of these, not of the second lap" if steps < STEPS else "",
+            )
+    out = HERE / "out"
+    out.mkdir(exist_ok=True)
+    (out / "bench.json").write_text(json.dumps({"platform": platform.platform(), "rows": bench.rows}, indent=2), encoding="utf-8")
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,132 @@
+"""Checks the documents against the code: links, anchors, commands, modules and docstrings. Run by ``make check``."""
+
+from __future__ import annotations
+
+import importlib
+import inspect
+import pkgutil
+import re
+import shlex
+import sys
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+import typer
+
+import contourlab
+from contourlab.cli.main import app
+
+ROOT = Path(__file__).resolve().parents[1]
+FENCE = re.compile(r"^```(\w*)[^\n]*\n(.*?)^```", re.MULTILINE | re.DOTALL)
+LINK = re.compile(r"!?\[[^\]]*\]\(([^)\s]+)\)")
+HEADING = re.compile(r"^#+\s+(.*)$", re.MULTILINE)
+MODULE = re.compile(r"`(contourlab(?:\.[a-z_0-9]+)+)`")
+SHELL = {"sh", "bash", "console", "shell"}
+
+
+def documents() -> list[Path]:
+    """Return every Markdown file that belongs to the project."""
+    folders = (ROOT.glob("*.md"), *((ROOT / name).rglob("*.md") for name in ("docs", "benchmarks", "src", "tests")))
+    return sorted(file for found in folders for file in found)
+
+
+def anchor(heading: str) -> str:
+    """Return the anchor that a heading gets on the web."""
+    kept = re.sub(r"[^\w\- ]", "", heading.strip().lower())
+    return kept.replace(" ", "-")
+
+
+def broken_links(file: Path, text: str) -> Iterator[str]:
+    """Yield links to files and headings that are not there."""
+    for target in LINK.findall(FENCE.sub("", text)):
+        if re.match(r"[a-z]+:", target):
+            continue
+        name, _, part = target.partition("#")
+        goal = (file.parent / name).resolve() if name else file
+        if not goal.exists():
+            yield f"link to {target}: no such file"
+        elif part and goal.suffix == ".md" and part not in {anchor(h) for h in HEADING.findall(goal.read_text(encoding="utf-8"))}:
+            yield f"link to {target}: no such heading"
+
+
+def command_lines(text: str) -> Iterator[list[str]]:
+    """Yield the words of every ``contourlab`` and ``make`` command in a shell block."""
+    for language, block in FENCE.findall(text):
+        if language not in SHELL:
+            continue
+        for line in block.replace("\\\n", " ").splitlines():
+            words = shlex.split(line.removeprefix("$ "), comments=True)
+            # Words up to a pipe or a redirection; folders of an environment in front of the name do not matter.
+            end = next((n for n, word in enumerate(words) if word in ("|", ">", "&&", "||", ";")), len(words))
+            words = words[:end]
+            if words and Path(words[0]).name in ("contourlab", "make"):
+                yield [Path(words[0]).name, *words[1:]]
+
+
+def unknown_words(words: list[str]) -> Iterator[str]:
+    """Yield commands, options and targets that the program does not have."""
+    if words[0] == "make":
+        rules = re.findall(r"^([a-z]+):", (ROOT / "Makefile").read_text(encoding="utf-8"), re.MULTILINE)
+        yield from (f"make {word}: no such target" for word in words[1:] if "=" not in word and word not in rules)
+        return
+    command: Any = typer.main.get_command(app)
+    place = "contourlab"
+    for word in words[1:]:
+        options = {option for parameter in command.params for option in parameter.opts} | {"--help", "-h", "--debug"}
+        if word.startswith("-"):
+            if word.partition("=")[0] not in options:
+                yield f"{place}: no option {word}"
+        elif hasattr(command, "commands"):
+            if word not in command.commands:
+                yield f"{place}: no command {word}"
+                return
+            command, place = command.commands[word], f"{place} {word}"
+
+
+def unknown_modules(text: str) -> Iterator[str]:
+    """Yield dotted names in backquotes that cannot be imported."""
+    for name in sorted(set(MODULE.findall(text))):
+        module, _, last = name.rpartition(".")
+        try:
+            importlib.import_module(name)
+        except ModuleNotFoundError:
+            try:
+                getattr(importlib.import_module(module), last)
+            except (ModuleNotFoundError, AttributeError):
+                yield f"`{name}`: no such module or name"
+
+
+def undocumented() -> Iterator[str]:
+    """Yield public functions, classes and modules without a docstring."""
+    for info in pkgutil.walk_packages(contourlab.__path__, "contourlab."):
+        module = importlib.import_module(info.name)
+        if not module.__doc__ and Path(module.__file__ or "").stat().st_size:
+            yield f"{info.name}: no docstring"
+        for name in getattr(module, "__all__", ()):
+            thing = getattr(module, name, None)
+            if thing is None:
+                yield f"{info.name}: __all__ names {name}, which is not there"
+            elif (inspect.isroutine(thing) or inspect.isclass(thing)) and thing.__module__ == info.name and not inspect.getdoc(thing):
+                yield f"{info.name}.{name}: no docstring"
+
+
+def faults() -> Iterator[str]:
+    """Yield everything that is wrong, with its place."""
+    for file in documents():
+        text = file.read_text(encoding="utf-8")
+        found = [*broken_links(file, text), *unknown_modules(text)]
+        found += [fault for words in command_lines(text) for fault in unknown_words(words)]
+        yield from (f"{file.relative_to(ROOT)}: {fault}" for fault in found)
+    yield from undocumented()
+
+
+def main() -> int:
+    """Print what is wrong; return 1 if anything is."""
+    found = list(faults())
+    print(*found, f"documents: {len(documents())} read, {len(found)} faults", sep="\n")
+    return 1 if found else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

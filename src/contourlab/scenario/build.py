@@ -1,0 +1,237 @@
+"""From checked tables to machines and controllers."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from contourlab.components.contract import Component
+from contourlab.components.plant.single_mass import SingleMass
+from contourlab.loop import Axis, AxisController, AxisError, Controller, Limits, Machine
+from contourlab.scenario.components import find_kind, located, read_component, read_values
+from contourlab.scenario.files import EVERY
+from contourlab.scenario.quantities import read_number
+from contourlab.scenario.tables import (
+    AxisControllerTable,
+    AxisTable,
+    ControllerTable,
+    ErrorTable,
+    GainsTable,
+    LimitsTable,
+    MachineTable,
+    read_table,
+)
+from contourlab.scenario.tree import Leaf, Table, hint
+
+__all__ = ["build_axis", "build_controller", "build_machine"]
+
+GAINS = ("velocity_gain", "position_gain", "integral_gain")
+
+
+def build_axis(table: Table, name: str) -> Axis:
+    """Return an axis from its table.
+
+    Raises
+    ------
+    ScenarioError
+        With file and key.
+    """
+    plain = read_table(AxisTable, table)
+    plant = read_component(table.entries["plant"], "plant", ("?", "?"))
+    units = (plant.command_unit, plant.force_unit)
+    parts: dict[str, Any] = {}
+    for slot in ("friction", "drive", "sensor", "disturbance"):
+        if slot in table.entries:
+            parts[slot] = read_component(table.entries[slot], slot, units, optional=slot == "disturbance")
+    return Axis(
+        name=name,
+        plant=plant,
+        limits=_limits(table.table("limits")),
+        error=_error(table.table("error")),
+        mounted_on=plain.mounted_on,
+        alignment=plain.alignment,
+        stage_mass=plain.stage_mass,
+        substeps=plain.substeps,
+        **parts,
+    )
+
+
+def _limits(table: Table) -> Limits:
+    found = read_table(LimitsTable, table)
+    given = {name: value for name, value in found.model_dump().items() if value is not None}
+    if "travel" in given and len(given["travel"]) != 2:
+        raise table.error('two positions are wanted, the lower one first: ["-100 mm", "100 mm"]', "travel")
+    with located(table):
+        return Limits(**given)
+
+
+def _error(table: Table) -> AxisError:
+    found = read_table(ErrorTable, table)
+    with located(table):
+        return AxisError(np.array(found.position), np.array(found.lead_error), found.repeatability)
+
+
+def build_machine(part: Table) -> Machine:
+    """Return a machine from its tables ``machine`` and ``axes``.
+
+    Raises
+    ------
+    ScenarioError
+        With file and key.
+    """
+    table = part.table("machine")
+    if "machine" not in part.entries:
+        raise part.error("key machine is missing: [machine] has name, servo_period and axes")
+    plain = read_table(MachineTable, table)
+    names = list(plain.axes)
+    twice = [name for name in names if names.count(name) > 1]
+    if twice:
+        raise table.error(f"axis {twice[0]!r} is listed twice", "axes")
+    axes = part.table("axes")
+    for name in axes.entries:
+        if name not in names and name != EVERY:
+            raise axes.error(f"axis {name!r} is not listed in machine.axes: {hint(name, names)}", name)
+    missing = [name for name in names if name not in axes.entries]
+    if missing:
+        raise table.error("no table " + ", ".join(f"[{axes.at(name)}]" for name in missing) + " for what is listed here", "axes")
+    built = tuple(build_axis(axes.table(name), name) for name in names)
+    for axis in built:
+        _check_carrier(axis, names, axes.table(axis.name))
+    squareness = _squareness(table.table("squareness"), names)
+    with located(table):
+        return Machine(plain.name, built, plain.servo_period, squareness)
+
+
+def _check_carrier(axis: Axis, names: list[str], table: Table) -> None:
+    if axis.mounted_on and axis.mounted_on not in names:
+        raise table.error(f"no axis {axis.mounted_on!r}: {hint(axis.mounted_on, names)}", "mounted_on")
+    if axis.mounted_on == axis.name:
+        raise table.error("an axis cannot stand on itself", "mounted_on")
+
+
+def _squareness(table: Table, names: list[str]) -> dict[tuple[str, str], float]:
+    found: dict[tuple[str, str], float] = {}
+    for key, node in table.entries.items():
+        pair = tuple(key.split("-"))
+        if len(pair) != 2 or pair[0] == pair[1] or not set(pair) <= set(names):
+            raise table.error('two different axes of the machine are wanted, as in "x-y" = "20 um/m"', key)
+        with located(table, key):
+            angle = read_number(node.plain(), "rad", "um/m")
+        if abs(angle) > 0.1:
+            raise table.error("is out of range: must be between -0.1 and 0.1 rad", key)
+        if (pair[1], pair[0]) in found:
+            raise table.error(f'the same two axes as "{pair[1]}-{pair[0]}"', key)
+        found[pair[0], pair[1]] = angle
+    return found
+
+
+def build_controller(table: Table, machine: Machine) -> Controller:
+    """Return a controller for a machine; the units of its gains are those of the machine's commands.
+
+    Raises
+    ------
+    ScenarioError
+        With file and key.
+    """
+    read_table(ControllerTable, table)
+    axes = table.table("axes")
+    missing = [name for name in machine.axis_names if name not in axes.entries]
+    others = [name for name in axes.entries if name not in machine.axis_names and name != EVERY]
+    if missing and others:
+        raise axes.error(f"the machine has no axis {others[0]!r}: {hint(others[0], missing)}", others[0])
+    if missing:
+        raise axes.error(f"no controller for axis {', '.join(missing)}: write [{axes.at(missing[0])}]")
+    if others and any(getattr(axes.entries[name], "key", "").endswith(f'"{EVERY}"') for name in machine.axis_names):
+        # Further axes are those of other machines, unless an axis of this one has no table of its own: then a name is wrong.
+        raise axes.error(f"the machine has no axis {others[0]!r}: {hint(others[0], machine.axis_names)}", others[0])
+    built = {name: _axis_controller(axes.table(name), machine, name) for name in machine.axis_names}
+    units = (machine.axes[0].plant.command_unit, machine.axes[0].plant.force_unit)
+    parts = {
+        slot: read_component(table.entries[slot], slot, units, optional=True) if slot in table.entries else None
+        for slot in ("estimator", "coupling")
+    }
+    with located(table, "coupling"):
+        return Controller(built, **parts)
+
+
+def _axis_controller(table: Table, machine: Machine, name: str) -> AxisController:
+    plain = read_table(AxisControllerTable, table)
+    axis = machine.axis(name)
+    units = (axis.plant.command_unit, axis.plant.force_unit)
+    parts: dict[str, Any] = {}
+    for slot in ("velocity", "observer"):
+        if slot in table.entries:
+            parts[slot] = read_component(table.entries[slot], slot, units, optional=slot == "observer")
+    model = _model(machine, axis, parts.get("observer"))
+    parts["controller"] = _position(table, units, model)
+    local = _local(plain.local, parts, table)
+    return AxisController(local=local, **parts)
+
+
+def _local(names: list[str], parts: Mapping[str, Component | None], table: Table) -> tuple[str, ...]:
+    """Check the names of parameters that move with an axis: ``observer.model_gain`` and the like."""
+    known = [f"{slot}.{name}" for slot, part in parts.items() if part is not None for name in part.numeric()]
+    for name in names:
+        if name not in known:
+            raise table.error(f"no parameter {name!r} in this axis' controller: {hint(name, known)}", "local")
+    return tuple(names)
+
+
+@dataclass(frozen=True)
+class _Model:
+    """Acceleration per command and decay of what the position loop sees, and in words where they are from."""
+
+    gain: float
+    damping: float
+
+
+def _model(machine: Machine, axis: Axis, observer: Component | None) -> _Model:
+    """Return the model that gains are placed for: the observer's where there is one, else the plant's with all that it carries."""
+    if observer is not None and {"model_gain", "model_damping"} <= set(observer.parameters):
+        values = observer.values()
+        return _Model(values["model_gain"], values["model_damping"])
+    plant: SingleMass = axis.plant
+    carried = machine.carried_mass(axis.name)
+    if carried and "carried_mass" in plant.parameters:
+        plant = plant.replace(carried_mass=plant.values()["carried_mass"] + carried)
+    linear = plant.linearize()
+    return _Model(float(linear.b[1, 0]), float(-linear.a[1, 1]))
+
+
+def _position(table: Table, units: tuple[str, str], model: _Model) -> Any:
+    node = table.entries["controller"]
+    if isinstance(node, Leaf) or "gains" not in node.entries:
+        return read_component(node, "controller", units)
+    kind = find_kind(node, "controller")
+    place = getattr(kind, "place", None)
+    if place is None:
+        raise node.error(f"{kind.kind} offers no pole placement: give its gains themselves", "gains")
+    gains = node.table("gains")
+    both = [name for name in GAINS if name in node.entries and _same_place(node.entries[name], gains)]
+    if both:
+        raise node.error("is given beside gains = {...}, which works it out: leave one of the two out", both[0])
+    wanted = read_table(GainsTable, gains)
+    rest = node.without("gains")
+    base = _Model(
+        _given(rest, "model_gain", units, kind, model.gain),
+        _given(rest, "model_damping", units, kind, model.damping),
+    )
+    with located(gains):
+        placed = place(wanted.natural_frequency, wanted.damping, wanted.pole, base.gain, base.damping)
+    return read_component(rest, "controller", units, given=placed)
+
+
+def _same_place(node: Any, gains: Table) -> bool:
+    """Tell whether a gain stands in the same table of the same file as the poles."""
+    return bool(node.file == gains.file and node.key.rpartition(".")[0] == gains.key.rpartition(".")[0])
+
+
+def _given(table: Table, name: str, units: tuple[str, str], kind: type[Component], otherwise: float) -> float:
+    if name not in table.entries or name not in kind.parameters:
+        return otherwise
+    only = Table({name: table.entries[name]}, table.file, table.key)
+    return float(read_values(kind, only, units)[name])
+

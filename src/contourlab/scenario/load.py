@@ -1,0 +1,399 @@
+"""Reads scenario, machine, controller and axis files."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
+from pathlib import Path
+from typing import Any
+
+from contourlab.components.registry import load_plugin
+from contourlab.errors import ContourlabError, FeedError, ProgramError, ScenarioError
+from contourlab.geometry import contour_names, contour_parameters
+from contourlab.loop import Axis, Controller, Machine
+from contourlab.program import read_program
+from contourlab.scenario.build import build_axis, build_controller, build_machine
+from contourlab.scenario.components import located
+from contourlab.scenario.files import BUILTIN, Reader, builtin_file, join, listed, locate
+from contourlab.scenario.quantities import read_number
+from contourlab.scenario.tables import FeedTable, ProgramTable, RunTable, ScenarioTable, read_table
+from contourlab.scenario.tree import Leaf, Node, Table, from_mapping, hint, merge, settle
+from contourlab.scenario.values import Case, Contour, FeedSettings, Motion, PartProgram, RunSettings, Scenario
+
+__all__ = ["load_axis", "load_controller", "load_machine", "load_scenario", "parse_scenario", "scenario_from_parts"]
+
+SCHEME_KEYS = ("machine", "axes", "controller", "feed", "run")
+COMMAND_LINE = "<arguments>"
+"""What messages call values that come from no file; relative names then start at the working folder."""
+_loaded: set[Path] = set()
+
+
+@dataclass(frozen=True)
+class _Layers:
+    """The tables of a case, files joined in, not interpreted yet."""
+
+    machine: Table
+    controller: Node
+    feed: Table
+    run: Table
+
+    @property
+    def names(self) -> tuple[str, ...]:
+        return listed(self.machine)
+
+
+def _load_plugins(plugins: Sequence[str | Path]) -> None:
+    for plugin in plugins:
+        file = Path(plugin).resolve()
+        if file not in _loaded:
+            load_plugin(file)
+            _loaded.add(file)
+
+
+def _open(file: str | Path) -> tuple[Path, Reader]:
+    """Return a file by name, or by the name of a shipped one, and the reader of what it names."""
+    text = str(file)
+    path = builtin_file(text) if text.startswith(BUILTIN) else Path(file)
+    try:
+        resolved = path.resolve()
+    except (OSError, ValueError, RuntimeError) as error:
+        raise ScenarioError(f"is no file name: {error}", file=text) from error
+    return path, Reader(open_files=(resolved,))
+
+
+# --- parts ---------------------------------------------------------------------------------------------------------------------------
+
+
+def load_axis(file: str | Path, name: str = "x", plugins: Sequence[str | Path] = ()) -> Axis:
+    """Read an axis from its own file: plant, friction, drive, sensor ... at its top.
+
+    Parameters
+    ----------
+    file : str or Path
+        Or ``builtin:`` and the name of a shipped one.
+    name : str
+        What the axis is called.
+    plugins : sequence of str or Path
+        Python files with further components.
+
+    Raises
+    ------
+    ScenarioError
+        With file and key of what is wrong.
+
+    >>> load_axis("builtin:ghaffari/axis1").plant.gain
+    1.695
+    """
+    _load_plugins(plugins)
+    path, reader = _open(file)
+    return build_axis(settle(reader.axis_file(reader.file(path))), name)
+
+
+def load_machine(file: str | Path, plugins: Sequence[str | Path] = ()) -> Machine:
+    """Read a machine from its own file, or from a scenario.
+
+    Parameters
+    ----------
+    file : str or Path
+        Or ``builtin:`` and the name of a shipped one.
+    plugins : sequence of str or Path
+        Python files with further components.
+
+    Raises
+    ------
+    ScenarioError
+        With file and key of what is wrong.
+
+    >>> load_machine("builtin:xyz").axis_names
+    ('x', 'y', 'z')
+    """
+    _load_plugins(plugins)
+    path, reader = _open(file)
+    content = reader.file(path)
+    if "controller" in content.entries:
+        read_table(ScenarioTable, content)
+        content = _only(content, "machine", "axes")
+    return build_machine(settle(reader.machine_file(content)))
+
+
+def load_controller(file: str | Path, machine: Machine, plugins: Sequence[str | Path] = ()) -> Controller:
+    """Read a controller from its own file, for a machine whose commands decide the units of the gains.
+
+    Parameters
+    ----------
+    file : str or Path
+        Or ``builtin:`` and the name of a shipped one.
+    machine : Machine
+    plugins : sequence of str or Path
+        Python files with further components.
+
+    Raises
+    ------
+    ScenarioError
+        With file and key of what is wrong.
+    """
+    _load_plugins(plugins)
+    path, reader = _open(file)
+    reader = replace(reader, names=machine.axis_names)
+    found = _spread_controller(reader.controller_file(reader.file(path)), machine.axis_names)
+    return build_controller(settle(found), machine)
+
+
+def _only(content: Table, *names: str) -> Table:
+    return replace(content, entries={k: v for k, v in content.entries.items() if k in names})
+
+
+def _spread_controller(found: Table, names: tuple[str, ...]) -> Table:
+    return join(found, Table({}, found.file, found.key), names)
+
+
+# --- scenarios -----------------------------------------------------------------------------------------------------------------------
+
+
+def load_scenario(file: str | Path, plugins: Sequence[str | Path] = ()) -> Scenario:
+    """Read a scenario.
+
+    Parameters
+    ----------
+    file : str or Path
+        Or ``builtin:`` and the name of a shipped one.
+    plugins : sequence of str or Path
+        Python files with further components.
+
+    Returns
+    -------
+    Scenario
+        With every scheme read and checked.
+
+    Raises
+    ------
+    ScenarioError
+        With file and key of what is wrong.
+    ProgramError
+        If the part program is wrong; says the line.
+
+    >>> [case.name for case in load_scenario("builtin:ghaffari/demo-stage").cases()][0]
+    'position loop'
+    """
+    _load_plugins(plugins)
+    path, reader = _open(file)
+    return _scenario(reader, reader.file(path), path)
+
+
+def scenario_from_parts(
+    program: str | Path | None,
+    machine: str | Path,
+    controller: str | Path,
+    *,
+    contour: Mapping[str, Any] | None = None,
+    feed: Mapping[str, Any] | None = None,
+    run: Mapping[str, Any] | None = None,
+    name: str = "",
+    plugins: Sequence[str | Path] = (),
+) -> Scenario:
+    """Return the scenario of a part program, or contour, on a machine under a controller.
+
+    Parameters
+    ----------
+    program : str, Path or None
+        Part program; None with a contour.
+    machine, controller : str or Path
+        Files, or names of shipped ones with or without ``builtin:``.
+    contour, feed, run : mapping, optional
+        As the tables of a scenario file: ``feed={"override": 0.8}``, ``run={"tolerance": "20 um"}``.
+    name : str
+        By default that of the program.
+    plugins : sequence of str or Path
+        Python files with further components.
+
+    Raises
+    ------
+    ScenarioError, ProgramError
+        As `load_scenario`.
+    """
+    _load_plugins(plugins)
+    values: dict[str, Any] = {"machine": _named(machine), "controller": _named(controller)}
+    given = {"program": None if program is None else str(program), "contour": contour, "feed": feed, "run": run, "name": name or None}
+    values |= {key: value for key, value in given.items() if value is not None}
+    if program is not None and not name:
+        values["name"] = Path(program).stem
+    return _scenario(Reader(), from_mapping(values, COMMAND_LINE), Path(COMMAND_LINE))
+
+
+def _named(reference: str | Path) -> str:
+    """Return the name of a file as a scenario would write it; a name that is no file may be a shipped one."""
+    text = str(reference)
+    if not text.startswith(BUILTIN) and not Path(text).suffix and not Path(text).is_file():
+        return BUILTIN + text
+    return text
+
+
+def parse_scenario(text: str, name: str = "<text>", plugins: Sequence[str | Path] = ()) -> Scenario:
+    """Read a scenario from TOML text; names of files in it start at the working folder.
+
+    Raises
+    ------
+    ScenarioError, ProgramError
+        As `load_scenario`.
+    """
+    from contourlab.scenario.tree import parse_tree
+
+    _load_plugins(plugins)
+    return _scenario(Reader(), parse_tree(text, name), Path(name))
+
+
+def _scenario(reader: Reader, content: Table, path: Path) -> Scenario:
+    plain = read_table(ScenarioTable, content)
+    if ("contour" in content.entries) == ("program" in content.entries):
+        both = "contour" in content.entries
+        raise content.error("contour and program are both given: leave one out" if both else "one of contour and program is missing")
+    machine = reader.machine(_only(content, "machine", "axes"))
+    reader = replace(reader, names=listed(machine))
+    layers = _Layers(machine, reader.controller(content.entries["controller"]), content.table("feed"), content.table("run"))
+    base_machine = build_machine(settle(machine))
+    motion = _motion(reader, content, base_machine)
+    base = _case("base", layers, motion, content)
+    schemes = content.table("schemes")
+    cases = tuple(_case(name, _over(reader, layers, schemes.table(name)), motion, schemes.table(name)) for name in schemes.entries)
+    overrides = {name: dict(_flat(schemes.table(name))) for name in schemes.entries}
+    return Scenario(plain.name or path.stem, path, base, overrides, cases)
+
+
+def _flat(table: Table, key: str = "") -> list[tuple[str, Any]]:
+    found: list[tuple[str, Any]] = []
+    for name, node in table.entries.items():
+        place = f"{key}.{name}" if key else name
+        found += _flat(node, place) if isinstance(node, Table) else [(place, node.value)]
+    return found
+
+
+def _over(reader: Reader, base: _Layers, scheme: Table) -> _Layers:
+    """Return the layers of a case with what a scheme says put on top."""
+    for name in scheme.entries:
+        if name not in SCHEME_KEYS:
+            raise scheme.error(f"a scheme cannot change this: {hint(name, SCHEME_KEYS)}", name)
+    machine = base.machine
+    own = reader.machine(_only(scheme, "machine", "axes"))
+    if own.entries:
+        names = listed(own) or base.names
+        machine = own if own.afresh else join(machine, own, names)
+    controller = base.controller
+    if "controller" in scheme.entries:
+        reader = replace(reader, names=listed(machine))
+        over = reader.controller(scheme.entries["controller"])
+        fresh = isinstance(over, Leaf) or isinstance(controller, Leaf) or over.afresh
+        controller = over if fresh else join(controller, over, reader.names)  # type: ignore[arg-type]
+    feed, run = (merge(getattr(base, name), scheme.table(name)) for name in ("feed", "run"))
+    return _Layers(machine, controller, feed, run)
+
+
+def _case(name: str, layers: _Layers, motion: Motion, place: Table) -> Case:
+    if not name.strip() or len(name) > 80 or not name.isprintable():
+        raise place.error("the name of a scheme is wanted: up to 80 letters, digits, spaces")
+    machine = build_machine(settle(layers.machine))
+    if isinstance(layers.controller, Leaf):
+        raise layers.controller.error("a table [controller] or the name of its file is wanted")
+    controller = build_controller(settle(_spread_controller(layers.controller, machine.axis_names)), machine)
+    feed = _feed(settle(layers.feed), motion)
+    run = _run(settle(layers.run))
+    if motion.n_axis != len(machine.axes):
+        what = motion.name if isinstance(motion, Contour) else motion.file.name
+        raise place.error(f"{what} has {motion.n_axis} coordinates, {machine.name} has the axes {', '.join(machine.axis_names)}")
+    return Case(name, machine, controller, motion, feed, run)
+
+
+def _run(table: Table) -> RunSettings:
+    plain = read_table(RunTable, table)
+    signals = None if plain.signals is None else tuple(plain.signals)
+    if signals is not None:
+        from contourlab.loop.simulate import UNITS
+        from contourlab.metrics.judge import JUDGED
+
+        known = (*UNITS, *JUDGED)
+        for signal in signals:
+            if signal not in known:
+                raise table.error(f"no signal {signal!r}: {hint(signal, known)}", "signals")
+    return RunSettings(plain.tolerance, signals, plain.seed, plain.evaluate)
+
+
+def _feed(table: Table, motion: Motion) -> FeedSettings:
+    plain = read_table(FeedTable, table)
+    is_program = isinstance(motion, PartProgram)
+    if plain.law == "uniform":
+        if is_program:
+            raise table.error('the uniform law drives laps of a contour: a program is "planned"', "law")
+        if not motion.path.closed:  # type: ignore[union-attr]
+            raise table.error('the uniform law drives laps: the contour must be closed; take law = "planned"', "law")
+        _needs(table, "frequency", '"0.5 Hz"', "feedrate", "the uniform law")
+    elif is_program:
+        for name in ("feedrate", "frequency"):
+            if name in table.entries:
+                raise table.error("the program says how fast it is driven: leave this out, or scale it with override = 0.8", name)
+        if plain.laps != 1:
+            raise table.error("a program is driven once", "laps")
+    else:
+        _needs(table, "feedrate", '"8000 mm/min"', "frequency", "a planned contour")
+    return FeedSettings(plain.law, plain.feedrate, plain.frequency, plain.laps, plain.override)
+
+
+def _needs(table: Table, wanted: str, example: str, other: str, who: str) -> None:
+    if other in table.entries:
+        raise table.error(f"{who} has no {other}: it wants {wanted} = {example}", other)
+    if wanted not in table.entries:
+        raise table.error(f"key {wanted} is missing: {who} wants {wanted} = {example}")
+
+
+def _motion(reader: Reader, content: Table, machine: Machine) -> Motion:
+    if "contour" in content.entries:
+        return _contour(content.entries["contour"])
+    node = content.entries["program"]
+    if isinstance(node, Leaf):
+        node = Table({"file": node}, node.file, node.key)
+    plain = read_table(ProgramTable, node)
+    reference = node.entries["file"]
+    assert isinstance(reference, Leaf)  # its text has just been read
+    with located(node, "file"):
+        file = locate(plain.file, Path(reference.file).parent)
+    letters = tuple(plain.letters) if plain.letters else tuple(name.lower() for name in machine.axis_names)
+    _check_letters(node, letters, machine, bool(plain.letters))
+    try:
+        program = read_program(file, require_end=plain.require_end)
+    except ProgramError as error:
+        if error.line:
+            raise
+        raise reference.error(str(error)) from error
+    return PartProgram(file, program, letters, plain.require_end)
+
+
+def _check_letters(node: Table, letters: tuple[str, ...], machine: Machine, given: bool) -> None:
+    names = ", ".join(machine.axis_names)
+    if len(letters) != len(machine.axes):
+        raise node.error(f"{len(letters)} letters for the axes {names}: one for each is wanted", "letters")
+    if len(set(letters)) != len(letters):
+        raise node.error("a letter stands there twice", "letters")
+    if not given and not set(letters) <= set("xyz"):
+        raise node.error(f'the axes {names} are not called x, y, z: say what they obey with letters = ["x", "y"]', "file")
+
+
+def _contour(node: Node) -> Contour:
+    if isinstance(node, Leaf):
+        node = Table({"name": node}, node.file, node.key)
+    name = node.get("name")
+    if not isinstance(name, Leaf) or not isinstance(name.value, str):
+        raise node.error(f"key name is missing: one of {', '.join(contour_names())}")
+    if name.value not in contour_names():
+        raise name.error(f"no contour {name.value!r}: {hint(name.value, contour_names())}")
+    known = contour_parameters(name.value)
+    values: dict[str, float] = {}
+    for key, value in node.entries.items():
+        if key == "name":
+            continue
+        if key not in known:
+            raise node.error(f"contour {name.value} has no parameter {key!r}: {hint(key, known)}", key)
+        with located(node, key):
+            unit = known[key][1]
+            values[key] = read_number(value.plain(), unit, "mm" if unit == "m" else unit)
+    found = Contour(name.value, values)
+    with located(node):
+        _ = found.path
+    return found

@@ -1,0 +1,239 @@
+"""The tables of fixed shape in scenario, machine and controller files, as strict models, and what is said when one does not fit."""
+
+from __future__ import annotations
+
+import math
+from typing import Annotated, Any, Literal, TypeVar
+
+from pydantic import BaseModel, BeforeValidator, ConfigDict, Field, ValidationError
+
+from contourlab.errors import ScenarioError, UnitError
+from contourlab.scenario.quantities import read_list, read_number, show_bound
+from contourlab.scenario.tree import Leaf, Table, hint
+
+__all__ = [
+    "AxisControllerTable",
+    "AxisTable",
+    "ControllerTable",
+    "ErrorTable",
+    "FeedTable",
+    "GainsTable",
+    "LimitsTable",
+    "MachineTable",
+    "ProgramTable",
+    "RunTable",
+    "ScenarioTable",
+    "read_table",
+]
+
+
+def _number(
+    unit: str, display: str = "", *, minimum: float = -math.inf, maximum: float = math.inf, exclusive: bool = False
+) -> BeforeValidator:
+    """Return the reader of a quantity in SI with bounds in SI."""
+
+    def read(value: Any) -> float:
+        try:
+            number = read_number(value, unit, display)
+        except UnitError as error:
+            raise ValueError(str(error)) from error
+        if number < minimum or number > maximum or (exclusive and number == minimum):
+            raise ValueError(f"{value!r} is out of range: must be {show_bound(minimum, maximum, exclusive, display or unit)}")
+        return number
+
+    return BeforeValidator(read)
+
+
+def _numbers(unit: str, display: str) -> BeforeValidator:
+    def read(value: Any) -> tuple[float, ...]:
+        try:
+            return read_list(value, unit, display)
+        except UnitError as error:
+            raise ValueError(str(error)) from error
+
+    return BeforeValidator(read)
+
+
+_POSITIVE = {"minimum": 0.0, "exclusive": True}
+Period = Annotated[float, _number("s", "ms", maximum=1.0, **_POSITIVE)]  # type: ignore[arg-type]
+Velocity = Annotated[float, _number("m/s", "mm/min", minimum=0.0, exclusive=True)]
+Acceleration = Annotated[float, _number("m/s^2", minimum=0.0, exclusive=True)]
+Jerk = Annotated[float, _number("m/s^3", minimum=0.0, exclusive=True)]
+Distance = Annotated[float, _number("m", "um", minimum=0.0, exclusive=True)]
+Spread = Annotated[float, _number("m", "um", minimum=0.0)]
+Mass = Annotated[float, _number("kg", minimum=0.0)]
+Cosine = Annotated[float, _number("", minimum=-1.0, maximum=1.0)]
+Frequency = Annotated[float, _number("Hz", minimum=0.0, exclusive=True)]
+Corner = Annotated[float, _number("rad/s", minimum=0.0, exclusive=True)]
+Ratio = Annotated[float, _number("", minimum=0.0, exclusive=True)]
+Override = Annotated[float, _number("", minimum=0.0, maximum=2.0, exclusive=True)]
+Name = Annotated[str, Field(pattern=r"^[A-Za-z0-9_]{1,32}$")]
+Text = Annotated[str, Field(min_length=1, max_length=200)]
+Letter = Literal["x", "y", "z"]
+
+
+class _Strict(BaseModel):
+    model_config = ConfigDict(extra="forbid", strict=True, frozen=True, arbitrary_types_allowed=True)
+
+
+class ScenarioTable(_Strict):
+    """The top of a scenario; the parts are read by their own models."""
+
+    name: Text | None = None
+    machine: Any
+    axes: Any = None
+    controller: Any
+    contour: Any = None
+    program: Any = None
+    feed: Any = None
+    run: Any = None
+    schemes: Any = None
+
+
+class MachineTable(_Strict):
+    """``[machine]``."""
+
+    name: Text
+    servo_period: Period
+    axes: Annotated[list[Name], Field(min_length=1, max_length=64)]
+    squareness: Any = None
+
+
+class LimitsTable(_Strict):
+    """``[axes.x.limits]``."""
+
+    velocity: Velocity | None = None
+    acceleration: Acceleration | None = None
+    jerk: Jerk | None = None
+    following_error: Distance | None = None
+    travel: Annotated[tuple[float, ...] | None, _numbers("m", "mm")] = None
+
+
+class ErrorTable(_Strict):
+    """``[axes.x.error]``."""
+
+    position: Annotated[tuple[float, ...], _numbers("m", "mm")] = ()
+    lead_error: Annotated[tuple[float, ...], _numbers("m", "um")] = ()
+    repeatability: Spread = 0.0
+
+
+class AxisTable(_Strict):
+    """``[axes.x]``; the components are read by their own declarations."""
+
+    plant: Any
+    friction: Any = None
+    drive: Any = None
+    sensor: Any = None
+    disturbance: Any = None
+    limits: Any = None
+    error: Any = None
+    mounted_on: Name | Literal[""] = ""
+    alignment: Cosine = 0.0
+    stage_mass: Mass = 0.0
+    substeps: Annotated[int, Field(ge=1, le=1000)] = 1
+
+
+class ControllerTable(_Strict):
+    """``[controller]``."""
+
+    axes: Any
+    estimator: Any = None
+    coupling: Any = None
+
+
+class AxisControllerTable(_Strict):
+    """``[controller.axes.x]``."""
+
+    controller: Any
+    velocity: Any = None
+    observer: Any = None
+    local: list[str] = []
+
+
+class GainsTable(_Strict):
+    """``gains = {...}`` of a position controller: the poles to be placed."""
+
+    natural_frequency: Corner
+    damping: Ratio
+    pole: Corner
+
+
+class ProgramTable(_Strict):
+    """``[program]``."""
+
+    file: Text
+    letters: Annotated[list[Letter], Field(min_length=1, max_length=3)] | None = None
+    require_end: bool = True
+
+
+class FeedTable(_Strict):
+    """``[feed]``."""
+
+    law: Literal["planned", "uniform"] = "planned"
+    feedrate: Velocity | None = None
+    frequency: Frequency | None = None
+    laps: Annotated[int, Field(ge=1, le=100_000)] = 1
+    override: Override = 1.0
+
+
+class RunTable(_Strict):
+    """``[run]``."""
+
+    signals: list[str] | None = None
+    seed: Annotated[int, Field(ge=0, lt=2**63)] = 0
+    tolerance: Distance | None = None
+    evaluate: Literal["last-lap", "whole"] = "last-lap"
+
+
+Model = TypeVar("Model", bound=BaseModel)
+
+
+def read_table(model: type[Model], table: Table) -> Model:
+    """Check a table against its model.
+
+    Raises
+    ------
+    ScenarioError
+        At the first fault, with file, key, what is wrong and what would be right; missing keys are listed together.
+    """
+    try:
+        return model.model_validate(table.plain())
+    except ValidationError as error:
+        raise _explained(model, table, error) from None
+
+
+def _explained(model: type[BaseModel], table: Table, error: ValidationError) -> ScenarioError:
+    faults = error.errors(include_url=False, include_context=False)
+    faults.sort(key=lambda fault: ("extra_forbidden", "missing").index(fault["type"]) if fault["type"] in ("extra_forbidden", "missing") else 2)
+    first = faults[0]
+    name = str(first["loc"][0]) if first["loc"] else ""
+    if first["type"] == "extra_forbidden":
+        return table.error(f"unknown key: {hint(name, model.model_fields)}", name)
+    if first["type"] == "missing":
+        missing = [str(fault["loc"][0]) for fault in faults if fault["type"] == "missing"]
+        word = "key is" if len(missing) == 1 else "keys are"
+        return table.error(f"{len(missing)} {word} missing: {', '.join(missing)}")
+    node = table.get(name)
+    given = repr(node.value)[:80] if isinstance(node, Leaf) else "this table"
+    return table.error(_in_words(first, given), name)
+
+
+_WORDS = {
+    "string_type": "text in quotes is wanted",
+    "int_type": "a whole number is wanted",
+    "bool_type": "true or false is wanted",
+    "list_type": 'a list such as ["x", "y"] is wanted',
+    "string_pattern_mismatch": "a name of letters, digits and _ is wanted",
+    "string_too_short": "it is empty",
+    "too_short": "it is empty: at least one is wanted",
+}
+
+
+def _in_words(fault: Any, given: str) -> str:
+    """Return a fault in words that a person who edits the file understands."""
+    message = str(fault["msg"])
+    if fault["type"] == "value_error":
+        return message.removeprefix("Value error, ")
+    if fault["type"] in _WORDS:
+        return f"{given}: {_WORDS[fault['type']]}"
+    return f"{given}: {message[:1].lower()}{message[1:]}"

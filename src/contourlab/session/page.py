@@ -1,0 +1,73 @@
+"""What the report is given: the outcomes of a session, turned into its own terms."""
+
+from __future__ import annotations
+
+import math
+import platform
+from collections.abc import Sequence
+
+import numpy as np
+
+from contourlab import __version__
+from contourlab.report.data import AxisBounds, CircleRun, FrequencyResponse, Mark, Provenance, ReportData, SchemeReport
+from contourlab.studies.compare import AxisBode, Outcome
+
+__all__ = ["report_data"]
+
+
+def report_data(title: str, outcomes: Sequence[Outcome], *, scenario: str, command: str) -> ReportData:
+    """Return the data of a report.
+
+    Parameters
+    ----------
+    title : str
+    outcomes : sequence of Outcome
+        At least one, all along one path.
+    scenario : str
+        The scenario as TOML.
+    command : str
+        As typed.
+    """
+    first = outcomes[0]
+    reference = first.reference
+    programmed = None if reference.programmed is reference.path else reference.programmed
+    system = f"{platform.system()} {platform.machine()}, Python {platform.python_version()}"
+    provenance = Provenance(__version__, command, command, scenario, first.case.seed, system)
+    schemes = [_scheme(outcome) for outcome in outcomes]
+    return ReportData(title, schemes, reference.path, provenance, programmed, first.case.lines, first.case.tolerance)
+
+
+def _scheme(outcome: Outcome) -> SchemeReport:
+    axes = outcome.case.machine.axes
+    bounds = AxisBounds(
+        velocity=np.array([a.limits.velocity for a in axes]),
+        acceleration=np.array([a.limits.acceleration for a in axes]),
+        jerk=np.array([a.limits.jerk for a in axes]),
+        command=np.array([float(getattr(a.drive, "limit", math.inf)) for a in axes]),
+    )
+    circles = [CircleRun(c.name, c.clockwise, c.radius, c.angle, c.deviation, c.figures()) for c in outcome.circles]
+    marks = [Mark(spike.time, f"{spike.axis} reverses", "reversal", abs(spike.height)) for spike in outcome.spikes]
+    return SchemeReport(
+        name=outcome.name,
+        result=outcome.result,
+        metrics=outcome.metrics,
+        bounds=bounds,
+        verdict=outcome.verdict,
+        bode={axis: _response(bode) for axis, bode in outcome.bode.items()},
+        circles=circles,
+        spikes=marks,
+    )
+
+
+def _response(bode: AxisBode) -> FrequencyResponse:
+    hertz = bode.response.frequency / (2.0 * math.pi)
+    size = np.abs(bode.response.closed_loop)
+    below = np.flatnonzero(size < math.sqrt(0.5))
+    notes = {"bandwidth (-3 dB)": f"{hertz[below[0]]:.3g} Hz" if below.size else f"above {hertz[-1]:.3g} Hz"}
+    m = bode.margins
+    if math.isfinite(m.phase):
+        notes["phase margin"] = f"{math.degrees(m.phase):.3g} deg at {m.crossover / (2.0 * math.pi):.3g} Hz"
+    if math.isfinite(m.gain):
+        notes["gain margin"] = f"{20.0 * math.log10(m.gain):.3g} dB"
+    notes["modulus margin"] = f"{m.modulus:.3g}"
+    return FrequencyResponse(hertz, bode.response.closed_loop, notes)

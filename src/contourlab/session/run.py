@@ -1,0 +1,194 @@
+"""``contourlab run``: a scenario, or a part program on a machine, through to its report."""
+
+from __future__ import annotations
+
+import json
+import shlex
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import contextmanager
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from contourlab.errors import OutputError, ScenarioError
+from contourlab.result import write_text_atomic
+from contourlab.session.summary import summary_of
+from contourlab.studies.compare import Case, Outcome, run_case
+
+if TYPE_CHECKING:
+    from contourlab.scenario import Scenario
+
+__all__ = ["RunOutcome", "run_scenario", "run_session"]
+
+
+@dataclass(frozen=True)
+class RunOutcome:
+    """What a command prints: whether every verdict passed, the summary, and the table as text."""
+
+    passed: bool
+    summary: dict[str, Any]
+    table: str
+
+
+def run_scenario(
+    file: str | Path,
+    out: str | Path,
+    *,
+    machine: str | Path | None = None,
+    controller: str | Path | None = None,
+    plugins: Sequence[str | Path] = (),
+    check: bool = False,
+    plots: Sequence[str] = (),
+    signals: Sequence[str] = (),
+    progress: bool = False,
+) -> RunOutcome:
+    """Run a scenario file, or a part program with a machine and a controller.
+
+    Parameters
+    ----------
+    file : str or Path
+        ``.toml``: a scenario; anything else is a part program.
+    out : str or Path
+        Folder of the results.
+    machine, controller : str or Path, optional
+        Files, or names of shipped ones; both are wanted with a part program.
+    plugins : sequence of str or Path
+        Python files with components.
+    check : bool
+        Read and check everything, plan the motion, simulate nothing.
+    plots : sequence of str
+        Formats of plots besides the report: png, svg, pdf.
+    signals : sequence of str
+        Signals to write; all by default.
+    progress : bool
+        Whether to show a bar.
+    """
+    from contourlab.scenario import load_scenario, scenario_from_parts
+
+    path = Path(file)
+    if path.suffix.lower() == ".toml":
+        if machine is not None or controller is not None:
+            raise ScenarioError("a scenario names its own machine and controller: leave --machine and --controller out", file=path)
+        scenario = load_scenario(path, plugins=plugins)
+    else:
+        if machine is None or controller is None:
+            raise ScenarioError("a part program needs --machine and --controller", file=path)
+        scenario = scenario_from_parts(path, machine, controller, plugins=plugins)
+    if check:
+        return _checked(scenario)
+    words = ["contourlab", "run", str(file)]
+    words += [w for option, value in (("--machine", machine), ("--controller", controller)) if value for w in (option, str(value))]
+    return run_session(scenario, out, command=shlex.join(words), plots=plots, signals=signals, progress=progress)
+
+
+def _checked(scenario: Scenario) -> RunOutcome:
+    lines, found = [], {}
+    for case in scenario.cases():
+        reference = case.reference()
+        duration = (reference.n_sample - 1) * reference.servo_period
+        found[case.name] = {"n_sample": reference.n_sample, "duration": duration, "path_length": reference.path.length}
+        lines.append(f"{case.name}: {reference.path.length * 1e3:.6g} mm of path, {duration:.6g} s, {reference.n_sample} samples")
+    return RunOutcome(True, {"checked": scenario.name, "schemes": found}, "\n".join([f"{scenario.name}: no fault found", *lines]))
+
+
+def run_session(
+    scenario: Scenario,
+    out: str | Path,
+    *,
+    command: str,
+    plots: Sequence[str] = (),
+    signals: Sequence[str] = (),
+    progress: bool = False,
+) -> RunOutcome:
+    """Run every scheme of a scenario; write signals, summary.json, report.html and plots into a folder.
+
+    Raises
+    ------
+    OutputError
+        If the folder cannot be made or written to; found before anything is simulated.
+    """
+    folder = prepared(out)
+    outcomes: list[Outcome] = []
+    cases: Sequence[Case] = scenario.cases()
+    for case in cases:
+        with _bar(progress, case.name) as told:
+            outcomes.append(run_case(case, progress=told))
+    for outcome in outcomes:
+        _write_signals(outcome, folder, signals)
+    summary = summary_of(scenario.name, outcomes, command)
+    write_text_atomic(folder / "summary.json", json.dumps(summary, indent=2, allow_nan=False) + "\n")
+    table = _write_report(scenario, outcomes, folder, command, plots)
+    return RunOutcome(summary["passed"] is not False, summary, table)
+
+
+def prepared(out: str | Path) -> Path:
+    """Return the folder of the results, made if it is not there, after a look at whether it can be written to."""
+    folder = Path(out)
+    try:
+        folder.mkdir(parents=True, exist_ok=True)
+        probe = folder / ".contourlab-probe"
+        probe.write_bytes(b"")
+        probe.unlink()
+    except OSError as error:
+        raise OutputError(f"{folder}: cannot be written: {error.strerror or error}; choose another folder with --out") from error
+    return folder
+
+
+def _write_signals(outcome: Outcome, folder: Path, wanted: Sequence[str]) -> None:
+    result = outcome.result
+    if wanted:
+        from dataclasses import replace
+
+        result = replace(result, signals={name: result.signals[name] for name in wanted if result[name] is not None})
+    result.save(folder / "signals" / f"{file_name(outcome.name)}.nc")
+
+
+def file_name(name: str) -> str:
+    """Return a scheme's name as a file name that every system takes."""
+    return "".join(c if c.isalnum() or c in "-_." else "-" for c in name).strip("-.") or "scheme"
+
+
+def _write_report(scenario: Scenario, outcomes: Sequence[Outcome], folder: Path, command: str, plots: Sequence[str]) -> str:
+    from contourlab.report.html import write_html
+    from contourlab.report.tables import comparison_text
+    from contourlab.session.page import report_data
+
+    data = report_data(scenario.name, outcomes, scenario=scenario.text, command=command)
+    write_html(data, folder / "report.html")
+    if plots:
+        from contourlab.report.plots import write_plots
+
+        write_plots(data, folder / "plots", tuple(plots))
+    return "\n".join([comparison_text(data).rstrip(), *verdict_lines(outcomes), f"report: {folder / 'report.html'}"])
+
+
+def verdict_lines(outcomes: Sequence[Outcome]) -> list[str]:
+    """Return the verdicts in words."""
+    lines = []
+    for outcome in outcomes:
+        found = outcome.verdict
+        if found is None:
+            continue
+        worst = found.worst
+        where = f"line {worst.line}" if worst.line else "(" + ", ".join(f"{x * 1e3:.3f}" for x in worst.position) + ") mm"
+        lines.append(
+            f"{outcome.name}: {'PASS' if found.passed else 'FAIL'}, largest part error {worst.value * 1e6:.3g} um against "
+            f"{found.tolerance * 1e6:.3g} um, at {where}, t = {worst.time:.3f} s"
+        )
+        if found.causes:
+            main = [f"{c.name} {c.contribution * 1e6:+.3g} um" for c in found.causes if c.share >= 0.02]
+            lines.append(f"    causes there: {', '.join(main)}; {found.advice}")
+    return lines
+
+
+@contextmanager
+def _bar(wanted: bool, name: str) -> Iterator[Callable[[int, int], None] | None]:
+    if not wanted:
+        yield None
+        return
+    from rich.console import Console
+    from rich.progress import Progress
+
+    with Progress(console=Console(stderr=True), transient=True) as bar:
+        task = bar.add_task(name)
+        yield lambda done, total: bar.update(task, completed=done, total=total)

@@ -1,0 +1,69 @@
+"""summary.json: one object per scheme, in SI; the schema is documented in docs/summary-schema.md."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping, Sequence
+from dataclasses import asdict
+from typing import Any
+
+from contourlab import __version__
+from contourlab.metrics.circles import pairs
+from contourlab.studies.compare import Outcome
+
+__all__ = ["SCHEMA", "summary_of"]
+
+SCHEMA = "contourlab-summary/1"
+
+
+def summary_of(name: str, outcomes: Sequence[Outcome], command: str) -> dict[str, Any]:
+    """Return the summary of a session: plain values, no number that JSON cannot hold.
+
+    Parameters
+    ----------
+    name : str
+        Of the scenario.
+    outcomes : sequence of Outcome
+    command : str
+        What was run.
+    """
+    verdicts = [outcome.verdict for outcome in outcomes if outcome.verdict is not None]
+    found: dict[str, Any] = {
+        "schema": SCHEMA,
+        "version": __version__,
+        "name": name,
+        "command": command,
+        "passed": all(v.passed for v in verdicts) if verdicts else None,
+        "schemes": {outcome.name: _scheme(outcome) for outcome in outcomes},
+    }
+    clean: dict[str, Any] = _clean(found)
+    return clean
+
+
+def _scheme(outcome: Outcome) -> dict[str, Any]:
+    result, case = outcome.result, outcome.case
+    return {
+        "machine": case.machine.name,
+        "axes": list(result.axes),
+        "servo_period": result.servo_period,
+        "seed": case.seed,
+        "n_sample": result.n_sample,
+        "path_digest": outcome.reference.path.digest,
+        "status": asdict(result.status),
+        "metrics": outcome.metrics.as_dict(),
+        "verdict": asdict(outcome.verdict) if outcome.verdict else None,
+        "circles": [{"name": c.name, "clockwise": c.clockwise, "radius": c.radius, **c.figures()} for c in outcome.circles],
+        "circles_both_ways": {name: asdict(both) for name, both in pairs(outcome.circles).items()},
+        "reversals": [asdict(spike) for spike in outcome.spikes],
+        "margins": {axis: asdict(bode.margins) for axis, bode in outcome.bode.items()},
+    }
+
+
+def _clean(value: Any) -> Any:
+    if isinstance(value, Mapping):
+        return {str(key): _clean(item) for key, item in value.items()}
+    if isinstance(value, list | tuple):
+        return [_clean(item) for item in value]
+    if isinstance(value, float):
+        return value if math.isfinite(value) else None
+    return value

@@ -1,0 +1,134 @@
+"""One case after another: simulate, judge, sum up, give a verdict."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Protocol
+
+import numpy as np
+from numpy.typing import NDArray
+
+from contourlab.analysis import AxisResponse, Margins, axis_response, margins
+from contourlab.errors import ComponentError
+from contourlab.feed import Reference
+from contourlab.loop import Controller, Machine, simulate
+from contourlab.metrics import CircleFigures, Metrics, Spike, circles_of, judge, reversal_spikes, summarise
+from contourlab.result import Result
+from contourlab.studies.verdict import Verdict, verdict
+
+__all__ = ["AxisBode", "Case", "Outcome", "run_case"]
+
+Array = NDArray[np.float64]
+FREQUENCIES = 2.0 * np.pi * np.logspace(-1.0, 2.7, 300)
+
+
+class Case(Protocol):
+    """What a case is: a machine under a controller along a reference, and what it is held against."""
+
+    @property
+    def name(self) -> str:
+        """Name of the scheme."""
+
+    @property
+    def machine(self) -> Machine:
+        """The machine."""
+
+    @property
+    def controller(self) -> Controller:
+        """Its controller."""
+
+    @property
+    def tolerance(self) -> float | None:
+        """Largest part error that passes [m]; None for no verdict."""
+
+    @property
+    def seed(self) -> int:
+        """Of all noise."""
+
+    @property
+    def lines(self) -> tuple[str, ...]:
+        """Source text of the program; empty for a contour."""
+
+    def reference(self, feed_scale: float = 1.0) -> Reference:
+        """Return the sampled reference, at a part of the programmed feed."""
+
+
+@dataclass(frozen=True, eq=False)
+class AxisBode:
+    """Closed loop and margins of one axis."""
+
+    response: AxisResponse
+    margins: Margins
+
+
+@dataclass(frozen=True, eq=False)
+class Outcome:
+    """A judged case."""
+
+    name: str
+    case: Case
+    reference: Reference
+    result: Result
+    metrics: Metrics
+    verdict: Verdict | None
+    circles: tuple[CircleFigures, ...]
+    spikes: tuple[Spike, ...]
+    bode: dict[str, AxisBode]
+
+
+def run_case(case: Case, *, explain: bool = True, progress: Callable[[int, int], None] | None = None) -> Outcome:
+    """Run one case and judge it.
+
+    Parameters
+    ----------
+    case : Case
+    explain : bool
+        Whether causes and advice of a failed verdict are worked out; a passed one needs none.
+    progress : callable, optional
+        Told samples done and samples in all.
+
+    Raises
+    ------
+    DivergenceError
+        If the loop runs away.
+    """
+    reference = case.reference()
+
+    def told(done: int) -> None:
+        if progress is not None:
+            progress(done, reference.n_sample)
+
+    result = simulate(case.machine, case.controller, reference, scheme=case.name, seed=case.seed, progress=told)
+    judged = judge(result, reference)
+    figures = summarise(judged, reference)
+    found = None
+    if case.tolerance is not None:
+        failed = figures.part_error.max > case.tolerance
+        slower = None if reference.laps else case.reference
+        found = verdict(
+            case.machine,
+            case.controller,
+            reference,
+            judged,
+            case.tolerance,
+            lines=case.lines,
+            slower=slower,
+            explain=explain and failed,
+            seed=case.seed,
+        )
+    circles = circles_of(judged, reference)
+    spikes = reversal_spikes(judged, (max(figures.window[0] - 5, 0), figures.window[1]))
+    return Outcome(case.name, case, reference, judged, figures, found, circles, spikes, bode_of(case.machine, case.controller))
+
+
+def bode_of(machine: Machine, controller: Controller) -> dict[str, AxisBode]:
+    """Return the closed loop of each axis whose components have linear models."""
+    found = {}
+    for axis in machine.axes:
+        try:
+            response = axis_response(axis, controller.axes[axis.name], machine.servo_period, FREQUENCIES, machine.carried_mass(axis.name))
+        except ComponentError:
+            continue
+        found[axis.name] = AxisBode(response, margins(response.frequency, response.loop_gain))
+    return found

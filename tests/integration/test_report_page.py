@@ -1,0 +1,110 @@
+"""The report as its reader meets it: a simulated result in, one file out, opened by a browser without a network."""
+
+from __future__ import annotations
+
+import importlib.util
+import re
+import shutil
+import subprocess
+import sys
+import time
+from pathlib import Path
+
+import pytest
+
+from contourlab.report import comparison_markdown, write_html
+from contourlab.result import Result
+
+BROWSER = next((found for name in ("chromium", "chromium-browser", "google-chrome") if (found := shutil.which(name))), None)
+QUIET = (
+    "--headless",
+    "--no-sandbox",
+    "--disable-gpu",
+    "--disable-background-networking",
+    "--disable-component-update",
+    "--disable-sync",
+    "--no-first-run",
+    "--hide-scrollbars",
+    "--enable-logging=stderr",
+    "--host-resolver-rules=MAP * ~NOTFOUND",
+    "--virtual-time-budget=20000",
+    "--window-size=1440,12000",
+)
+
+
+def _synthetic():
+    """Return the runs with known errors that the unit tests of the report use."""
+    file = Path(__file__).parents[1] / "unit" / "report" / "synthetic.py"
+    spec = importlib.util.spec_from_file_location("report_synthetic", file)
+    module = importlib.util.module_from_spec(spec)
+    sys.modules[spec.name] = module
+    spec.loader.exec_module(module)
+    return module
+
+
+synthetic = _synthetic()
+
+
+@pytest.fixture(scope="module")
+def data():
+    return synthetic.report()
+
+
+@pytest.fixture(scope="module")
+def page(data, tmp_path_factory) -> Path:
+    return write_html(data, tmp_path_factory.mktemp("report") / "page.html")
+
+
+def browse(page: Path, *options: str) -> subprocess.CompletedProcess[str]:
+    """Open a page and return what the browser says."""
+    command = [BROWSER, *QUIET, f"--user-data-dir={page.parent / 'profile'}", *options, page.as_uri()]
+    return subprocess.run(command, capture_output=True, text=True, timeout=120, check=True)
+
+
+@pytest.mark.skipif(BROWSER is None, reason="no Chromium on this machine")
+def test_a_browser_draws_every_picture(data, page):
+    seen = browse(page, "--dump-dom")
+    complaints = [line for line in seen.stderr.splitlines() if "CONSOLE" in line]
+    assert complaints == []
+    places = re.findall(r'<div class="plot[^"]*" id="([^"]+)"[^>]*data-drawn="1"', seen.stdout)
+    assert set(places) == {"path-0", "circle-0", "error-time", "error-arc", "axis-0", "axis-1", "bode-0", "bode-1"}
+    assert seen.stdout.count('class="main-svg"') >= len(places)
+    assert re.search(r'<output id="magnification">error × \d', seen.stdout)
+
+
+@pytest.mark.skipif(BROWSER is None, reason="no Chromium on this machine")
+def test_a_browser_paints_the_curves_in_their_colours(page, tmp_path):
+    from PIL import Image
+
+    browse(page, f"--screenshot={tmp_path / 'page.png'}")
+    with Image.open(tmp_path / "page.png") as picture:
+        colours = {colour: count for count, colour in picture.convert("RGB").getcolors(1 << 24)}
+    for wanted in ((0xD5, 0x5E, 0x00), (0x00, 0x72, 0xB2)):
+        assert colours.get(wanted, 0) > 3000
+
+
+def test_a_result_that_went_through_a_file_gives_the_same_page(data, page, tmp_path):
+    from dataclasses import replace
+
+    schemes = []
+    for index, scheme in enumerate(data.schemes):
+        scheme.result.save(tmp_path / f"{index}.nc")
+        schemes.append(replace(scheme, result=Result.load(tmp_path / f"{index}.nc")))
+    again = write_html(replace(data, schemes=tuple(schemes)), tmp_path / "again.html")
+    assert again.read_bytes() == page.read_bytes()
+
+
+def test_the_report_of_a_minute_at_ten_kilohertz_is_quick_and_small(tmp_path):
+    data = synthetic.report((8e-6, 4e-6, 2e-6), laps=30, servo_period=1e-4)
+    assert data.schemes[0].result.n_sample >= 600_000
+    start = time.perf_counter()
+    file = write_html(data, tmp_path / "long.html")
+    assert time.perf_counter() - start < 3.0
+    assert file.stat().st_size < 9e6
+
+
+def test_the_page_and_the_table_tell_the_same_figures(data, page):
+    text = page.read_text(encoding="utf-8")
+    for row in comparison_markdown(data).splitlines()[2:14]:
+        for cell in row.strip("| ").split(" | "):
+            assert f">{cell.strip()}<" in text or cell.strip() in ("", "–"), cell

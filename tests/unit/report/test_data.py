@@ -1,0 +1,75 @@
+"""What cannot be reported is refused, with a reason."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from contourlab.errors import ParameterError
+from contourlab.report import AxisBounds, CircleRun, FrequencyResponse, Mark, render_html
+
+
+def test_no_scheme(circle):
+    with pytest.raises(ParameterError, match="at least one run"):
+        replace(circle, schemes=())
+
+
+def test_two_schemes_of_one_name(circle):
+    with pytest.raises(ParameterError, match="each name once"):
+        replace(circle, schemes=(circle.schemes[0], circle.schemes[0]))
+
+
+def test_schemes_of_different_axes(circle):
+    second = circle.schemes[1]
+    other = replace(second, result=replace(second.result, axes=("u", "v")))
+    with pytest.raises(ParameterError, match="as of the first scheme"):
+        replace(circle, schemes=(circle.schemes[0], other))
+
+
+@pytest.mark.parametrize("tolerance", [0.0, -1e-6, float("inf"), float("nan")])
+def test_tolerance_out_of_range(circle, tolerance):
+    with pytest.raises(ParameterError, match="finite and > 0 m"):
+        replace(circle, tolerance=tolerance)
+
+
+def test_limits_must_be_positive():
+    with pytest.raises(ParameterError, match=r"velocity = \[0.1, 0.0\] m/s"):
+        AxisBounds(np.array([0.1, 0.0]), np.ones(2), np.ones(2), np.ones(2))
+
+
+def test_one_limit_stands_for_all_axes():
+    bounds = AxisBounds(np.array([0.1]), np.array([1.0, 2.0]), np.array([np.inf]), np.ones(1))
+    assert bounds.of("velocity", 1) == 0.1 and bounds.of("acceleration", 1) == 2.0
+
+
+def test_figures_of_the_judge_and_the_reports_own_forms_are_the_same_thing(circle):
+    given = circle.schemes[0]
+    again = replace(given, circles=given.runs, spikes=given.marks)
+    assert len(given.marks) == 4 and given.runs
+    own = replace(circle, schemes=(again, circle.schemes[1]))
+    assert render_html(own) == render_html(circle)
+
+
+def test_a_mark_is_a_reversal_or_a_corner():
+    with pytest.raises(ParameterError, match="'reversal' or 'corner'"):
+        Mark(0.1, "x turns", "turn")
+
+
+def test_a_circle_has_a_deviation_for_each_angle():
+    with pytest.raises(ParameterError, match="one value per angle"):
+        CircleRun("XY", False, 0.02, np.zeros(3), np.zeros(2))
+    with pytest.raises(ParameterError, match=r"radius = 0.0 m: must be finite and > 0"):
+        CircleRun("XY", False, 0.0, np.zeros(3), np.zeros(3))
+
+
+@pytest.mark.parametrize("frequency", [[1.0, 1.0], [0.0, 1.0], [2.0, 1.0]])
+def test_frequencies_must_rise_from_above_zero(frequency):
+    with pytest.raises(ParameterError, match="> 0 and ascending"):
+        FrequencyResponse(np.array(frequency), np.ones(2))
+
+
+def test_one_response_for_each_frequency():
+    with pytest.raises(ParameterError, match="one value per frequency"):
+        FrequencyResponse(np.array([1.0, 2.0]), np.ones(3))

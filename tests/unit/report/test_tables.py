@@ -1,0 +1,104 @@
+"""The comparison says the same on a terminal, in a pipe and in Markdown."""
+
+from __future__ import annotations
+
+import io
+from dataclasses import replace
+
+import pytest
+import synthetic
+
+from contourlab.feed import AxisLimits, plan, route_from_path
+from contourlab.geometry import Line, Path
+from contourlab.report import comparison_markdown, comparison_text, print_comparison
+from contourlab.report.comparison import compare
+from contourlab.result import Status
+
+
+class Terminal(io.StringIO):
+    """A stream that says it is a terminal."""
+
+    def isatty(self) -> bool:
+        return True
+
+
+def cells(data, label):
+    return next(row for row in compare(data).rows if row.label == label)
+
+
+def test_figures_are_the_metrics_in_print_units(circle):
+    row = cells(circle, "contour error, largest")
+    assert row.unit == "µm" and row.strong
+    for cell, scheme in zip(row.cells, circle.schemes, strict=True):
+        assert float(cell.text) == pytest.approx(scheme.metrics.contour_error.max * 1e6, rel=6e-3)
+    feed = cells(circle, "feedrate, mean")
+    assert feed.unit == "mm/min" and float(feed.cells[0].text) == pytest.approx(3770, rel=1e-3)
+
+
+def test_change_is_of_the_last_against_the_first(circle):
+    row = cells(circle, "contour error, rms")
+    assert row.change == "−75 %" and row.mood == "good"
+
+
+def test_pass_and_fail_are_told_in_words(circle):
+    row = cells(circle, "tolerance 5 µm")
+    assert [cell.text.split()[1] for cell in row.cells] == ["fail", "pass"]
+
+
+def test_without_a_verdict_the_largest_part_error_decides(circle):
+    bare = tuple(replace(scheme, verdict=None) for scheme in circle.schemes)
+    largest = circle.schemes[0].metrics.part_error.max
+    row = cells(replace(circle, schemes=bare, tolerance=largest), f"tolerance {largest * 1e6:.6g} µm")
+    assert [cell.mood for cell in row.cells] == ["good", "good"]
+    row = next(iter(compare(replace(circle, schemes=bare, tolerance=0.999 * largest)).rows))
+    assert [cell.mood for cell in row.cells] == ["poor", "good"]
+
+
+def test_a_run_that_stopped_early_never_passes(circle):
+    second = circle.schemes[1]
+    stopped = replace(second, result=replace(second.result, status=Status(False, 9, "x", "position left its range")))
+    table = compare(replace(circle, schemes=(circle.schemes[0], stopped)))
+    assert table.rows[0].cells[1].mood == "poor"
+    assert "modified reference did not finish: position left its range" in table.note
+
+
+def test_an_error_in_space_has_no_signed_mean(single):
+    path = Path([Line((0.0, 0.0, 0.0), (0.01, 0.02, 0.03))])
+    data = synthetic.around(single, path, plan(route_from_path(path, 0.02), AxisLimits([0.1] * 3, 2.0, 50.0), 1e-3))
+    labels = [row.label for row in compare(data).rows]
+    assert "contour error, signed mean" not in labels and "contour error, mean" in labels
+
+
+def test_without_tolerance_nobody_passes_or_fails(square):
+    assert not any("tolerance" in row.label for row in compare(square).rows)
+
+
+def test_a_pipe_gets_plain_ascii(circle):
+    stream = io.StringIO()
+    print_comparison(circle, stream)
+    assert stream.getvalue().isascii() and "\x1b" not in stream.getvalue()
+    assert stream.getvalue() == comparison_text(circle) + "\n"
+    assert "um s" in stream.getvalue() and "-75 %" in stream.getvalue()
+
+
+def test_a_terminal_gets_colours(circle, monkeypatch):
+    monkeypatch.delenv("NO_COLOR", raising=False)
+    monkeypatch.setenv("TERM", "xterm-256color")
+    monkeypatch.setenv("COLUMNS", "120")
+    stream = Terminal()
+    print_comparison(circle, stream)
+    assert "\x1b[" in stream.getvalue() and "pass" in stream.getvalue()
+
+
+def test_markup_in_names_is_printed_as_it_is(circle):
+    odd = replace(circle, schemes=(replace(circle.schemes[0], name="[bold]a|b[/bold]"),))
+    assert "[bold]a|b[/bold]" in comparison_text(odd)
+    table = [line for line in comparison_markdown(odd).splitlines() if line.startswith("|")]
+    assert "\\[bold\\]a\\|b\\[/bold\\]" in table[0]
+    assert {line.replace("\\|", "").count("|") for line in table} == {4}
+
+
+def test_markdown_has_one_column_per_scheme_and_the_change(circle):
+    lines = comparison_markdown(circle).splitlines()
+    assert lines[1] == "| --- | --- | ---: | ---: | ---: |"
+    assert all(line.count("|") == 6 for line in lines if line.startswith("|"))
