@@ -191,23 +191,26 @@ def libm_tanh(x: float) -> float:
 
 @njit(**INLINE)
 def _expm1_reduced(x: float) -> tuple[float, float]:
-    """x = n ln 2 + r with |r| <= ln 2 / 2; returns n and e**r - 1 (Taylor to r**13: remainder below 1e-17)."""
+    """x = n ln 2 + r with |r| <= ln 2 / 2; returns n and e**r - 1 (Taylor to r**13: remainder below 1e-17).
+
+    Estrin's scheme: pairs, then pairs of pairs, so that the terms do not wait for each other as in Horner's.
+    """
     n = rint(x * 1.4426950408889634074)
     r = fma(-n, 6.93147180369123816490e-01, x)
     r = fma(-n, 1.90821492927058770002e-10, r)
-    q = 1.0 / 6227020800.0
-    q = fma(q, r, 1.0 / 479001600.0)
-    q = fma(q, r, 1.0 / 39916800.0)
-    q = fma(q, r, 1.0 / 3628800.0)
-    q = fma(q, r, 1.0 / 362880.0)
-    q = fma(q, r, 1.0 / 40320.0)
-    q = fma(q, r, 1.0 / 5040.0)
-    q = fma(q, r, 1.0 / 720.0)
-    q = fma(q, r, 1.0 / 120.0)
-    q = fma(q, r, 1.0 / 24.0)
-    q = fma(q, r, 1.0 / 6.0)
-    q = fma(q, r, 0.5)
-    return n, fma(q * r, r, r)
+    r2 = r * r
+    r4 = r2 * r2
+    a = fma(r, 1.0 / 6.0, 0.5)
+    b = fma(r, 1.0 / 120.0, 1.0 / 24.0)
+    c = fma(r, 1.0 / 5040.0, 1.0 / 720.0)
+    d = fma(r, 1.0 / 362880.0, 1.0 / 40320.0)
+    e = fma(r, 1.0 / 39916800.0, 1.0 / 3628800.0)
+    f = fma(r, 1.0 / 6227020800.0, 1.0 / 479001600.0)
+    low = fma(b, r2, a)
+    middle = fma(d, r2, c)
+    high = fma(f, r2, e)
+    q = fma(fma(high, r4, middle), r4, low)
+    return n, fma(q, r2, r)
 
 
 @njit(**INLINE)
@@ -257,20 +260,15 @@ def _sincos_reduced(x: float) -> tuple[float, float, float]:
     r = fma(-n, 6.07710050630396597660e-11, r)
     r = fma(-n, 2.02226624879595063154e-21, r)
     z = r * r
-    s = 1.58969099521155010221e-10
-    s = fma(s, z, -2.50507602534068634195e-08)
-    s = fma(s, z, 2.75573137070700676789e-06)
-    s = fma(s, z, -1.98412698298579493134e-04)
-    s = fma(s, z, 8.33333333332248946124e-03)
-    s = fma(s, z, -1.66666666666666324348e-01)
+    z2 = z * z
+    s = fma(z, 1.58969099521155010221e-10, -2.50507602534068634195e-08)
+    s = fma(s, z2, fma(z, 2.75573137070700676789e-06, -1.98412698298579493134e-04))
+    s = fma(s, z2, fma(z, 8.33333333332248946124e-03, -1.66666666666666324348e-01))
     s = fma(s * z, r, r)
-    c = -1.13596475577881948265e-11
-    c = fma(c, z, 2.08757232129817482790e-09)
-    c = fma(c, z, -2.75573143513906633035e-07)
-    c = fma(c, z, 2.48015872894767294178e-05)
-    c = fma(c, z, -1.38888888888741095749e-03)
-    c = fma(c, z, 4.16666666666666019037e-02)
-    c = fma(c * z, z, fma(-0.5, z, 1.0))
+    c = fma(z, -1.13596475577881948265e-11, 2.08757232129817482790e-09)
+    c = fma(c, z2, fma(z, -2.75573143513906633035e-07, 2.48015872894767294178e-05))
+    c = fma(c, z2, fma(z, -1.38888888888741095749e-03, 4.16666666666666019037e-02))
+    c = fma(c, z2, fma(-0.5, z, 1.0))
     return n, s, c
 
 

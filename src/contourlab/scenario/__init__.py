@@ -1,0 +1,31 @@
+"""Scenarios: TOML files to typed values and back, strictly.
+
+Inside: `tree` (raw content that remembers where it stands), `files` (parts in files of their own), `quantities` (values with units),
+`tables` (tables of fixed shape), `components` (tables of components), `build` (machines and controllers), `motion` (contour, program, feed,
+run), `values` (what comes out), `load` (the doors), `dump` and `toml_text` (the way back).
+"""
+
+from contourlab.scenario.dump import dump
+from contourlab.scenario.files import builtin_file, builtin_names
+from contourlab.scenario.load import load_axis, load_controller, load_machine, load_scenario, parse_scenario, scenario_from_parts
+from contourlab.scenario.values import Case, Contour, FeedSettings, Motion, Overrides, PartProgram, RunSettings, Scenario
+
+__all__ = [
+    "Case",
+    "Contour",
+    "FeedSettings",
+    "Motion",
+    "Overrides",
+    "PartProgram",
+    "RunSettings",
+    "Scenario",
+    "builtin_file",
+    "builtin_names",
+    "dump",
+    "load_axis",
+    "load_controller",
+    "load_machine",
+    "load_scenario",
+    "parse_scenario",
+    "scenario_from_parts",
+]

@@ -55,7 +55,9 @@ def find_kind(table: Table, family: str) -> type[Component]:
         raise node.error(f"no {family} {node.value!r}: {hint(node.value, names)}") from None
 
 
-def read_component(node: Node, family: str, units: tuple[str, str], *, optional: bool = False, given: Mapping[str, float] | None = None) -> Any:
+def read_component(
+    node: Node, family: str, units: tuple[str, str], *, optional: bool = False, given: Mapping[str, float] | None = None
+) -> Any:
     """Read a component.
 
     Parameters

@@ -106,8 +106,10 @@ class Reader:
     def _filled(self, node: Node, part: Callable[[Reader, Table], Table]) -> Node:
         """Return a part with the file that it names read in: ``x = "file"``, or ``x = {file = "file", ...}`` with changes to it."""
         base, own = self._split(node, part)
-        if base is None or own is None:
-            return node if base is None else base
+        if base is None:
+            return node
+        if not isinstance(own, Table):
+            return base
         return replace(join(base, own, self.names), afresh=True)
 
     def _split(self, node: Node, part: Callable[[Reader, Table], Table]) -> tuple[Table | None, Node | None]:

@@ -8,17 +8,14 @@ from pathlib import Path
 from typing import Any
 
 from contourlab.components.registry import load_plugin
-from contourlab.errors import ContourlabError, FeedError, ProgramError, ScenarioError
-from contourlab.geometry import contour_names, contour_parameters
+from contourlab.errors import ScenarioError
 from contourlab.loop import Axis, Controller, Machine
-from contourlab.program import read_program
 from contourlab.scenario.build import build_axis, build_controller, build_machine
-from contourlab.scenario.components import located
-from contourlab.scenario.files import BUILTIN, Reader, builtin_file, join, listed, locate
-from contourlab.scenario.quantities import read_number
-from contourlab.scenario.tables import FeedTable, ProgramTable, RunTable, ScenarioTable, read_table
-from contourlab.scenario.tree import Leaf, Node, Table, from_mapping, hint, merge, settle
-from contourlab.scenario.values import Case, Contour, FeedSettings, Motion, PartProgram, RunSettings, Scenario
+from contourlab.scenario.files import BUILTIN, Reader, builtin_file, join, listed
+from contourlab.scenario.motion import read_feed, read_motion, read_run
+from contourlab.scenario.tables import ScenarioTable, read_table
+from contourlab.scenario.tree import Leaf, Node, Table, from_mapping, hint, merge, parse_tree, settle
+from contourlab.scenario.values import Case, Contour, Motion, Scenario
 
 __all__ = ["load_axis", "load_controller", "load_machine", "load_scenario", "parse_scenario", "scenario_from_parts"]
 
@@ -236,8 +233,6 @@ def parse_scenario(text: str, name: str = "<text>", plugins: Sequence[str | Path
     ScenarioError, ProgramError
         As `load_scenario`.
     """
-    from contourlab.scenario.tree import parse_tree
-
     _load_plugins(plugins)
     return _scenario(Reader(), parse_tree(text, name), Path(name))
 
@@ -251,7 +246,7 @@ def _scenario(reader: Reader, content: Table, path: Path) -> Scenario:
     reader = replace(reader, names=listed(machine))
     layers = _Layers(machine, reader.controller(content.entries["controller"]), content.table("feed"), content.table("run"))
     base_machine = build_machine(settle(machine))
-    motion = _motion(reader, content, base_machine)
+    motion = read_motion(content, base_machine)
     base = _case("base", layers, motion, content)
     schemes = content.table("schemes")
     cases = tuple(_case(name, _over(reader, layers, schemes.table(name)), motion, schemes.table(name)) for name in schemes.entries)
@@ -294,106 +289,9 @@ def _case(name: str, layers: _Layers, motion: Motion, place: Table) -> Case:
     if isinstance(layers.controller, Leaf):
         raise layers.controller.error("a table [controller] or the name of its file is wanted")
     controller = build_controller(settle(_spread_controller(layers.controller, machine.axis_names)), machine)
-    feed = _feed(settle(layers.feed), motion)
-    run = _run(settle(layers.run))
+    feed = read_feed(settle(layers.feed), motion)
+    run = read_run(settle(layers.run))
     if motion.n_axis != len(machine.axes):
         what = motion.name if isinstance(motion, Contour) else motion.file.name
         raise place.error(f"{what} has {motion.n_axis} coordinates, {machine.name} has the axes {', '.join(machine.axis_names)}")
     return Case(name, machine, controller, motion, feed, run)
-
-
-def _run(table: Table) -> RunSettings:
-    plain = read_table(RunTable, table)
-    signals = None if plain.signals is None else tuple(plain.signals)
-    if signals is not None:
-        from contourlab.loop.simulate import UNITS
-        from contourlab.metrics.judge import JUDGED
-
-        known = (*UNITS, *JUDGED)
-        for signal in signals:
-            if signal not in known:
-                raise table.error(f"no signal {signal!r}: {hint(signal, known)}", "signals")
-    return RunSettings(plain.tolerance, signals, plain.seed, plain.evaluate)
-
-
-def _feed(table: Table, motion: Motion) -> FeedSettings:
-    plain = read_table(FeedTable, table)
-    is_program = isinstance(motion, PartProgram)
-    if plain.law == "uniform":
-        if is_program:
-            raise table.error('the uniform law drives laps of a contour: a program is "planned"', "law")
-        if not motion.path.closed:  # type: ignore[union-attr]
-            raise table.error('the uniform law drives laps: the contour must be closed; take law = "planned"', "law")
-        _needs(table, "frequency", '"0.5 Hz"', "feedrate", "the uniform law")
-    elif is_program:
-        for name in ("feedrate", "frequency"):
-            if name in table.entries:
-                raise table.error("the program says how fast it is driven: leave this out, or scale it with override = 0.8", name)
-        if plain.laps != 1:
-            raise table.error("a program is driven once", "laps")
-    else:
-        _needs(table, "feedrate", '"8000 mm/min"', "frequency", "a planned contour")
-    return FeedSettings(plain.law, plain.feedrate, plain.frequency, plain.laps, plain.override)
-
-
-def _needs(table: Table, wanted: str, example: str, other: str, who: str) -> None:
-    if other in table.entries:
-        raise table.error(f"{who} has no {other}: it wants {wanted} = {example}", other)
-    if wanted not in table.entries:
-        raise table.error(f"key {wanted} is missing: {who} wants {wanted} = {example}")
-
-
-def _motion(reader: Reader, content: Table, machine: Machine) -> Motion:
-    if "contour" in content.entries:
-        return _contour(content.entries["contour"])
-    node = content.entries["program"]
-    if isinstance(node, Leaf):
-        node = Table({"file": node}, node.file, node.key)
-    plain = read_table(ProgramTable, node)
-    reference = node.entries["file"]
-    assert isinstance(reference, Leaf)  # its text has just been read
-    with located(node, "file"):
-        file = locate(plain.file, Path(reference.file).parent)
-    letters = tuple(plain.letters) if plain.letters else tuple(name.lower() for name in machine.axis_names)
-    _check_letters(node, letters, machine, bool(plain.letters))
-    try:
-        program = read_program(file, require_end=plain.require_end)
-    except ProgramError as error:
-        if error.line:
-            raise
-        raise reference.error(str(error)) from error
-    return PartProgram(file, program, letters, plain.require_end)
-
-
-def _check_letters(node: Table, letters: tuple[str, ...], machine: Machine, given: bool) -> None:
-    names = ", ".join(machine.axis_names)
-    if len(letters) != len(machine.axes):
-        raise node.error(f"{len(letters)} letters for the axes {names}: one for each is wanted", "letters")
-    if len(set(letters)) != len(letters):
-        raise node.error("a letter stands there twice", "letters")
-    if not given and not set(letters) <= set("xyz"):
-        raise node.error(f'the axes {names} are not called x, y, z: say what they obey with letters = ["x", "y"]', "file")
-
-
-def _contour(node: Node) -> Contour:
-    if isinstance(node, Leaf):
-        node = Table({"name": node}, node.file, node.key)
-    name = node.get("name")
-    if not isinstance(name, Leaf) or not isinstance(name.value, str):
-        raise node.error(f"key name is missing: one of {', '.join(contour_names())}")
-    if name.value not in contour_names():
-        raise name.error(f"no contour {name.value!r}: {hint(name.value, contour_names())}")
-    known = contour_parameters(name.value)
-    values: dict[str, float] = {}
-    for key, value in node.entries.items():
-        if key == "name":
-            continue
-        if key not in known:
-            raise node.error(f"contour {name.value} has no parameter {key!r}: {hint(key, known)}", key)
-        with located(node, key):
-            unit = known[key][1]
-            values[key] = read_number(value.plain(), unit, "mm" if unit == "m" else unit)
-    found = Contour(name.value, values)
-    with located(node):
-        _ = found.path
-    return found

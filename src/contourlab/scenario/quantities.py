@@ -63,7 +63,8 @@ def read_number(value: Any, unit: str, display: str = "") -> float:
         return _bare(value, unit, shown)
     given = value.strip().partition(" ")[2]
     if len(value) > 120 or not _UNIT.match(given.strip()):
-        raise UnitError(f"{value[:60]!r} is no quantity: write a number, a space and a unit" + (f", such as {_example(shown)}" if unit else ""))
+        example = f", such as {_example(shown)}" if unit else ""
+        raise UnitError(f"{value[:60]!r} is no quantity: write a number, a space and a unit{example}")
     try:
         _check_turns(value, given, unit)
         number = to_si(value, unit)

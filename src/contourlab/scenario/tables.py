@@ -54,8 +54,7 @@ def _numbers(unit: str, display: str) -> BeforeValidator:
     return BeforeValidator(read)
 
 
-_POSITIVE = {"minimum": 0.0, "exclusive": True}
-Period = Annotated[float, _number("s", "ms", maximum=1.0, **_POSITIVE)]  # type: ignore[arg-type]
+Period = Annotated[float, _number("s", "ms", minimum=0.0, maximum=1.0, exclusive=True)]
 Velocity = Annotated[float, _number("m/s", "mm/min", minimum=0.0, exclusive=True)]
 Acceleration = Annotated[float, _number("m/s^2", minimum=0.0, exclusive=True)]
 Jerk = Annotated[float, _number("m/s^3", minimum=0.0, exclusive=True)]
@@ -204,7 +203,8 @@ def read_table(model: type[Model], table: Table) -> Model:
 
 def _explained(model: type[BaseModel], table: Table, error: ValidationError) -> ScenarioError:
     faults = error.errors(include_url=False, include_context=False)
-    faults.sort(key=lambda fault: ("extra_forbidden", "missing").index(fault["type"]) if fault["type"] in ("extra_forbidden", "missing") else 2)
+    # An unknown key is often a missing one with a slip of the pen: it is named first.
+    faults.sort(key=lambda fault: {"extra_forbidden": 0, "missing": 1}.get(fault["type"], 2))
     first = faults[0]
     name = str(first["loc"][0]) if first["loc"] else ""
     if first["type"] == "extra_forbidden":

@@ -164,7 +164,7 @@ class Case:
         """
         free = [axis.name for axis in self.machine.axes if not np.isfinite(axis.limits.velocity)]
         if free:
-            raise FeedError(f"axis {free[0]} of {self.machine.name} has no velocity limit, so nothing can be planned: give it limits.velocity")
+            raise FeedError(f"axis {free[0]} of {self.machine.name} has no velocity limit to plan with: give it limits.velocity")
         found = [axis.limits for axis in self.machine.axes]
         return AxisLimits([x.velocity for x in found], [x.acceleration for x in found], [x.jerk for x in found])
 

@@ -279,6 +279,7 @@ def test_key_follows_the_source_of_callees():
 
 def test_cache_survives_rubbish_and_a_second_process_would_read_it(tmp_path, monkeypatch):
     monkeypatch.setattr(store, "folder", lambda: tmp_path)
+    monkeypatch.setattr(store, "_addresses", {})
     key = compiler.source_key(GAIN, 1)
     (tmp_path / f"{key}.bin").write_bytes(b"rubbish")
     compiler.compile_step.cache_clear()
@@ -286,6 +287,7 @@ def test_cache_survives_rubbish_and_a_second_process_would_read_it(tmp_path, mon
     assert run(schedule, [[21.0]], ["g.y"], True)[0, 0, 0] == 42.0
     assert (tmp_path / f"{key}.bin").stat().st_size > 100
     compiler.compile_step.cache_clear()
+    store._addresses.clear()
     assert run(schedule, [[4.0]], ["g.y"], True)[0, 0, 0] == 8.0
     assert not list(tmp_path.glob("tmp*"))
 

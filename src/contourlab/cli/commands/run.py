@@ -21,8 +21,8 @@ def run(
     out: Annotated[Path, typer.Option(help="Folder for the results; made if it is not there.")] = Path("results"),
     as_json: Annotated[bool, typer.Option("--json", help="Print JSON alone on standard output.")] = False,
     check: Annotated[bool, typer.Option("--check", help="Read and check everything, simulate nothing.")] = False,
-    plots: Annotated[list[str] | None, typer.Option(help="Also draw a plot; may be given again.")] = None,
-    signals: Annotated[list[str] | None, typer.Option(help="Also keep a signal; may be given again.")] = None,
+    plots: Annotated[list[str] | None, typer.Option(help="Also write plots as png, svg or pdf; may be given again.")] = None,
+    signals: Annotated[list[str] | None, typer.Option(help="Write this signal only; may be given again; all by default.")] = None,
     plugin: Annotated[list[Path] | None, typer.Option(help="Load components from a Python file; may be given again.")] = None,
 ) -> int:
     """Simulate a scenario or a part program, judge the contour, write report and results."""

@@ -26,6 +26,7 @@ class Coulomb(Component):
     kind = "coulomb"
     example = {"coulomb": 0.2, "breakaway": 0.3, "stribeck_velocity": 1e-3, "viscous": 2.0}
     law = "sticking"
+    derived = ("inverse_stribeck",)
     reference = "Armstrong-Helouvry, Dupont & Canudas de Wit 1994"
 
     coulomb: float = param(unit="{force}", minimum=0.0, doc="sliding friction at speed, F_c")
@@ -40,6 +41,9 @@ class Coulomb(Component):
     )
     viscous: float = param(default=0.0, unit="{force}*s/m", minimum=0.0, doc="rise of friction with speed, c")
 
+    def derive(self, par: Any, dt: float) -> tuple[Any, ...]:
+        return (1.0 / par.stribeck_velocity,)
+
     @staticmethod
     def held(par: Any) -> float:
         """Return the largest force that is held at rest."""
@@ -48,6 +52,6 @@ class Coulomb(Component):
     @staticmethod
     def sliding(par: Any, speed: float) -> float:
         """Return the resistance at a speed; smooth through zero, for a step that overshoots the reversal."""
-        ratio = speed / par.stribeck_velocity
+        ratio = speed * par.inverse_stribeck
         drop = maximum(par.breakaway - par.coulomb, 0.0)
         return par.coulomb + drop * exp(-ratio * ratio) + par.viscous * speed  # type: ignore[no-any-return]

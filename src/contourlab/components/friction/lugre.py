@@ -25,6 +25,7 @@ class LuGre(Component):
     kind = "lugre"
     example = {"coulomb": 0.2, "breakaway": 0.3, "stiffness": 1e4, "bristle_damping": 30.0, "viscous": 2.0}
     law = "bristle"
+    derived = ("inverse_stribeck",)
     reference = "Canudas de Wit et al. 1995, eqs 1-4"
     states = (Port("bristle"),)
 
@@ -42,8 +43,11 @@ class LuGre(Component):
     bristle_damping: float = param(default=0.0, unit="{force}*s/m", minimum=0.0, doc="of the bristles, s1")
     viscous: float = param(default=0.0, unit="{force}*s/m", minimum=0.0, doc="rise of friction with speed, s2")
 
+    def derive(self, par: Any, dt: float) -> tuple[Any, ...]:
+        return (1.0 / par.stribeck_velocity,)
+
     @staticmethod
     def level(par: Any, v: float) -> float:
         """Return the friction of steady sliding without its viscous part, g(v)."""
-        ratio = v / par.stribeck_velocity
+        ratio = v * par.inverse_stribeck
         return par.coulomb + (par.breakaway - par.coulomb) * exp(-ratio * ratio)  # type: ignore[no-any-return]

@@ -21,6 +21,7 @@ class SmoothCoulomb(Component):
     kind = "smooth-coulomb"
     example = {"coulomb": 0.2, "breakaway": 0.3, "stribeck_velocity": 1e-3, "smoothing_velocity": 1e-4, "viscous": 2.0}
     law = "smooth"
+    derived = ("inverse_stribeck", "inverse_smoothing")
     reference = "regularised form of Coulomb and Stribeck friction"
 
     coulomb: float = param(unit="{force}", minimum=0.0, doc="friction at speed, F_c")
@@ -43,8 +44,11 @@ class SmoothCoulomb(Component):
     )
     viscous: float = param(default=0.0, unit="{force}*s/m", minimum=0.0, doc="rise of friction with speed, c")
 
+    def derive(self, par: Any, dt: float) -> tuple[Any, ...]:
+        return 1.0 / par.stribeck_velocity, 1.0 / par.smoothing_velocity
+
     @staticmethod
     def force(par: Any, v: float) -> float:
-        ratio = v / par.stribeck_velocity
+        ratio = v * par.inverse_stribeck
         level = par.coulomb + (par.breakaway - par.coulomb) * exp(-ratio * ratio)
-        return level * tanh(v / par.smoothing_velocity) + par.viscous * v  # type: ignore[no-any-return]
+        return level * tanh(v * par.inverse_smoothing) + par.viscous * v  # type: ignore[no-any-return]

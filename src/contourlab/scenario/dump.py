@@ -1,0 +1,251 @@
+"""Writes machines, controllers, axes and scenarios as TOML that reads back identical, with units that people use."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from dataclasses import fields
+from functools import singledispatch
+from typing import Any
+
+from contourlab.components.contract import Component, Parameter
+from contourlab.loop import Axis, AxisController, AxisError, Controller, Limits, Machine
+from contourlab.scenario.components import parameters_of
+from contourlab.scenario.files import BUILTIN, builtin_file, builtin_names
+from contourlab.scenario.toml_text import Noted, toml
+from contourlab.scenario.tree import DEFAULT
+from contourlab.scenario.values import Case, Contour, Motion, PartProgram, Scenario
+from contourlab.units import from_si, to_si
+
+__all__ = ["dump", "quantity"]
+
+_LIMITS = {
+    "velocity": ("m/s", "mm/min"),
+    "acceleration": ("m/s^2", "m/s^2"),
+    "jerk": ("m/s^3", "m/s^3"),
+    "following_error": ("m", "mm"),
+}
+
+
+def quantity(value: float, unit: str, display: str = "") -> str | float:
+    """Return an SI value as a file has it: in the unit people use, if that reads back to the same number, else in SI.
+
+    >>> quantity(0.02, "m", "mm")
+    '20 mm'
+    """
+    if not unit:
+        return value
+    for shown in dict.fromkeys((display or unit, unit)):
+        number = from_si(value, shown)
+        for digits in (6, 9, 12, 15, 17):
+            text = f"{number:.{digits}g} {shown}"
+            if to_si(text, unit) == value:
+                return text
+    return f"{value!r} {unit}"
+
+
+def dump(value: Machine | Controller | Axis | Scenario, machine: Machine | None = None) -> str:
+    """Return a machine, a controller, an axis or a scenario as TOML.
+
+    Parameters
+    ----------
+    value : Machine, Controller, Axis or Scenario
+        An axis is written as the file of an axis: its name is not in it.
+    machine : Machine, optional
+        Wanted with a controller: its commands decide the units of the gains.
+
+    Returns
+    -------
+    str
+        Every parameter that is finite, so that other defaults do not change what it means. In a scenario the files it was made of are
+        joined in, gains are written out, and a scheme says what differs from the base; a part program is named by its path.
+
+    Raises
+    ------
+    TypeError
+        If there is no such file, or a controller comes without its machine.
+    """
+    if isinstance(value, Controller):
+        if machine is None:
+            raise TypeError("dump(controller, machine): the units of the gains are those of the machine's commands")
+        return toml({"controller": controller_table(value, machine)})
+    return _dump(value)
+
+
+@singledispatch
+def _dump(value: Any) -> str:
+    raise TypeError(f"{type(value).__name__} has no file of its own")
+
+
+@_dump.register
+def _(value: Axis) -> str:
+    return toml(axis_table(value))
+
+
+@_dump.register
+def _(value: Machine) -> str:
+    return toml(machine_tables(value))
+
+
+@_dump.register
+def _(value: Scenario) -> str:
+    base = case_tables(value.base)
+    content: dict[str, Any] = {"name": value.name, **motion_table(value.motion), **base}
+    schemes = {case.name: difference(base, case_tables(case)) for case in value.all_cases}
+    if schemes:
+        content["schemes"] = schemes
+    return toml(content)
+
+
+# --- tables --------------------------------------------------------------------------------------------------------------------------
+
+
+def _value(parameter: Parameter, value: Any) -> Any:
+    if parameter.choices:
+        return value
+    if parameter.vector:
+        return [quantity(item, parameter.unit, parameter.display) for item in value]
+    if parameter.whole:
+        return int(value)
+    return quantity(value, parameter.unit, parameter.display)
+
+
+def component_table(part: Component | None, units: tuple[str, str]) -> Any:
+    """Return the table of a component; ``"none"`` where there is none."""
+    if part is None:
+        return {"kind": "none"}
+    declared = parameters_of(type(part), units)
+    table: dict[str, Any] = {"kind": Noted(part.kind, part.reference)}
+    for name, value in part.values().items():
+        if not (isinstance(value, float) and math.isinf(value)):  # only a default is infinite, and it is what a file leaves out
+            table[name] = Noted(_value(declared[name], value), declared[name].source)
+    return table
+
+
+def _limits_table(limits: Limits) -> dict[str, Any]:
+    table: dict[str, Any] = {
+        name: quantity(getattr(limits, name), *units) for name, units in _LIMITS.items() if math.isfinite(getattr(limits, name))
+    }
+    if all(math.isfinite(x) for x in limits.travel):
+        table["travel"] = [quantity(x, "m", "mm") for x in limits.travel]
+    return table
+
+
+def _error_table(error: AxisError) -> dict[str, Any]:
+    table: dict[str, Any] = {}
+    if error.position.size:
+        table["position"] = [quantity(float(x), "m", "mm") for x in error.position]
+        table["lead_error"] = [quantity(float(x), "m", "um") for x in error.lead_error]
+    if error.repeatability:
+        table["repeatability"] = quantity(error.repeatability, "m", "um")
+    return table
+
+
+def axis_table(axis: Axis) -> dict[str, Any]:
+    """Return the table of an axis."""
+    units = (axis.plant.command_unit, axis.plant.force_unit)
+    table: dict[str, Any] = {}
+    if axis.mounted_on:
+        table |= {"mounted_on": axis.mounted_on, "alignment": axis.alignment}
+    if axis.stage_mass:
+        table["stage_mass"] = quantity(axis.stage_mass, "kg")
+    if axis.substeps != 1:
+        table["substeps"] = axis.substeps
+    for slot in ("plant", "friction", "drive", "sensor"):
+        table[slot] = component_table(getattr(axis, slot), units)
+    if axis.disturbance is not None:
+        table["disturbance"] = component_table(axis.disturbance, units)
+    for name, part in (("limits", _limits_table(axis.limits)), ("error", _error_table(axis.error))):
+        if part:
+            table[name] = part
+    return table
+
+
+def machine_tables(machine: Machine) -> dict[str, Any]:
+    """Return ``machine`` and ``axes``."""
+    table: dict[str, Any] = {
+        "name": machine.name,
+        "servo_period": quantity(machine.servo_period, "s", "ms"),
+        "axes": list(machine.axis_names),
+    }
+    if machine.squareness:
+        table["squareness"] = {f"{a}-{b}": quantity(angle, "rad", "um/m") for (a, b), angle in machine.squareness.items()}
+    return {"machine": table, "axes": {axis.name: axis_table(axis) for axis in machine.axes}}
+
+
+def _axis_controller_table(part: AxisController, units: tuple[str, str]) -> dict[str, Any]:
+    table = {slot: component_table(getattr(part, slot), units) for slot in ("controller", "velocity", "observer")}
+    return {"local": list(part.local), **table} if part.local else table
+
+
+def controller_table(controller: Controller, machine: Machine) -> dict[str, Any]:
+    """Return ``controller``."""
+
+    def units(name: str) -> tuple[str, str]:
+        plant = machine.axis(name).plant
+        return plant.command_unit, plant.force_unit
+
+    first = units(machine.axis_names[0])
+    table: dict[str, Any] = {slot: component_table(getattr(controller, slot), first) for slot in ("estimator", "coupling")}
+    table["axes"] = {name: _axis_controller_table(controller.axes[name], units(name)) for name in machine.axis_names}
+    return table
+
+
+def motion_table(motion: Motion) -> dict[str, Any]:
+    """Return ``contour`` or ``program``."""
+    if isinstance(motion, Contour):
+        units = _contour_units(motion.name)
+        return {"contour": {"name": motion.name, **{k: quantity(v, *units[k]) for k, v in motion.parameters.items()}}}
+    return {"program": {"file": _file_name(motion), "letters": list(motion.letters), "require_end": motion.require_end}}
+
+
+def _contour_units(name: str) -> dict[str, tuple[str, str]]:
+    from contourlab.geometry import contour_parameters
+
+    return {key: (unit, "mm" if unit == "m" else unit) for key, (_, unit) in contour_parameters(name).items()}
+
+
+def _file_name(motion: PartProgram) -> str:
+    resolved = motion.file.resolve()
+    for name in builtin_names():
+        if builtin_file(name).resolve() == resolved:
+            return BUILTIN + name
+    return resolved.as_posix()
+
+
+def case_tables(case: Case) -> dict[str, Any]:
+    """Return the tables of a case, without its motion."""
+    units = {"feedrate": ("m/s", "mm/min"), "frequency": ("Hz", "Hz"), "tolerance": ("m", "um")}
+
+    def settings(value: Any) -> dict[str, Any]:
+        given = {f.name: getattr(value, f.name) for f in fields(value) if getattr(value, f.name) is not None}
+        plain: dict[str, Any] = {k: list(v) if isinstance(v, tuple) else v for k, v in given.items()}
+        return {k: quantity(v, *units[k]) if k in units else v for k, v in plain.items()}
+
+    return {
+        **machine_tables(case.machine),
+        "controller": controller_table(case.controller, case.machine),
+        "feed": settings(case.feed),
+        "run": settings(case.run),
+    }
+
+
+def difference(base: Mapping[str, Any], other: Mapping[str, Any]) -> dict[str, Any]:
+    """Return what has to be put on `base` so that it becomes `other`; what only `base` has is taken back."""
+    found: dict[str, Any] = {name: DEFAULT for name in base if name not in other}
+    for name, value in other.items():
+        if name not in base:
+            found[name] = value
+        elif isinstance(value, Mapping) and isinstance(base[name], Mapping):
+            found |= _nested(name, base[name], value)
+        elif value != base[name]:
+            found[name] = value
+    return found
+
+
+def _nested(name: str, base: Mapping[str, Any], value: Mapping[str, Any]) -> dict[str, Any]:
+    if "kind" in value and value["kind"] != base.get("kind"):
+        return {name: dict(value)}  # a component of another kind replaces the inherited one whole
+    inner = difference(base, value)
+    return {name: inner} if inner else {}
+

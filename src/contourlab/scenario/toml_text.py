@@ -1,0 +1,98 @@
+"""Writes TOML; the standard library reads it only."""
+
+from __future__ import annotations
+
+import json
+import math
+import re
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from typing import Any
+
+__all__ = ["Noted", "toml"]
+
+_BARE = re.compile(r"[A-Za-z0-9_-]+\Z")
+_WIDTH = 110
+
+
+@dataclass(frozen=True)
+class Noted:
+    """A value with a comment behind it; the comment does not count when values are compared."""
+
+    value: Any
+    note: str = field(default="", compare=False)
+
+
+def _text(value: str) -> str:
+    # JSON escapes are TOML escapes, but for DEL, which TOML wants escaped, and surrogates, which neither may hold.
+    return json.dumps(value, ensure_ascii=False).replace("\x7f", "\\u007f")
+
+
+def _key(name: str) -> str:
+    return name if _BARE.match(name) else _text(name)
+
+
+def _number(value: float) -> str:
+    if not math.isfinite(value):
+        raise ValueError(f"{value!r} has no place in a file")
+    text = repr(value)
+    return text if "." in text or "e" in text else text + ".0"
+
+
+def _inline(value: Any) -> str:
+    """Return a value on one line."""
+    if isinstance(value, Noted):
+        return _inline(value.value)
+    if isinstance(value, bool):
+        return "true" if value else "false"
+    if isinstance(value, str):
+        return _text(value)
+    if isinstance(value, int):
+        return str(value)
+    if isinstance(value, float):
+        return _number(value)
+    if isinstance(value, list | tuple):
+        items = [_inline(item) for item in value]
+        one = f"[{', '.join(items)}]"
+        return one if len(one) <= _WIDTH else "[\n" + "".join(f"    {item},\n" for item in items) + "]"
+    if isinstance(value, Mapping):
+        return "{" + ", ".join(f"{_key(k)} = {_inline(v)}" for k, v in value.items()) + "}"
+    raise TypeError(f"{type(value).__name__} has no form in TOML")
+
+
+def toml(content: Mapping[str, Any]) -> str:
+    """Return a mapping as TOML text.
+
+    Parameters
+    ----------
+    content : mapping
+        Texts, numbers, booleans, lists, and mappings, which become tables; any of them `Noted`.
+
+    Raises
+    ------
+    ValueError
+        If a number is not finite.
+
+    >>> print(toml({"name": "stage", "axes": {"x": {"gain": 2.0}}}), end="")
+    name = "stage"
+    <BLANKLINE>
+    [axes.x]
+    gain = 2.0
+    """
+    blocks = [block for block in _blocks(content, ()) if block]
+    return "\n\n".join(blocks) + "\n"
+
+
+def _blocks(table: Mapping[str, Any], place: tuple[str, ...]) -> list[str]:
+    """Return the text of a table and of those below it."""
+    lines, below = [], []
+    for name, value in table.items():
+        if isinstance(value, Mapping):
+            below += _blocks(value, (*place, name))
+            continue
+        note = f"  # {' '.join(value.note.split())}" if isinstance(value, Noted) and value.note else ""
+        lines.append(f"{_key(name)} = {_inline(value)}{note}")
+    # A table without values of its own needs no header, unless there is nothing below it either.
+    if place and (lines or not table):
+        lines.insert(0, "[" + ".".join(_key(name) for name in place) + "]")
+    return ["\n".join(lines), *below]

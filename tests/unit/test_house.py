@@ -1,0 +1,127 @@
+"""The house rules that a machine can check."""
+
+import importlib.metadata
+import importlib.util
+import re
+import subprocess
+import sys
+import tomllib
+from pathlib import Path
+
+import pytest
+
+import contourlab
+from contourlab import errors
+
+ROOT = Path(__file__).parents[2]
+SOURCE = ROOT / "src" / "contourlab"
+MODULES = sorted(SOURCE.rglob("*.py"))
+TEXT = {".py", ".md", ".toml", ".ngc", ".txt", ".cff", ".cfg", ".ini", ".j2", ".js", ".css", ".c", ".yml", ".yaml", ".json", ""}
+GENERATED = {".git", ".venv", ".hypothesis", ".mypy_cache", ".ruff_cache", ".pytest_cache", ".import_linter_cache", "__pycache__", "results"}
+HEAVY = ("numba", "llvmlite", "numpy", "scipy", "matplotlib", "plotly", "pandas", "xarray", "pint", "pydantic", "control", "h5py", "jinja2")
+
+
+def fresh_python(code: str) -> str:
+    """Run code in a process of its own; return what it prints."""
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True, timeout=60)
+    return done.stdout
+
+
+def modules_after(code: str) -> set[str]:
+    """Return the top-level modules that are loaded after some code."""
+    tail = "import sys; print('\\nloaded', *sorted({name.partition('.')[0] for name in sys.modules}))"
+    return set(fresh_python(f"{code}\n{tail}").splitlines()[-1].split())
+
+
+def project_files() -> list[Path]:
+    found = (path for path in ROOT.rglob("*") if not GENERATED & set(path.relative_to(ROOT).parts))
+    return [path for path in found if path.is_file() and path.suffix in TEXT and ".egg-info" not in str(path)]
+
+
+@pytest.mark.parametrize("path", MODULES, ids=lambda path: path.relative_to(SOURCE).as_posix())
+def test_a_module_is_one_room(path: Path):
+    assert len(path.read_text(encoding="utf-8").splitlines()) < 400, "past 400 lines it is two rooms"
+
+
+def test_rooms_keep_their_order():
+    linter = Path(sys.executable).with_name("lint-imports")
+    done = subprocess.run([linter, "--no-cache"], cwd=ROOT, capture_output=True, text=True, timeout=120)
+    assert done.returncode == 0, done.stdout[-3000:] + done.stderr[-1000:]
+
+
+def test_the_version_is_the_same_everywhere():
+    project = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["project"]["version"]
+    citation = re.search(r"^version: (.+)$", (ROOT / "CITATION.cff").read_text(encoding="utf-8"), re.MULTILINE)
+    newest = re.search(r"^## (\S+)", (ROOT / "CHANGELOG.md").read_text(encoding="utf-8"), re.MULTILINE)
+    assert citation is not None
+    assert newest is not None
+    assert {contourlab.__version__, importlib.metadata.version("contourlab"), citation[1], newest[1]} == {project}
+
+
+def test_no_file_speaks_of_the_machine_it_was_written_on():
+    # Put together here, so that this file does not find itself.
+    folders = "|".join(("home", "work", "root", "Users", "tmp"))
+    private = re.compile(rf"(?<![\w.:/~$}}-])/(?:{folders})/\w|[A-Z]:\\Users\\")
+    allowed = {ROOT / ".ci" / "run"}
+    faults = []
+    for path in project_files():
+        if path not in allowed:
+            lines = enumerate(path.read_text(encoding="utf-8", errors="replace").splitlines(), start=1)
+            faults += [f"{path.relative_to(ROOT)}:{n}: {line.strip()[:120]}" for n, line in lines if private.search(line)]
+    assert not faults, "\n".join(faults)
+
+
+def test_every_dependency_is_pinned():
+    project = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["project"]
+    lines = (ROOT / "constraints.txt").read_text(encoding="utf-8").splitlines()
+    pins = [re.match(r"([\w.-]+)==[\w.!+]+", line) for line in lines if line.strip() and not line.startswith("#")]
+    assert all(pins), "every line is NAME==VERSION"
+    pinned = {re.sub(r"[-_.]+", "-", pin[1]).lower() for pin in pins if pin}
+    wanted = [*project["dependencies"], *project["optional-dependencies"]["dev"]]
+    names = {re.sub(r"[-_.]+", "-", re.split(r"[^\w.-]", requirement)[0]).lower() for requirement in wanted}
+    assert names <= pinned
+
+
+def test_help_loads_nothing_heavy():
+    loaded = modules_after("from contourlab.cli.main import main\nassert main(['--help']) == 0")
+    assert {"typer", "contourlab"} <= loaded
+    assert not loaded & set(HEAVY)
+
+
+def test_importing_contourlab_loads_nothing_heavy():
+    assert not modules_after("import contourlab") & {*HEAVY, "typer", "rich"}
+
+
+def test_every_public_name_is_there_and_documented():
+    assert len(set(contourlab.__all__)) == len(contourlab.__all__)
+    for name in contourlab.__all__:
+        thing = getattr(contourlab, name)
+        assert name.startswith("__") or (thing.__doc__ or "").strip(), name
+    assert set(contourlab.__all__) <= set(dir(contourlab))
+    with pytest.raises(AttributeError, match="no_such_name"):
+        contourlab.no_such_name  # noqa: B018
+
+
+def test_the_exception_tree_is_drawn_and_complete():
+    assert errors.__doc__ is not None
+    for name in errors.__all__:
+        kind = getattr(errors, name)
+        assert issubclass(kind, errors.ContourlabError)
+        assert name in errors.__doc__
+        assert kind.exit_code == (3 if kind is errors.DivergenceError else 2)
+
+
+def test_the_component_of_the_contributing_guide_keeps_the_contract(tmp_path: Path):
+    guide = (ROOT / "CONTRIBUTING.md").read_text(encoding="utf-8")
+    block = next(found for found in re.findall(r"```python\n(.*?)```", guide, re.DOTALL) if "(Component)" in found)
+    file = tmp_path / "drag.py"
+    file.write_text(block, encoding="utf-8")
+    # In a process of its own: a plug-in stays known for the life of one.
+    code = f"""
+import contourlab as cl
+kinds = cl.load_plugin({str(file)!r})
+for kind in kinds:
+    cl.check_component(kind)
+print(*(f"{{kind.family}}/{{kind.kind}}" for kind in kinds))
+"""
+    assert fresh_python(code).split() == ["friction/drag"]
