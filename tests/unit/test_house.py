@@ -17,7 +17,8 @@ ROOT = Path(__file__).parents[2]
 SOURCE = ROOT / "src" / "contourlab"
 MODULES = sorted(SOURCE.rglob("*.py"))
 TEXT = {".py", ".md", ".toml", ".ngc", ".txt", ".cff", ".cfg", ".ini", ".j2", ".js", ".css", ".c", ".yml", ".yaml", ".json", ""}
-GENERATED = {".git", ".venv", ".hypothesis", ".mypy_cache", ".ruff_cache", ".pytest_cache", ".import_linter_cache", "__pycache__", "results"}
+CACHES = {".hypothesis", ".mypy_cache", ".ruff_cache", ".pytest_cache", ".import_linter_cache", "__pycache__"}
+GENERATED = CACHES | {".git", ".venv", "build", "dist", "out", "results"}
 HEAVY = ("numba", "llvmlite", "numpy", "scipy", "matplotlib", "plotly", "pandas", "xarray", "pint", "pydantic", "control", "h5py", "jinja2")
 
 
@@ -94,6 +95,8 @@ def test_importing_contourlab_loads_nothing_heavy():
 
 def test_every_public_name_is_there_and_documented():
     assert len(set(contourlab.__all__)) == len(contourlab.__all__)
+    # Importing a sub-package puts it in place of a name of the same spelling.
+    assert not set(contourlab.__all__) & {path.name.removesuffix(".py") for path in SOURCE.iterdir()}
     for name in contourlab.__all__:
         thing = getattr(contourlab, name)
         assert name.startswith("__") or (thing.__doc__ or "").strip(), name

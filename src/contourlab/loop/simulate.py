@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import os
 from collections.abc import Callable, Iterator, Sequence
 from typing import Any, Literal
@@ -114,7 +115,12 @@ def simulate(
         servo_period=machine.servo_period,
         signals={name: make_signal(name, data, command_unit) for name, data in joined.items()},
         status=status,
-        attributes={"machine": machine.name, "seed": seed, "path": reference.path.digest},
+        attributes={
+            "machine": machine.name,
+            "seed": seed,
+            "path": reference.path.digest,
+            **{f"command_limit_{axis.name}": float(getattr(axis.drive, "limit", math.inf)) for axis in machine.axes},
+        },
     )
 
 

@@ -192,7 +192,9 @@ class _Builder:
         """Add the node that sums what acts on an axis: its disturbance, and the reaction to the axes that move along it on top."""
         step = _reaction_step(tuple(a.name for a in riders))
         forces: dict[str, Any] = {f"acceleration_{a.name}": Late(f"{a.name}.plant.acceleration") for a in riders}
-        self.nodes.append(Node(f"{name}.load", step, {"load": load, **forces}, {f"reaction_{a.name}": a.alignment / mobility_of(a) for a in riders}))
+        self.nodes.append(
+            Node(f"{name}.load", step, {"load": load, **forces}, {f"reaction_{a.name}": a.alignment / mobility_of(a) for a in riders})
+        )
         return f"{name}.load.force"
 
     def signals(self) -> dict[str, tuple[str, ...]]:

@@ -82,7 +82,7 @@ class Metrics:
     feedrate_mean : float [m/s]
         Mean speed of the tool along its path.
     feedrate_ripple : float
-        Standard deviation of the tool's speed over its mean, at the samples where the reference keeps its feed within 1 %.
+        Standard deviation of the tool's speed over the speed asked for, at the samples where the reference holds its feed.
     cycle_time : float [s]
         Of the whole motion.
     """
@@ -189,12 +189,13 @@ def _error_figures(result: Result, reference: Reference, name: str, start: int, 
 
 
 def _held_back(result: Result, cut: slice) -> NDArray[np.bool_]:
-    if "command" not in result or "applied_command" not in result:
-        return np.zeros((1, len(result.axes)), dtype=bool)
-    command, applied = result["command"][cut], result["applied_command"][cut]
-    # A delayed drive shows other numbers too; held back means that the applied command is smaller and at its largest.
-    largest = np.abs(applied).max(axis=0, initial=0.0)
-    return np.asarray((np.abs(command) > np.abs(applied) * (1.0 + 1e-9)) & (np.abs(applied) >= largest * (1.0 - 1e-9)) & (largest > 0.0))
+    """Return where each drive gave all it can: at its limit, which the run noted."""
+    held = np.zeros((cut.stop - cut.start, len(result.axes)), dtype=bool)
+    if "applied_command" in result:
+        for j, axis in enumerate(result.axes):
+            limit = float(result.attributes.get(f"command_limit_{axis}", math.inf))
+            held[:, j] = np.abs(result["applied_command"][cut, j]) >= limit * (1.0 - 1e-12)
+    return held
 
 
 def _feedrate(result: Result, cut: slice) -> tuple[float, float]:
@@ -203,7 +204,6 @@ def _feedrate(result: Result, cut: slice) -> tuple[float, float]:
         return math.nan, math.nan
     speed = np.linalg.norm(np.diff(tool, axis=0), axis=1) / result.servo_period
     asked = result["feedrate"][cut][:-1] if "feedrate" in result else speed
-    steady = np.abs(np.gradient(asked)) <= 0.01 * result.servo_period * np.maximum(asked, 1e-12)
-    cruising = speed[steady & (asked > 0.0)]
-    ripple = float(cruising.std() / cruising.mean()) if cruising.size > 2 and cruising.mean() > 0.0 else math.nan
+    steady = (np.abs(np.gradient(asked)) <= 1e-9 * asked) & (asked > 0.0)
+    ripple = float(np.std(speed[steady] / asked[steady])) if np.count_nonzero(steady) > 2 else math.nan
     return float(speed.mean()), ripple

@@ -68,8 +68,6 @@ class ResultWriter:
             self._data.dimensions = {"sample": None, "axis": len(self.axes)}
             names = self._data.create_variable("axis", ("axis",), dtype=_text_type())
             names[:] = np.array(self.axes, dtype=object)
-            time = self._data.create_variable("time", ("sample",), float, chunks=(_CHUNK,))
-            time.attrs["units"] = "s"
         except OSError as error:
             self._close()
             raise OutputError(f"{self.file}: cannot be written: {error}") from error
@@ -85,12 +83,16 @@ class ResultWriter:
     def _append(self, signals: Mapping[str, Signal]) -> None:
         count = len(next(iter(signals.values())).data) if signals else 0
         stop = self._length + count
+        # Chunks are stored whole: a short run would otherwise be padded to the full chunk.
+        rows = max(min(count, _CHUNK), 1)
+        if "time" not in self._data.variables:
+            self._data.create_variable("time", ("sample",), float, chunks=(rows,)).attrs["units"] = "s"
         self._data.resize_dimension("sample", stop)
         for name, signal in signals.items():
             if name not in self._data.variables:
                 if self._length:
                     raise ResultError(f"signal {name} was not in the first block")
-                chunks = (_CHUNK,) if signal.data.ndim == 1 else (_CHUNK, len(self.axes))
+                chunks = (rows,) if signal.data.ndim == 1 else (rows, len(self.axes))
                 made = self._data.create_variable(name, signal.dims, float, chunks=chunks, fillvalue=np.nan)
                 made.attrs["units"] = signal.unit
             self._data.variables[name][self._length : stop] = signal.data

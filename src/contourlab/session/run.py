@@ -6,7 +6,7 @@ import json
 import shlex
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -137,8 +137,7 @@ def prepared(out: str | Path) -> Path:
 def _write_signals(outcome: Outcome, folder: Path, wanted: Sequence[str]) -> None:
     result = outcome.result
     if wanted:
-        from dataclasses import replace
-
+        # Asking for the data says clearly which signals there are, if one is not.
         result = replace(result, signals={name: result.signals[name] for name in wanted if result[name] is not None})
     result.save(folder / "signals" / f"{file_name(outcome.name)}.nc")
 

@@ -127,12 +127,13 @@ def _place(judged: Result, reference: Reference, sample: int, lines: tuple[str, 
 
 
 def _signed_error(machine: Machine, controller: Controller, reference: Reference, sample: int, seed: int, direction: Array) -> float:
-    """Return the part error at a sample, along the direction in which the original run was off."""
-    judged = judge(simulate(machine, controller, reference, seed=seed, on_failure="return"), reference)
-    if judged.n_sample <= sample:
+    """Return the part error at a sample, along the direction in which the original run was off; NaN if the run does not get there."""
+    signals = ("tool_position", "reference", "arc_length")
+    run = simulate(machine, controller, reference, seed=seed, on_failure="return", signals=signals)
+    if run.n_sample <= sample:
         return float("nan")
-    foot = reference.programmed.position(judged["foot_arc_length"][sample : sample + 1])[0]
-    return float((judged["tool_position"][sample] - foot) @ direction)
+    one = judge(run.window(sample, sample + 1), reference)
+    return float((one["tool_position"][0] - reference.programmed.position(one["foot_arc_length"])[0]) @ direction)
 
 
 def _causes(machine: Machine, controller: Controller, reference: Reference, judged: Result, sample: int, seed: int) -> tuple[Cause, ...]:
@@ -181,12 +182,11 @@ def _candidates(machine: Machine, controller: Controller) -> list[tuple[str, Con
         return every(raise_gains)
 
     def own_model(name: str) -> object:
-        part, plant = controller.axes[name], machine.axis(name).plant
+        part = controller.axes[name]
         c = part.controller
         if "model_gain" not in c.parameters:
             return part
         model = _model_of(machine, name) if part.observer is None else (part.observer.model_gain, part.observer.model_damping)  # type: ignore[attr-defined]
-        del plant
         return replace(part, controller=c.replace(model_gain=model[0], model_damping=model[1]))
 
     found += [
@@ -237,7 +237,7 @@ def _advice(
 
     def attempt(words: str, trial: Controller, ref: Reference) -> None:
         try:
-            judged = judge(simulate(machine, trial, ref, seed=seed), ref)
+            judged = judge(simulate(machine, trial, ref, seed=seed, signals=("tool_position", "reference", "arc_length")), ref)
         except ContourlabError:
             return  # a change that makes the loop run away is no advice
         trials.append((float(np.abs(judged["part_error"][_window(ref)]).max()), words))
