@@ -3,6 +3,7 @@
 
 PYTHON ?= python3
 VENV ?= .venv
+WORKERS ?= 2
 ARGS ?=
 
 BIN := $(VENV)/bin
@@ -14,6 +15,7 @@ STAMP := $(VENV)/.installed
 help:
 	@echo "make demo     run the demonstration; results in results/demo"
 	@echo "make test     run the tests; make test ARGS=\"--slow\" runs the slow ones too"
+	@echo "              (in WORKERS=2 processes; WORKERS=0 for one that a debugger can enter)"
 	@echo "make check    ruff, mypy --strict, import contracts, documents"
 	@echo "make bench    measure the speed of the engine on this machine"
 	@echo "make install  only make $(VENV); with another Python: make install PYTHON=python3.12"
@@ -37,7 +39,7 @@ demo: $(STAMP)
 	$(BIN)/contourlab demo $(ARGS)
 
 test: $(STAMP)
-	$(BIN)/python -m pytest $(ARGS)
+	$(BIN)/python -m pytest -n $(WORKERS) $(ARGS)
 
 check: lint types imports docs
 

@@ -18,7 +18,7 @@ __version__ = "0.1.0"
 _HOMES = {
     "contourlab.components.conformance": ("check_component",),
     "contourlab.components.contract": ("Component", "Port", "param", "text_param"),
-    "contourlab.components.registry": ("component", "components", "load_plugin"),
+    "contourlab.components.registry": ("component", "load_plugin"),
     "contourlab.errors": ("ContourlabError", "DivergenceError"),
     "contourlab.feed": ("AxisLimits", "Reference", "limit_report", "plan", "route_from_path", "route_from_program", "uniform"),
     "contourlab.geometry": ("Path", "contour", "contour_names"),

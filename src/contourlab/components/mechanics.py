@@ -45,7 +45,8 @@ def link(plant: Component, friction: Component) -> Step:
         raise ComponentError(f"friction {friction.kind}: law {law!r} is none of {', '.join(makers)}")
     parameters = (*plant.numeric(), *plant.derived, *friction.numeric(), *friction.derived)
     states = (*plant.states, *friction.states)
-    function = makers[law](type(plant), type(friction))
+    kinds: tuple[Any, Any] = (type(plant), type(friction))
+    function = makers[law](*kinds)
     return Step(f"plant/{plant.kind}+{friction.kind}", function, parameters, (), "", states, plant.inputs, plant.outputs)
 
 

@@ -1,0 +1,438 @@
+"""The wizard behind ``contourlab new machine``: questions, and from their answers the files of a machine and a controller that fits it.
+
+Nothing here asks or prints: `questions` says what to ask, `build_machine` turns answers into files, `explain` says in words what was worked out,
+`write_machine` puts the files into a folder.
+"""
+
+from __future__ import annotations
+
+import math
+import re
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from contourlab.errors import OutputError, ScenarioError, UnitError
+from contourlab.result import write_text_atomic
+from contourlab.scenario.dump import quantity
+from contourlab.scenario.quantities import read_number
+from contourlab.scenario.toml_text import Noted, toml
+
+__all__ = ["Question", "build_machine", "explain", "questions", "write_machine"]
+
+_NAME = re.compile(r"[A-Za-z0-9_]{1,32}\Z")
+_MOST_AXES = 9
+
+# Shares and ratios behind the guesses; each is named in the files that it goes into.
+FRICTION_SHARE = 0.1
+"""Coulomb friction over the force at rated torque; stiction in ball-screw stages takes up to a tenth of the control signal (Ghaffari & Ulsoy)."""
+DAMPING_SHARE = 0.1
+"""Viscous force at the velocity limit over the force at rated torque: a typical share of rail guides and a greased nut."""
+BREAKAWAY_RATIO = 1.25
+EFFICIENCY = 0.95
+OBSERVER_RATIO, FILTER_RATIO, VELOCITY_RATIO = 2.5, 10.0, 30.0
+"""Bandwidths of the observer over Kv, of its filter over its own, of the velocity's low-pass over Kv."""
+FASTEST = 0.1
+"""Largest Kv times servo period: beyond it the hold eats the phase margin that the poles are placed for."""
+DAMPING = 0.8
+
+
+@dataclass(frozen=True)
+class Question:
+    """One question.
+
+    Attributes
+    ----------
+    key : str
+        What its answer goes by: ``name``, ``x.lead``.
+    text : str
+        The question for people.
+    unit : str
+        Unit that a bare number is taken to have; empty for text.
+    si : str
+        The same in SI.
+    default : str
+        Answer where none is given; empty where one has to be given, or the question may stay open.
+    required : bool
+        Whether it has to be answered.
+    """
+
+    key: str
+    text: str
+    unit: str = ""
+    si: str = ""
+    default: str = ""
+    required: bool = True
+
+
+_GENERAL = (
+    Question("name", "Name of the machine", default="My machine"),
+    Question("axes", "Names of its axes, in the order of the coordinates", default="x, y"),
+    Question("servo_period", "Servo period", "ms", "s", "1 ms"),
+)
+_PER_AXIS = (
+    Question("rated_torque", "Rated torque of the motor", "N*m", "N*m"),
+    Question("peak_torque", "Peak torque of the motor with its drive", "N*m", "N*m"),
+    Question("torque_constant", "Torque constant of the motor", "N*m/A", "N*m/A"),
+    Question("rotor_inertia", "Inertia of the rotor", "kg*cm^2", "kg*m^2"),
+    Question("screw_inertia", "Inertia of coupling and screw", "kg*cm^2", "kg*m^2", "0.5 kg*cm^2"),
+    Question("lead", "Lead of the screw (travel per turn)", "mm", "m", "10 mm"),
+    Question("moved_mass", "Mass that the axis moves, without what other axes here put on it", "kg", "kg"),
+    Question("encoder_resolution", "Travel per count of the encoder, interpolation included", "um", "m", "1 um"),
+    Question("velocity", "Velocity limit", "m/min", "m/s", "12 m/min"),
+    Question("acceleration", "Acceleration limit", "m/s^2", "m/s^2", "2 m/s^2"),
+    Question("jerk", "Jerk limit", "m/s^3", "m/s^3", "50 m/s^3"),
+    Question("kv", "Wanted Kv (bandwidth of the position loop)", "1/s", "1/s", "40 1/s"),
+    Question("mounted_on", "Axis that it is mounted on (empty: the bed)", required=False),
+    Question("stage_mass", "Mass of its whole module, which that axis carries (empty: the moved mass)", "kg", "kg", required=False),
+)
+
+
+def questions(axes: Sequence[str] = ()) -> list[Question]:
+    """Return what to ask: about the machine, or, with the names of its axes, about each of them.
+
+    >>> [question.key for question in questions()]
+    ['name', 'axes', 'servo_period']
+    >>> questions(["x"])[0].key
+    'x.rated_torque'
+    """
+    if not axes:
+        return list(_GENERAL)
+    return [
+        Question(f"{axis}.{q.key}", f"{axis}: {q.text}", q.unit, q.si, q.default, q.required) for axis in axes for q in _PER_AXIS
+    ]
+
+
+def axis_names(answer: str) -> tuple[str, ...]:
+    """Return the names of the axes out of an answer such as ``"x, y"``.
+
+    Raises
+    ------
+    ScenarioError
+        If there is none, one stands twice, or one is no name.
+    """
+    names = tuple(answer.replace(",", " ").split())
+    if not 1 <= len(names) <= _MOST_AXES:
+        raise _fault("axes", f"{len(names)} axes: 1 to {_MOST_AXES} are wanted, as in x, y, z")
+    for name in names:
+        if not _NAME.match(name):
+            raise _fault("axes", f"{name!r} is no name of an axis: letters, digits and _ are wanted")
+        if names.count(name) > 1:
+            raise _fault("axes", f"axis {name!r} stands there twice")
+    return names
+
+
+def _fault(key: str, message: str) -> ScenarioError:
+    return ScenarioError(message, file="answers", key=key)
+
+
+def read_answer(question: Question, answer: str) -> float | str | None:
+    """Return an answer in SI, or as text; None where the question stays open.
+
+    Raises
+    ------
+    ScenarioError
+        If it is missing, no quantity, or not positive.
+    """
+    given = answer.strip() or question.default
+    if not given:
+        if question.required:
+            raise _fault(question.key, f"no answer: {question.text.lower()}{f' [{question.unit}]' if question.unit else ''} is wanted")
+        return None
+    if not question.unit:
+        return given
+    try:
+        number = read_number(given if " " in given else f"{given} {question.unit}", question.si, question.unit)
+    except UnitError as error:
+        raise _fault(question.key, str(error)) from error
+    if not number > 0.0:
+        raise _fault(question.key, f"{given!r} is out of range: must be > 0 {question.unit}")
+    return number
+
+
+@dataclass(frozen=True)
+class _Axis:
+    """Answers about an axis in SI, and what follows from them."""
+
+    name: str
+    answers: Mapping[str, Any]
+    carried: float
+
+    def __getattr__(self, key: str) -> Any:
+        try:
+            return self.answers[key]
+        except KeyError:
+            raise AttributeError(key) from None
+
+    @property
+    def inertia(self) -> float:
+        return float(self.answers["rotor_inertia"] + self.answers["screw_inertia"])
+
+    @property
+    def reflected(self) -> float:
+        """Mass that the rotating parts count for at the table [kg]."""
+        return self.inertia * (2.0 * math.pi / self.answers["lead"]) ** 2
+
+    @property
+    def mass(self) -> float:
+        """All that is accelerated [kg]."""
+        return float(self.answers["moved_mass"] + self.carried + self.reflected)
+
+    def force(self, torque: float) -> float:
+        """Return the force at the table [N] of a torque."""
+        return float(2.0 * math.pi * EFFICIENCY / self.answers["lead"] * torque)
+
+    @property
+    def friction(self) -> float:
+        return _rounded(FRICTION_SHARE * self.force(self.answers["rated_torque"]))
+
+    @property
+    def damping(self) -> float:
+        return _rounded(DAMPING_SHARE * self.force(self.answers["rated_torque"]) / self.answers["velocity"])
+
+    @property
+    def wanted_force(self) -> float:
+        """Force of accelerating at the limit, at the velocity limit [N]."""
+        return float(self.mass * self.answers["acceleration"] + self.friction + self.damping * self.answers["velocity"])
+
+    @property
+    def model(self) -> tuple[float, float]:
+        """Acceleration per ampere [m/s^2/A] and decay [1/s]."""
+        return _rounded(self.force(self.answers["torque_constant"]) / self.mass), _rounded(self.damping / self.mass)
+
+
+def _rounded(value: float) -> float:
+    """Return a value with four digits: a guess needs no more, and people read it."""
+    return float(f"{value:.4g}")
+
+
+def _read(answers: Mapping[str, str]) -> tuple[str, float, list[_Axis]]:
+    general = {q.key: read_answer(q, answers.get(q.key, "")) for q in _GENERAL}
+    names = axis_names(str(general["axes"]))
+    asked = questions(names)
+    known = [q.key for q in (*_GENERAL, *asked)]
+    for key in answers:
+        if key not in known:
+            raise _fault(key, "answers no question")
+    values = {name: {q.key.partition(".")[2]: read_answer(q, answers.get(q.key, "")) for q in asked if q.key.startswith(name + ".")} for name in names}
+    for name in names:
+        below = values[name]["mounted_on"]
+        if below is not None and (below not in names or below == name):
+            raise _fault(f"{name}.mounted_on", f"{below!r} is no other axis of this machine: {', '.join(n for n in names if n != name)}")
+        if values[name]["stage_mass"] is None:
+            values[name]["stage_mass"] = values[name]["moved_mass"]
+    period = float(general["servo_period"] or 0.0)
+    axes = [_Axis(name, values[name], _carried(name, values)) for name in names]
+    for axis in axes:
+        _check(axis, period)
+    return str(general["name"]), period, axes
+
+
+def _carried(name: str, values: Mapping[str, Mapping[str, Any]]) -> float:
+    """Return the mass of all modules that stand on an axis."""
+    total = 0.0
+    for other in values:
+        below, steps = values[other]["mounted_on"], 0
+        while below is not None and steps <= len(values):
+            if below == name:
+                total += values[other]["stage_mass"]
+                break
+            below, steps = values[below]["mounted_on"], steps + 1
+        if steps > len(values):
+            raise _fault(f"{other}.mounted_on", "the axes stand on each other in a circle")
+    return total
+
+
+def _check(axis: _Axis, period: float) -> None:
+    """Refuse what the motor cannot do and what the servo period does not allow."""
+    name, peak = axis.name, axis.force(axis.peak_torque)
+    if axis.peak_torque < axis.rated_torque:
+        raise _fault(f"{name}.peak_torque", f"is below the rated torque of {axis.rated_torque:g} N*m")
+    if axis.wanted_force > peak:
+        rest = (peak - axis.friction - axis.damping * axis.velocity) / axis.mass
+        able = f"it can do {rest:.3g} m/s^2" if rest > 0.0 else "friction alone takes all of it"
+        raise _fault(
+            f"{name}.acceleration",
+            f"{axis.acceleration:g} m/s^2 wants {axis.wanted_force:.4g} N, the motor gives {peak:.4g} N at its peak: {able}",
+        )
+    if axis.kv * period > FASTEST:
+        raise _fault(f"{name}.kv", f"{axis.kv:g} 1/s is too fast for a servo period of {period * 1e3:g} ms: at most {FASTEST / period:.4g} 1/s")
+    least = axis.model[1] / (1.0 + 2.0 * DAMPING)
+    if axis.kv < least:
+        raise _fault(f"{name}.kv", f"{axis.kv:g} 1/s is slower than the axis damps itself: at least {least:.3g} 1/s")
+
+
+# --- files ---------------------------------------------------------------------------------------------------------------------------
+
+
+def _axis_tables(axis: _Axis) -> dict[str, Any]:
+    rated = axis.force(axis.rated_torque)
+    limit = _rounded(axis.peak_torque / axis.torque_constant)
+    return {
+        "plant": {
+            "kind": "ball-screw",
+            "mass": Noted(quantity(axis.moved_mass, "kg"), "as given"),
+            "inertia": Noted(quantity(axis.inertia, "kg*m^2", "kg*cm^2"), "rotor, coupling and screw, as given"),
+            "lead": Noted(quantity(axis.lead, "m", "mm"), "as given"),
+            "torque_constant": Noted(quantity(axis.torque_constant, "N*m/A"), "as given"),
+            "efficiency": Noted(EFFICIENCY, "typical of a ball screw"),
+            "damping": Noted(quantity(axis.damping, "N*s/m"), f"guess: {DAMPING_SHARE:.0%} of the {rated:.4g} N at rated torque, at top speed"),
+        },
+        "friction": {
+            "kind": "coulomb",
+            "coulomb": Noted(quantity(axis.friction, "N"), f"guess: {FRICTION_SHARE:.0%} of the force at rated torque; measure it"),
+            "breakaway": Noted(quantity(_rounded(BREAKAWAY_RATIO * axis.friction), "N"), "guess: a quarter above sliding"),
+            "stribeck_velocity": Noted("2 mm/s", "typical of rail guides"),
+        },
+        "drive": {
+            "kind": "saturation",
+            "limit": Noted(quantity(limit, "A"), f"peak torque over torque constant: {axis.force(axis.peak_torque):.4g} N at the table"),
+        },
+        "sensor": {"kind": "encoder", "resolution": Noted(quantity(axis.encoder_resolution, "m", "um"), "as given")},
+        "limits": {
+            "velocity": quantity(axis.velocity, "m/s", "m/min"),
+            "acceleration": quantity(axis.acceleration, "m/s^2"),
+            "jerk": quantity(axis.jerk, "m/s^3"),
+        },
+    }
+
+
+def _machine_tables(name: str, period: float, axes: Sequence[_Axis]) -> dict[str, Any]:
+    def placed(axis: _Axis) -> dict[str, Any]:
+        found: dict[str, Any] = {"file": f"axis-{axis.name}.toml"}
+        if axis.mounted_on:
+            found |= {"mounted_on": axis.mounted_on, "alignment": 0.0, "stage_mass": quantity(axis.stage_mass, "kg")}
+        return found
+
+    head = {"name": name, "servo_period": quantity(period, "s", "ms"), "axes": [axis.name for axis in axes]}
+    return {"machine": head, "axes": {axis.name: placed(axis) for axis in axes}}
+
+
+def _controller_tables(axes: Sequence[_Axis]) -> dict[str, Any]:
+    def each(axis: _Axis) -> dict[str, Any]:
+        kv, observer = axis.kv, OBSERVER_RATIO * axis.kv
+        pole = f"{_rounded(kv):g} rad/s"
+        gain, decay = axis.model
+        gains = {"natural_frequency": Noted(pole, "Kv"), "damping": DAMPING, "pole": Noted(pole, "Kv")}
+        return {
+            "velocity": {"kind": "filtered-difference", "bandwidth": f"{_rounded(VELOCITY_RATIO * kv):g} rad/s"},
+            "observer": {
+                "kind": "disturbance-observer",
+                "bandwidth": f"{_rounded(observer):g} rad/s",
+                "filter_bandwidth": f"{_rounded(FILTER_RATIO * observer):g} rad/s",
+                "model_gain": Noted(f"{gain:g} m/s^2/A", f"force per ampere over {axis.mass:.4g} kg"),
+                "model_damping": Noted(f"{decay:g} 1/s", f"damping over {axis.mass:.4g} kg"),
+            },
+            "controller": {"kind": "position", "gains": gains},
+        }
+
+    found: dict[str, Any] = {"axes": {axis.name: each(axis) for axis in axes}}
+    if len(axes) > 1:
+        coupling = {"kind": "modified-reference", "weight": 0.5}
+        found = {"estimator": {"kind": "newton"}, "coupling": coupling, **found}
+    return {"controller": found}
+
+
+def _scenario_tables(name: str, axes: Sequence[_Axis]) -> dict[str, Any] | None:
+    """Return a first scenario: the shipped test part on x, y, z, a circle on two axes."""
+    names = [axis.name for axis in axes]
+    parts: dict[str, Any] = {"name": f"{name}: first run", "machine": "machine.toml", "controller": "controller.toml"}
+    run = {"run": {"tolerance": "50 um"}}
+    if [n.lower() for n in names] == ["x", "y", "z"]:
+        return {**parts, "program": "builtin:programs/circle_diamond_square.ngc", **run}
+    if len(names) != 2:
+        return None
+    feed = 0.25 * min(axis.velocity for axis in axes)
+    return {
+        **parts,
+        "contour": {"name": "circle", "radius": "20 mm"},
+        "feed": {"law": "planned", "feedrate": quantity(_rounded(feed * 60.0) / 60.0, "m/s", "m/min"), "laps": 2},
+        **run,
+    }
+
+
+def build_machine(answers: Mapping[str, str]) -> dict[str, str]:
+    """Return the files of a machine and of a controller that fits it.
+
+    Parameters
+    ----------
+    answers : mapping of str to str
+        Question's key -> answer; a number without a unit has the question's. Questions left out take their defaults.
+
+    Returns
+    -------
+    dict
+        File name -> TOML text: ``machine.toml``, one ``axis-NAME.toml`` for each axis, ``controller.toml``, and ``scenario.toml`` where there
+        is something to drive along at once.
+
+    Raises
+    ------
+    ScenarioError
+        With the key of the question whose answer is missing or cannot be.
+
+    Notes
+    -----
+    Moved mass m + m_c + J (2 pi/l)^2; force 2 pi eta T/l. Friction and damping are guesses, marked as such. The poles are placed at
+    w_n = alpha = Kv with any damping: eqs (21)-(23) of Ghaffari & Ulsoy then give a velocity gain K_P a'/(a' K_V + b') of just Kv.
+    """
+    name, period, axes = _read(answers)
+    found = {"machine.toml": f"# {name}\n\n" + toml(_machine_tables(name, period, axes))}
+    for axis in axes:
+        found[f"axis-{axis.name}.toml"] = f"# Axis {axis.name}; all that is moved counts {axis.mass:.4g} kg\n\n" + toml(_axis_tables(axis))
+    found["controller.toml"] = f"# Controller for {name}; the gains follow from the poles\n\n" + toml(_controller_tables(axes))
+    scenario = _scenario_tables(name, axes)
+    if scenario is not None:
+        found["scenario.toml"] = "# Run it with: contourlab run scenario.toml\n\n" + toml(scenario)
+    return found
+
+
+def explain(answers: Mapping[str, str]) -> str:
+    """Return in words what was worked out from the answers.
+
+    Raises
+    ------
+    ScenarioError
+        As `build_machine`.
+    """
+    _, period, axes = _read(answers)
+    lines = []
+    for axis in axes:
+        gain, decay = axis.model
+        rotating = axis.reflected / axis.mass
+        carried = f", {axis.carried:.4g} kg carried" if axis.carried else ""
+        lines += [
+            f"axis {axis.name}: moves {axis.mass:.4g} kg: {axis.moved_mass:.4g} kg itself{carried}, rotating parts {axis.reflected:.4g} kg ({rotating:.0%})",
+            f"  force {axis.force(axis.rated_torque):.4g} N rated, {axis.force(axis.peak_torque):.4g} N peak; {axis.wanted_force:.4g} N wanted at its limits",
+            f"  guessed friction {axis.friction:.4g} N and damping {axis.damping:.4g} N*s/m: measure them",
+            f"  model {gain:.4g} m/s^2/A, {decay:.4g} 1/s; poles at {axis.kv:.4g} rad/s, observer {OBSERVER_RATIO * axis.kv:.4g} rad/s, "
+            f"servo period {period * 1e3:g} ms",
+        ]
+        if axis.wanted_force > axis.force(axis.rated_torque):
+            lines.append("  its limits want more than the rated torque: fine for short moves, not for long ones")
+    return "\n".join(lines)
+
+
+def write_machine(files: Mapping[str, str], folder: str | Path, *, force: bool = False) -> list[Path]:
+    """Write files into a folder, made if it is not there.
+
+    Parameters
+    ----------
+    files : mapping of str to str
+        From `build_machine`.
+    folder : str or Path
+    force : bool
+        Whether files that are there already may be overwritten.
+
+    Raises
+    ------
+    OutputError
+        If one is there already, before anything is written; or if one cannot be written.
+    """
+    targets = {Path(folder) / name: text for name, text in files.items()}
+    there = [target.name for target in targets if target.exists()]
+    if there and not force:
+        raise OutputError(f"{folder}: {', '.join(there)} {'is' if len(there) == 1 else 'are'} there already: choose another folder, or use --force")
+    for target, text in targets.items():
+        write_text_atomic(target, text)
+    return list(targets)
