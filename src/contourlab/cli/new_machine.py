@@ -1,18 +1,19 @@
 """The wizard behind ``contourlab new machine``: questions, and from their answers the files of a machine and a controller that fits it.
 
-Nothing here asks or prints: `questions` says what to ask, `build_machine` turns answers into files, `explain` says in words what was worked out,
-`write_machine` puts the files into a folder.
+Nothing here asks or prints: `questions` says what to ask, `build_machine` turns answers into files, `explain` says in words what was worked
+out, `write_machine` puts the files into a folder.
 """
 
 from __future__ import annotations
 
-import math
 import re
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
+from contourlab.cli import sizing
+from contourlab.cli.sizing import SizedAxis, rounded
 from contourlab.errors import OutputError, ScenarioError, UnitError
 from contourlab.result import write_text_atomic
 from contourlab.scenario.dump import quantity
@@ -23,20 +24,6 @@ __all__ = ["Question", "build_machine", "explain", "questions", "write_machine"]
 
 _NAME = re.compile(r"[A-Za-z0-9_]{1,32}\Z")
 _MOST_AXES = 9
-
-# Shares and ratios behind the guesses; each is named in the files that it goes into.
-FRICTION_SHARE = 0.1
-"""Coulomb friction over the force at rated torque; stiction in ball-screw stages takes up to a tenth of the control signal (Ghaffari & Ulsoy)."""
-DAMPING_SHARE = 0.1
-"""Viscous force at the velocity limit over the force at rated torque: a typical share of rail guides and a greased nut."""
-BREAKAWAY_RATIO = 1.25
-EFFICIENCY = 0.95
-OBSERVER_RATIO, FILTER_RATIO, VELOCITY_RATIO = 2.5, 10.0, 30.0
-"""Bandwidths of the observer over Kv, of its filter over its own, of the velocity's low-pass over Kv."""
-FASTEST = 0.1
-"""Largest Kv times servo period: beyond it the hold eats the phase margin that the poles are placed for."""
-DAMPING = 0.8
-
 
 @dataclass(frozen=True)
 class Question:
@@ -79,6 +66,7 @@ _PER_AXIS = (
     Question("screw_inertia", "Inertia of coupling and screw", "kg*cm^2", "kg*m^2", "0.5 kg*cm^2"),
     Question("lead", "Lead of the screw (travel per turn)", "mm", "m", "10 mm"),
     Question("moved_mass", "Mass that the axis moves, without what other axes here put on it", "kg", "kg"),
+    Question("unbalanced_mass", "Mass that hangs on a vertical axis without counterweight (empty: none)", "kg", "kg", required=False),
     Question("encoder_resolution", "Travel per count of the encoder, interpolation included", "um", "m", "1 um"),
     Question("velocity", "Velocity limit", "m/min", "m/s", "12 m/min"),
     Question("acceleration", "Acceleration limit", "m/s^2", "m/s^2", "2 m/s^2"),
@@ -118,7 +106,8 @@ def axis_names(answer: str) -> tuple[str, ...]:
     for name in names:
         if not _NAME.match(name):
             raise _fault("axes", f"{name!r} is no name of an axis: letters, digits and _ are wanted")
-        if names.count(name) > 1:
+        # Their files must differ where a file system does not tell x from X.
+        if [other.lower() for other in names].count(name.lower()) > 1:
             raise _fault("axes", f"axis {name!r} stands there twice")
     return names
 
@@ -151,63 +140,7 @@ def read_answer(question: Question, answer: str) -> float | str | None:
     return number
 
 
-@dataclass(frozen=True)
-class _Axis:
-    """Answers about an axis in SI, and what follows from them."""
-
-    name: str
-    answers: Mapping[str, Any]
-    carried: float
-
-    def __getattr__(self, key: str) -> Any:
-        try:
-            return self.answers[key]
-        except KeyError:
-            raise AttributeError(key) from None
-
-    @property
-    def inertia(self) -> float:
-        return float(self.answers["rotor_inertia"] + self.answers["screw_inertia"])
-
-    @property
-    def reflected(self) -> float:
-        """Mass that the rotating parts count for at the table [kg]."""
-        return self.inertia * (2.0 * math.pi / self.answers["lead"]) ** 2
-
-    @property
-    def mass(self) -> float:
-        """All that is accelerated [kg]."""
-        return float(self.answers["moved_mass"] + self.carried + self.reflected)
-
-    def force(self, torque: float) -> float:
-        """Return the force at the table [N] of a torque."""
-        return float(2.0 * math.pi * EFFICIENCY / self.answers["lead"] * torque)
-
-    @property
-    def friction(self) -> float:
-        return _rounded(FRICTION_SHARE * self.force(self.answers["rated_torque"]))
-
-    @property
-    def damping(self) -> float:
-        return _rounded(DAMPING_SHARE * self.force(self.answers["rated_torque"]) / self.answers["velocity"])
-
-    @property
-    def wanted_force(self) -> float:
-        """Force of accelerating at the limit, at the velocity limit [N]."""
-        return float(self.mass * self.answers["acceleration"] + self.friction + self.damping * self.answers["velocity"])
-
-    @property
-    def model(self) -> tuple[float, float]:
-        """Acceleration per ampere [m/s^2/A] and decay [1/s]."""
-        return _rounded(self.force(self.answers["torque_constant"]) / self.mass), _rounded(self.damping / self.mass)
-
-
-def _rounded(value: float) -> float:
-    """Return a value with four digits: a guess needs no more, and people read it."""
-    return float(f"{value:.4g}")
-
-
-def _read(answers: Mapping[str, str]) -> tuple[str, float, list[_Axis]]:
+def _read(answers: Mapping[str, str]) -> tuple[str, float, list[SizedAxis]]:
     general = {q.key: read_answer(q, answers.get(q.key, "")) for q in _GENERAL}
     names = axis_names(str(general["axes"]))
     asked = questions(names)
@@ -215,7 +148,10 @@ def _read(answers: Mapping[str, str]) -> tuple[str, float, list[_Axis]]:
     for key in answers:
         if key not in known:
             raise _fault(key, "answers no question")
-    values = {name: {q.key.partition(".")[2]: read_answer(q, answers.get(q.key, "")) for q in asked if q.key.startswith(name + ".")} for name in names}
+    values: dict[str, dict[str, Any]] = {name: {} for name in names}
+    for question in asked:
+        name, _, key = question.key.partition(".")
+        values[name][key] = read_answer(question, answers.get(question.key, ""))
     for name in names:
         below = values[name]["mounted_on"]
         if below is not None and (below not in names or below == name):
@@ -223,7 +159,7 @@ def _read(answers: Mapping[str, str]) -> tuple[str, float, list[_Axis]]:
         if values[name]["stage_mass"] is None:
             values[name]["stage_mass"] = values[name]["moved_mass"]
     period = float(general["servo_period"] or 0.0)
-    axes = [_Axis(name, values[name], _carried(name, values)) for name in names]
+    axes = [SizedAxis(name, values[name], _carried(name, values)) for name in names]
     for axis in axes:
         _check(axis, period)
     return str(general["name"]), period, axes
@@ -244,21 +180,22 @@ def _carried(name: str, values: Mapping[str, Mapping[str, Any]]) -> float:
     return total
 
 
-def _check(axis: _Axis, period: float) -> None:
+def _check(axis: SizedAxis, period: float) -> None:
     """Refuse what the motor cannot do and what the servo period does not allow."""
     name, peak = axis.name, axis.force(axis.peak_torque)
     if axis.peak_torque < axis.rated_torque:
         raise _fault(f"{name}.peak_torque", f"is below the rated torque of {axis.rated_torque:g} N*m")
     if axis.wanted_force > peak:
-        rest = (peak - axis.friction - axis.damping * axis.velocity) / axis.mass
-        able = f"it can do {rest:.3g} m/s^2" if rest > 0.0 else "friction alone takes all of it"
+        rest = (peak - axis.standing_force) / axis.mass
+        able = f"it can do {rest:.3g} m/s^2" if rest > 0.0 else "friction, damping and weight alone take all of it"
         raise _fault(
             f"{name}.acceleration",
             f"{axis.acceleration:g} m/s^2 wants {axis.wanted_force:.4g} N, the motor gives {peak:.4g} N at its peak: {able}",
         )
-    if axis.kv * period > FASTEST:
-        raise _fault(f"{name}.kv", f"{axis.kv:g} 1/s is too fast for a servo period of {period * 1e3:g} ms: at most {FASTEST / period:.4g} 1/s")
-    least = axis.model[1] / (1.0 + 2.0 * DAMPING)
+    if axis.kv * period > sizing.FASTEST:
+        most = f"at most {sizing.FASTEST / period:.4g} 1/s"
+        raise _fault(f"{name}.kv", f"{axis.kv:g} 1/s is too fast for a servo period of {period * 1e3:g} ms: {most}")
+    least = axis.model[1] / (1.0 + 2.0 * sizing.DAMPING)
     if axis.kv < least:
         raise _fault(f"{name}.kv", f"{axis.kv:g} 1/s is slower than the axis damps itself: at least {least:.3g} 1/s")
 
@@ -266,23 +203,23 @@ def _check(axis: _Axis, period: float) -> None:
 # --- files ---------------------------------------------------------------------------------------------------------------------------
 
 
-def _axis_tables(axis: _Axis) -> dict[str, Any]:
-    rated = axis.force(axis.rated_torque)
-    limit = _rounded(axis.peak_torque / axis.torque_constant)
-    return {
+def _axis_tables(axis: SizedAxis) -> dict[str, Any]:
+    viscous = f"guess: {sizing.DAMPING_SHARE:.0%} of the {axis.force(axis.rated_torque):.4g} N at rated torque, at top speed"
+    limit = rounded(axis.peak_torque / axis.torque_constant)
+    tables: dict[str, Any] = {
         "plant": {
             "kind": "ball-screw",
             "mass": Noted(quantity(axis.moved_mass, "kg"), "as given"),
             "inertia": Noted(quantity(axis.inertia, "kg*m^2", "kg*cm^2"), "rotor, coupling and screw, as given"),
             "lead": Noted(quantity(axis.lead, "m", "mm"), "as given"),
             "torque_constant": Noted(quantity(axis.torque_constant, "N*m/A"), "as given"),
-            "efficiency": Noted(EFFICIENCY, "typical of a ball screw"),
-            "damping": Noted(quantity(axis.damping, "N*s/m"), f"guess: {DAMPING_SHARE:.0%} of the {rated:.4g} N at rated torque, at top speed"),
+            "efficiency": Noted(sizing.EFFICIENCY, "typical of a ball screw"),
+            "damping": Noted(quantity(axis.damping, "N*s/m"), viscous),
         },
         "friction": {
             "kind": "coulomb",
-            "coulomb": Noted(quantity(axis.friction, "N"), f"guess: {FRICTION_SHARE:.0%} of the force at rated torque; measure it"),
-            "breakaway": Noted(quantity(_rounded(BREAKAWAY_RATIO * axis.friction), "N"), "guess: a quarter above sliding"),
+            "coulomb": Noted(quantity(axis.friction, "N"), f"guess: {sizing.FRICTION_SHARE:.0%} of the force at rated torque; measure it"),
+            "breakaway": Noted(quantity(rounded(sizing.BREAKAWAY_RATIO * axis.friction), "N"), "guess: a quarter above sliding"),
             "stribeck_velocity": Noted("2 mm/s", "typical of rail guides"),
         },
         "drive": {
@@ -296,10 +233,14 @@ def _axis_tables(axis: _Axis) -> dict[str, Any]:
             "jerk": quantity(axis.jerk, "m/s^3"),
         },
     }
+    if axis.weight:
+        note = "weight of what hangs on the axis; its positive direction is up"
+        tables["disturbance"] = {"kind": "constant", "force": Noted(quantity(-axis.weight, "N"), note)}
+    return tables
 
 
-def _machine_tables(name: str, period: float, axes: Sequence[_Axis]) -> dict[str, Any]:
-    def placed(axis: _Axis) -> dict[str, Any]:
+def _machine_tables(name: str, period: float, axes: Sequence[SizedAxis]) -> dict[str, Any]:
+    def placed(axis: SizedAxis) -> dict[str, Any]:
         found: dict[str, Any] = {"file": f"axis-{axis.name}.toml"}
         if axis.mounted_on:
             found |= {"mounted_on": axis.mounted_on, "alignment": 0.0, "stage_mass": quantity(axis.stage_mass, "kg")}
@@ -309,18 +250,18 @@ def _machine_tables(name: str, period: float, axes: Sequence[_Axis]) -> dict[str
     return {"machine": head, "axes": {axis.name: placed(axis) for axis in axes}}
 
 
-def _controller_tables(axes: Sequence[_Axis]) -> dict[str, Any]:
-    def each(axis: _Axis) -> dict[str, Any]:
-        kv, observer = axis.kv, OBSERVER_RATIO * axis.kv
-        pole = f"{_rounded(kv):g} rad/s"
+def _controller_tables(axes: Sequence[SizedAxis]) -> dict[str, Any]:
+    def each(axis: SizedAxis) -> dict[str, Any]:
+        kv, observer = axis.kv, sizing.OBSERVER_RATIO * axis.kv
+        pole = f"{rounded(kv):g} rad/s"
         gain, decay = axis.model
-        gains = {"natural_frequency": Noted(pole, "Kv"), "damping": DAMPING, "pole": Noted(pole, "Kv")}
+        gains = {"natural_frequency": Noted(pole, "Kv"), "damping": sizing.DAMPING, "pole": Noted(pole, "Kv")}
         return {
-            "velocity": {"kind": "filtered-difference", "bandwidth": f"{_rounded(VELOCITY_RATIO * kv):g} rad/s"},
+            "velocity": {"kind": "filtered-difference", "bandwidth": f"{rounded(sizing.VELOCITY_RATIO * kv):g} rad/s"},
             "observer": {
                 "kind": "disturbance-observer",
-                "bandwidth": f"{_rounded(observer):g} rad/s",
-                "filter_bandwidth": f"{_rounded(FILTER_RATIO * observer):g} rad/s",
+                "bandwidth": f"{rounded(observer):g} rad/s",
+                "filter_bandwidth": f"{rounded(sizing.FILTER_RATIO * observer):g} rad/s",
                 "model_gain": Noted(f"{gain:g} m/s^2/A", f"force per ampere over {axis.mass:.4g} kg"),
                 "model_damping": Noted(f"{decay:g} 1/s", f"damping over {axis.mass:.4g} kg"),
             },
@@ -334,7 +275,7 @@ def _controller_tables(axes: Sequence[_Axis]) -> dict[str, Any]:
     return {"controller": found}
 
 
-def _scenario_tables(name: str, axes: Sequence[_Axis]) -> dict[str, Any] | None:
+def _scenario_tables(name: str, axes: Sequence[SizedAxis]) -> dict[str, Any] | None:
     """Return a first scenario: the shipped test part on x, y, z, a circle on two axes."""
     names = [axis.name for axis in axes]
     parts: dict[str, Any] = {"name": f"{name}: first run", "machine": "machine.toml", "controller": "controller.toml"}
@@ -347,7 +288,7 @@ def _scenario_tables(name: str, axes: Sequence[_Axis]) -> dict[str, Any] | None:
     return {
         **parts,
         "contour": {"name": "circle", "radius": "20 mm"},
-        "feed": {"law": "planned", "feedrate": quantity(_rounded(feed * 60.0) / 60.0, "m/s", "m/min"), "laps": 2},
+        "feed": {"law": "planned", "feedrate": quantity(rounded(feed * 60.0) / 60.0, "m/s", "m/min"), "laps": 2},
         **run,
     }
 
@@ -363,8 +304,8 @@ def build_machine(answers: Mapping[str, str]) -> dict[str, str]:
     Returns
     -------
     dict
-        File name -> TOML text: ``machine.toml``, one ``axis-NAME.toml`` for each axis, ``controller.toml``, and ``scenario.toml`` where there
-        is something to drive along at once.
+        File name -> TOML text: ``machine.toml``, one ``axis-NAME.toml`` for each axis, ``controller.toml``, and ``scenario.toml`` where
+        there is something to drive along at once.
 
     Raises
     ------
@@ -399,14 +340,15 @@ def explain(answers: Mapping[str, str]) -> str:
     lines = []
     for axis in axes:
         gain, decay = axis.model
-        rotating = axis.reflected / axis.mass
+        rotating = f"rotating parts {axis.reflected:.4g} kg ({axis.reflected / axis.mass:.0%})"
+        rated, peak = axis.force(axis.rated_torque), axis.force(axis.peak_torque)
         carried = f", {axis.carried:.4g} kg carried" if axis.carried else ""
         lines += [
-            f"axis {axis.name}: moves {axis.mass:.4g} kg: {axis.moved_mass:.4g} kg itself{carried}, rotating parts {axis.reflected:.4g} kg ({rotating:.0%})",
-            f"  force {axis.force(axis.rated_torque):.4g} N rated, {axis.force(axis.peak_torque):.4g} N peak; {axis.wanted_force:.4g} N wanted at its limits",
+            f"axis {axis.name}: moves {axis.mass:.4g} kg: {axis.moved_mass:.4g} kg itself{carried}, {rotating}",
+            f"  force {rated:.4g} N rated, {peak:.4g} N peak; {axis.wanted_force:.4g} N wanted at its limits",
             f"  guessed friction {axis.friction:.4g} N and damping {axis.damping:.4g} N*s/m: measure them",
-            f"  model {gain:.4g} m/s^2/A, {decay:.4g} 1/s; poles at {axis.kv:.4g} rad/s, observer {OBSERVER_RATIO * axis.kv:.4g} rad/s, "
-            f"servo period {period * 1e3:g} ms",
+            f"  model {gain:.4g} m/s^2/A, {decay:.4g} 1/s; servo period {period * 1e3:g} ms; "
+            f"poles at {axis.kv:.4g} rad/s, observer {sizing.OBSERVER_RATIO * axis.kv:.4g} rad/s",
         ]
         if axis.wanted_force > axis.force(axis.rated_torque):
             lines.append("  its limits want more than the rated torque: fine for short moves, not for long ones")
@@ -432,7 +374,8 @@ def write_machine(files: Mapping[str, str], folder: str | Path, *, force: bool =
     targets = {Path(folder) / name: text for name, text in files.items()}
     there = [target.name for target in targets if target.exists()]
     if there and not force:
-        raise OutputError(f"{folder}: {', '.join(there)} {'is' if len(there) == 1 else 'are'} there already: choose another folder, or use --force")
+        listed = f"{', '.join(there)} {'is' if len(there) == 1 else 'are'}"
+        raise OutputError(f"{folder}: {listed} there already: choose another folder, or use --force")
     for target, text in targets.items():
         write_text_atomic(target, text)
     return list(targets)

@@ -2,7 +2,17 @@
 
 from __future__ import annotations
 
+import sys
+from collections.abc import Mapping, Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated, Any
+
 import typer
+
+from contourlab.cli.output import say
+
+if TYPE_CHECKING:
+    from contourlab.cli.new_machine import Question
 
 __all__ = ["new"]
 
@@ -11,4 +21,113 @@ new = typer.Typer(no_args_is_help=True, help="Make files to start from.")
 
 @new.callback()
 def _things() -> None:
-    """Keep `machine` a name of its own."""
+    """Keep `machine` a name of its own while it is the only thing."""
+
+
+@new.command()
+def machine(
+    out: Annotated[Path, typer.Option(help="Folder for the files; made if it is not there.")] = Path("machine"),
+    answers: Annotated[
+        Path | None, typer.Option(help="Take the answers from a TOML file and ask nothing.", metavar="FILE", show_default=False)
+    ] = None,
+    force: Annotated[bool, typer.Option("--force", help="Overwrite files that are there.")] = False,
+) -> int:
+    """Make a machine and a controller that fits it, out of what a data sheet says; asks for it."""
+    from contourlab.cli.new_machine import build_machine, explain, write_machine
+
+    given = _asked() if answers is None else read_answers(answers)
+    try:
+        files, text = build_machine(given), explain(given)
+    except _scenario_error() as error:
+        # The answers were checked one by one as they were asked; here their file has a name to be told.
+        raise type(error)(error.message, file=answers or error.file, key=error.key) from None
+    written = write_machine(files, out, force=force)
+    say("\n".join([text, *(f"wrote {file}" for file in written)]))
+    if "scenario.toml" in files:
+        say(f"next: contourlab run {out / 'scenario.toml'}")
+    return 0
+
+
+def _scenario_error() -> type[Any]:
+    from contourlab.errors import ScenarioError
+
+    return ScenarioError
+
+
+def read_answers(file: Path) -> dict[str, str]:
+    """Return the answers of a TOML file: ``name``, ``axes`` and one table for each axis.
+
+    Raises
+    ------
+    ScenarioError
+        If the file cannot be read, or holds what is no answer.
+    """
+    import tomllib
+
+    fault = _scenario_error()
+    try:
+        content = tomllib.loads(file.read_text(encoding="utf-8"))
+    except OSError as error:
+        raise fault(f"cannot be read: {error.strerror or error}", file=file) from error
+    except (tomllib.TOMLDecodeError, UnicodeDecodeError) as error:
+        raise fault(f"is no TOML: {error}", file=file) from error
+    return dict(_flat(content, "", file))
+
+
+def _flat(content: Mapping[str, Any], prefix: str, file: Path) -> list[tuple[str, str]]:
+    found: list[tuple[str, str]] = []
+    for name, value in content.items():
+        key = prefix + name
+        if isinstance(value, dict) and not prefix:
+            found += _flat(value, f"{name}.", file)
+        elif isinstance(value, list) and all(isinstance(item, str) for item in value):
+            found.append((key, ", ".join(value)))
+        elif isinstance(value, str | int | float) and not isinstance(value, bool):
+            found.append((key, str(value)))
+        else:
+            raise _scenario_error()(f"{value!r} is no answer: write text, or a number with its unit", file=file, key=key)
+    return found
+
+
+def _asked() -> dict[str, str]:
+    """Ask on the terminal: about the machine first, then about each of its axes."""
+    from contourlab.cli.new_machine import axis_names, questions
+
+    print("Enter takes what stands in brackets; a number without a unit has the unit shown.", file=sys.stderr)
+    answers: dict[str, str] = {}
+    _ask_all(questions(), answers)
+    _ask_all(questions(axis_names(answers["axes"])), answers)
+    return answers
+
+
+def _ask_all(asked: Sequence[Question], answers: dict[str, str]) -> None:
+    """Ask each question until its answer is one; answers that come through a pipe have one try."""
+    from contourlab.cli.new_machine import axis_names, read_answer
+
+    for question in asked:
+        while True:
+            answer = _ask(question)
+            try:
+                read_answer(question, answer)
+                if question.key == "axes":
+                    axis_names(answer or question.default)
+            except _scenario_error() as error:
+                if not sys.stdin.isatty():
+                    raise
+                print(error.message, file=sys.stderr)
+                continue
+            answers[question.key] = answer or question.default
+            break
+
+
+def _ask(question: Question) -> str:
+    """Return the answer typed to one question; the question goes to standard error."""
+    unit = f" ({question.unit})" if question.unit else ""
+    default = f" [{question.default}]" if question.default else ""
+    print(f"{question.text}{unit}{default}: ", end="", file=sys.stderr, flush=True)
+    try:
+        return input().strip()
+    except EOFError:
+        if sys.stdin.isatty():
+            raise KeyboardInterrupt from None
+        raise _scenario_error()("the answers end before this question", file="standard input", key=question.key) from None

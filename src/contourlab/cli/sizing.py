@@ -1,0 +1,90 @@
+"""What follows from an axis' catalogue data: reflected inertia, forces, guesses of friction and damping, the model for its controller."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Any
+
+__all__ = ["SizedAxis", "rounded"]
+
+# Shares and ratios behind the guesses; each is named in the files that it goes into.
+FRICTION_SHARE = 0.1
+"""Coulomb friction over the force at rated torque: stiction in ball screws takes up to a tenth of the control signal (Ghaffari & Ulsoy)."""
+DAMPING_SHARE = 0.1
+"""Viscous force at the velocity limit over the force at rated torque: a typical share of rail guides and a greased nut."""
+BREAKAWAY_RATIO = 1.25
+EFFICIENCY = 0.95
+GRAVITY = 9.81
+OBSERVER_RATIO, FILTER_RATIO, VELOCITY_RATIO = 2.5, 10.0, 30.0
+"""Bandwidths of the observer over Kv, of its filter over its own, of the velocity's low-pass over Kv."""
+FASTEST = 0.1
+"""Largest Kv times servo period: beyond it the hold eats the phase margin that the poles are placed for."""
+DAMPING = 0.8
+
+
+def rounded(value: float) -> float:
+    """Return a value with four digits: a guess needs no more, and people read it."""
+    return float(f"{value:.4g}")
+
+
+@dataclass(frozen=True)
+class SizedAxis:
+    """Answers about an axis in SI, which read as its attributes, and what follows from them."""
+
+    name: str
+    answers: Mapping[str, Any]
+    carried: float
+
+    def __getattr__(self, key: str) -> Any:
+        try:
+            return self.answers[key]
+        except KeyError:
+            raise AttributeError(key) from None
+
+    @property
+    def inertia(self) -> float:
+        return float(self.answers["rotor_inertia"] + self.answers["screw_inertia"])
+
+    @property
+    def reflected(self) -> float:
+        """Mass that the rotating parts count for at the table [kg]."""
+        return float(self.inertia * (2.0 * math.pi / self.answers["lead"]) ** 2)
+
+    @property
+    def mass(self) -> float:
+        """All that is accelerated [kg]."""
+        return float(self.answers["moved_mass"] + self.carried + self.reflected)
+
+    def force(self, torque: float) -> float:
+        """Return the force at the table [N] of a torque."""
+        return float(2.0 * math.pi * EFFICIENCY / self.answers["lead"] * torque)
+
+    @property
+    def friction(self) -> float:
+        return rounded(FRICTION_SHARE * self.force(self.answers["rated_torque"]))
+
+    @property
+    def damping(self) -> float:
+        return rounded(DAMPING_SHARE * self.force(self.answers["rated_torque"]) / self.answers["velocity"])
+
+    @property
+    def weight(self) -> float:
+        """What gravity pulls along the axis [N]."""
+        return rounded(GRAVITY * (self.answers["unbalanced_mass"] or 0.0))
+
+    @property
+    def standing_force(self) -> float:
+        """Force at the velocity limit without any acceleration [N]."""
+        return float(self.weight + self.friction + self.damping * self.answers["velocity"])
+
+    @property
+    def wanted_force(self) -> float:
+        """Force of accelerating at the limit, at the velocity limit [N]."""
+        return float(self.mass * self.answers["acceleration"] + self.standing_force)
+
+    @property
+    def model(self) -> tuple[float, float]:
+        """Acceleration per ampere [m/s^2/A] and decay [1/s]."""
+        return rounded(self.force(self.answers["torque_constant"]) / self.mass), rounded(self.damping / self.mass)
