@@ -161,34 +161,65 @@ def _arc_gap(arc: dict[str, Array], points: Array, along: Array) -> Array:
 
 
 def _on_curves(path: Path, points: Array, curve: Index, low: Array, high: Array, middle: Array) -> Array:
-    """Samples between the ends, the best bracket, then Newton on r'.(r - p) with bisection as a guard."""
+    """Samples between the ends, the best bracket, then Newton on r'.(r - p) with bisection as a guard.
+
+    All but the last steps are taken on the path's table, which is far cheaper than a spline by arc length and differs by a nanometre.
+    """
+    offset = path.breaks[curve]
+    table = _table(path)
+
+    def near(s: Array) -> Array:
+        return np.asarray(table.evaluate(s)) if table is not None else path._at(curve, s - offset, 2)
+
     radius = _smallest_radii(path)[curve]
-    steps = np.clip(np.ceil((high - low) / np.maximum(0.35 * radius, 1e-12)), 4, 64)
-    n = int(steps.max())
+    n = int(np.clip(np.ceil((high - low) / np.maximum(0.35 * radius, 1e-12)), 4, 64).max(initial=4))
     grid = low[:, None] + (high - low)[:, None] * np.linspace(0.0, 1.0, n + 1)
-    at = path._at(np.repeat(curve, n + 1), grid.ravel(), 0)[0].reshape(*grid.shape, -1)
+    if table is not None:
+        at = table.evaluate((offset[:, None] + grid).ravel(), 0)[0].reshape(*grid.shape, -1)
+    else:
+        at = path._at(np.repeat(curve, n + 1), grid.ravel(), 0)[0].reshape(*grid.shape, -1)
     square = ((at - points[:, None, :]) ** 2).sum(axis=2)
     # Among samples of the same distance the one nearest to the progress.
-    square = square + 1e-18 * np.abs(grid - middle[:, None])
-    k = np.argmin(square, axis=1)
+    k = np.argmin(square + 1e-18 * np.abs(grid - middle[:, None]), axis=1)
     row = np.arange(k.size)
-    a, b = grid[row, np.maximum(k - 1, 0)], grid[row, np.minimum(k + 1, n)]
-    s = grid[row, k]
-    for _ in range(60):
-        r, first, second = path._at(curve, s, 2)
+    s = _newton(
+        points, near, offset, grid[row, k], grid[row, np.maximum(k - 1, 0)], grid[row, np.minimum(k + 1, n)], 60, 1e-12 * path.length
+    )
+    reach = 1e-7 * path.length
+
+    def exact(along: Array) -> Array:
+        return path._at(curve, along - offset, 2)
+
+    s = _newton(points, exact, offset, s, np.maximum(s - reach, low), np.minimum(s + reach, high), 3, 1e-15 * path.length)
+    ends = np.array([((path._at(curve, e, 0)[0] - points) ** 2).sum(axis=1) for e in (low, high, s)])
+    return np.asarray(np.choose(np.argmin(ends, axis=0), [low, high, s]))
+
+
+def _newton(points: Array, at: Any, offset: Array, s: Array, a: Array, b: Array, most: int, enough: float) -> Array:
+    """Improve foot points on their curves, each within its bracket."""
+    for _ in range(most):
+        r, first, second = at(s + offset)
         gap = r - points
         g = np.einsum("ij,ij->i", first, gap)
         h = np.einsum("ij,ij->i", first, first) + np.einsum("ij,ij->i", second, gap)
         a, b = np.where(g < 0.0, s, a), np.where(g > 0.0, s, b)
         newton = s - np.divide(g, h, out=np.full_like(g, np.inf), where=h > 0.0)
-        after = np.where((newton > a) & (newton < b), newton, 0.5 * (a + b))
-        moved = np.abs(after - s)
+        after = np.where((newton >= a) & (newton <= b), newton, 0.5 * (a + b))
+        moved = np.abs(after - s).max(initial=0.0)
         s = after
-        if moved.max(initial=0.0) <= 1e-15 * path.length:
+        if moved <= enough:
             break
-    ends = np.array([((path._at(curve, e, 0)[0] - points) ** 2).sum(axis=1) for e in (low, high, s)])
-    best = np.argmin(ends, axis=0)
-    return np.asarray(np.choose(best, [low, high, s]))
+    return s
+
+
+def _table(path: Path) -> Any:
+    """Return the path's table where it has curves without a closed form by arc length; made once."""
+    if not np.any(path._kind == 2):
+        return None
+    held = path.__dict__.get("_near")
+    if held is None:
+        held = path.__dict__["_near"] = path.table(1e-9)
+    return held
 
 
 def _smallest_radii(path: Path) -> Array:

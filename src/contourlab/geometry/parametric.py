@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from abc import abstractmethod
+from functools import cached_property
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -14,6 +15,10 @@ __all__ = ["Parametric"]
 
 Array = NDArray[np.float64]
 _NODES, _WEIGHTS = np.polynomial.legendre.leggauss(12)
+_TERMS = 12
+_CHEBYSHEV = np.cos(np.pi * (np.arange(_TERMS) + 0.5) / _TERMS)
+_TO_CHEBYSHEV = (2.0 / _TERMS) * np.cos(np.arange(_TERMS)[:, None] * np.arccos(_CHEBYSHEV)[None, :])
+_TO_CHEBYSHEV[0] *= 0.5
 
 
 class Parametric(Curve):
@@ -64,12 +69,11 @@ class Parametric(Curve):
         points = (0.5 * (left + right))[:, None] + half[:, None] * _NODES
         return np.asarray(half * (self._speed(points) @ _WEIGHTS))
 
-    def parameter(self, s: ArrayLike) -> Array:
-        """Return the parameters (n,) of arc lengths (n,)."""
-        along = np.clip(np.atleast_1d(np.asarray(s, dtype=float)), 0.0, self.length)
-        i = np.clip(np.searchsorted(self._marks, along, side="right") - 1, 0, len(self._marks) - 2)
+    def _solve(self, s: Array) -> Array:
+        """Return the parameters of arc lengths by Newton steps inside their intervals."""
+        i = np.clip(np.searchsorted(self._marks, s, side="right") - 1, 0, len(self._marks) - 2)
         left, right = self._knots[i], self._knots[i + 1]
-        wanted = along - self._marks[i]
+        wanted = s - self._marks[i]
         u = left + (right - left) * wanted / (self._marks[i + 1] - self._marks[i])
         for _ in range(12):
             step = (self._lengths(left, u) - wanted) / np.maximum(self._speed(u), 1e-300)
@@ -77,6 +81,45 @@ class Parametric(Curve):
             if np.abs(step).max(initial=0.0) <= 4e-16 * max(abs(self.first), abs(self.last)):
                 break
         return np.asarray(u)
+
+    @cached_property
+    def _inverse(self) -> tuple[Array, Array]:
+        """Chebyshev coefficients of the parameter over arc length, on pieces halved until they hold to 1e-14 of the length."""
+        left, right = self._marks[:-1], self._marks[1:]
+        starts: list[Array] = []
+        held: list[Array] = []
+        probe = np.array([-0.93, -0.61, 0.07, 0.52, 0.96])
+        for _ in range(30):
+            middle, half = 0.5 * (left + right), 0.5 * (right - left)
+            nodes = self._solve((middle[:, None] + half[:, None] * _CHEBYSHEV).ravel()).reshape(-1, _TERMS)
+            coefficients = nodes @ _TO_CHEBYSHEV.T
+            exact = self._solve((middle[:, None] + half[:, None] * probe).ravel()).reshape(-1, probe.size)
+            fit = coefficients @ np.cos(np.arange(_TERMS)[:, None] * np.arccos(probe))
+            gap = np.abs(fit - exact) * self._speed(exact)
+            good = (gap <= 1e-14 * self.length).all(axis=1) | (half <= 1e-9 * self.length)
+            starts.append(left[good])
+            held.append(coefficients[good])
+            bad = ~good
+            left, right = np.concatenate([left[bad], middle[bad]]), np.concatenate([middle[bad], right[bad]])
+            if left.size == 0:
+                break
+        begin, rows = np.concatenate(starts), np.concatenate(held)
+        order = np.argsort(begin)
+        return np.append(begin[order], self.length), rows[order]
+
+    def parameter(self, s: ArrayLike) -> Array:
+        """Return the parameters (n,) of arc lengths (n,), good to 1e-14 of the length."""
+        along = np.clip(np.atleast_1d(np.asarray(s, dtype=float)), 0.0, self.length)
+        begin, rows = self._inverse
+        i = np.clip(np.searchsorted(begin, along, side="right") - 1, 0, len(rows) - 1)
+        low, high = begin[i], begin[i + 1]
+        x = np.clip((2.0 * along - low - high) / (high - low), -1.0, 1.0)
+        # Clenshaw's recursion, all samples at a time.
+        c = rows[i]
+        b1, b2 = np.zeros_like(x), np.zeros_like(x)
+        for k in range(_TERMS - 1, 0, -1):
+            b1, b2 = 2.0 * x * b1 - b2 + c[:, k], b1
+        return np.asarray(np.clip(x * b1 - b2 + c[:, 0], self.first, self.last))
 
     def derivatives(self, s: ArrayLike, order: int = 3) -> Array:
         return by_arc_length(self.raw(self.parameter(s), max(order, 1)), order)

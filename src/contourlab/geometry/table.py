@@ -55,8 +55,8 @@ class PathTable:
     length: float
     closed: bool
 
-    def evaluate(self, s: ArrayLike) -> Array:
-        """Return position, first and second derivative: ndarray (3, n, n_axis)."""
+    def evaluate(self, s: ArrayLike, order: int = 2) -> Array:
+        """Return position and derivatives up to `order`, 0 to 2: ndarray (order + 1, n, n_axis)."""
         along = np.atleast_1d(np.asarray(s, dtype=float))
         along = along - self.length * np.floor(along / self.length) if self.closed else along
         along = np.clip(along, 0.0, self.length)
@@ -64,11 +64,13 @@ class PathTable:
         piece = self.cell[cell].astype(np.int64)
         piece = np.minimum(piece + (along >= self.start[piece + 1]), len(self.coefficients) - 1)
         h = (along - self.start[piece])[:, None]
-        c = self.coefficients[piece]
-        value = sum(c[:, :, k] * h**k for k in range(6))
-        first = sum(k * c[:, :, k] * h ** (k - 1) for k in range(1, 6))
-        second = sum(k * (k - 1) * c[:, :, k] * h ** (k - 2) for k in range(2, 6))
-        return np.array([value, first, second])
+        c = np.moveaxis(self.coefficients[piece], 2, 0)
+        found = [c[0] + h * (c[1] + h * (c[2] + h * (c[3] + h * (c[4] + h * c[5]))))]
+        if order > 0:
+            found.append(c[1] + h * (2.0 * c[2] + h * (3.0 * c[3] + h * (4.0 * c[4] + h * 5.0 * c[5]))))
+        if order > 1:
+            found.append(2.0 * c[2] + h * (6.0 * c[3] + h * (12.0 * c[4] + h * 20.0 * c[5])))
+        return np.array(found)
 
 
 def path_table(path: Path, tolerance: float, pieces: int = 1) -> PathTable:

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 import typer
 
 from contourlab.cli.output import emit_json, show
+from contourlab.errors import ComponentError
 
 if TYPE_CHECKING:
     from rich.console import RenderableType
@@ -53,8 +54,6 @@ def _chosen(name: str | None, known: list[type[Component]]) -> list[type[Compone
     ComponentError
         If it means none; the message lists families and kinds.
     """
-    from contourlab.errors import ComponentError
-
     if name is None:
         return known
     found = [kind for kind in known if name in (kind.family, kind.kind, f"{kind.family}/{kind.kind}")]

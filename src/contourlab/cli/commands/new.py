@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 import typer
 
 from contourlab.cli.output import say
+from contourlab.errors import ScenarioError
 
 if TYPE_CHECKING:
     from contourlab.cli.new_machine import Question
@@ -38,20 +39,14 @@ def machine(
     given = _asked() if answers is None else read_answers(answers)
     try:
         files, text = build_machine(given), explain(given)
-    except _scenario_error() as error:
+    except ScenarioError as error:
         # The answers were checked one by one as they were asked; here their file has a name to be told.
-        raise type(error)(error.message, file=answers or error.file, key=error.key) from None
+        raise ScenarioError(error.message, file=answers or error.file, key=error.key) from None
     written = write_machine(files, out, force=force)
     say("\n".join([text, *(f"wrote {file}" for file in written)]))
     if "scenario.toml" in files:
         say(f"next: contourlab run {out / 'scenario.toml'}")
     return 0
-
-
-def _scenario_error() -> type[Any]:
-    from contourlab.errors import ScenarioError
-
-    return ScenarioError
 
 
 def read_answers(file: Path) -> dict[str, str]:
@@ -64,13 +59,12 @@ def read_answers(file: Path) -> dict[str, str]:
     """
     import tomllib
 
-    fault = _scenario_error()
     try:
         content = tomllib.loads(file.read_text(encoding="utf-8"))
     except OSError as error:
-        raise fault(f"cannot be read: {error.strerror or error}", file=file) from error
+        raise ScenarioError(f"cannot be read: {error.strerror or error}", file=file) from error
     except (tomllib.TOMLDecodeError, UnicodeDecodeError) as error:
-        raise fault(f"is no TOML: {error}", file=file) from error
+        raise ScenarioError(f"is no TOML: {error}", file=file) from error
     return dict(_flat(content, "", file))
 
 
@@ -85,7 +79,7 @@ def _flat(content: Mapping[str, Any], prefix: str, file: Path) -> list[tuple[str
         elif isinstance(value, str | int | float) and not isinstance(value, bool):
             found.append((key, str(value)))
         else:
-            raise _scenario_error()(f"{value!r} is no answer: write text, or a number with its unit", file=file, key=key)
+            raise ScenarioError(f"{value!r} is no answer: write text, or a number with its unit", file=file, key=key)
     return found
 
 
@@ -111,7 +105,7 @@ def _ask_all(asked: Sequence[Question], answers: dict[str, str]) -> None:
                 read_answer(question, answer)
                 if question.key == "axes":
                     axis_names(answer or question.default)
-            except _scenario_error() as error:
+            except ScenarioError as error:
                 if not sys.stdin.isatty():
                     raise
                 print(error.message, file=sys.stderr)
@@ -130,4 +124,4 @@ def _ask(question: Question) -> str:
     except EOFError:
         if sys.stdin.isatty():
             raise KeyboardInterrupt from None
-        raise _scenario_error()("the answers end before this question", file="standard input", key=question.key) from None
+        raise ScenarioError("the answers end before this question", file="standard input", key=question.key) from None

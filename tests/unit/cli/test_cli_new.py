@@ -1,0 +1,137 @@
+"""`contourlab new machine`: from answers, typed or in a file, to files that run."""
+
+import io
+import tomllib
+
+import pytest
+
+from contourlab.cli.main import main
+
+ANSWERS = """
+name = "Bench mill"
+axes = ["x", "y"]
+[x]
+rated_torque = "1.3 N*m"
+peak_torque = 3.9
+torque_constant = "0.5 N*m/A"
+rotor_inertia = "0.6 kg*cm^2"
+moved_mass = "20 kg"
+mounted_on = "y"
+[y]
+rated_torque = "2.4 N*m"
+peak_torque = 7.2
+torque_constant = 0.5
+rotor_inertia = 1.2
+moved_mass = 40
+lead = "5 mm"
+"""
+# The same in the order of the questions; an empty line takes the default.
+TYPED = {
+    "x": ["1.3 N*m", "3.9", "0.5", "0.6", "", "", "20", "", "", "", "", "", "y", ""],
+    "y": ["2.4", "7200 mN*m", "0.5", "1.2", "", "5 mm", "40", "", "", "", "", "", "", ""],
+}
+
+
+class Terminal(io.StringIO):
+    """Standard input that says it is a terminal."""
+
+    def isatty(self) -> bool:
+        return True
+
+
+@pytest.fixture
+def answers(tmp_path):
+    file = tmp_path / "answers.toml"
+    file.write_text(ANSWERS, encoding="utf-8")
+    return file
+
+
+def read_all(folder):
+    return {file.name: tomllib.loads(file.read_text(encoding="utf-8")) for file in sorted(folder.iterdir())}
+
+
+def test_answers_in_a_file_make_a_machine_that_is_accepted(answers, tmp_path, capsys):
+    out = tmp_path / "mill"
+    assert main(["new", "machine", "--answers", str(answers), "--out", str(out)]) == 0
+    shown = capsys.readouterr().out
+    made = read_all(out)
+    assert made["machine.toml"]["machine"]["name"] == "Bench mill"
+    assert made["machine.toml"]["axes"]["x"]["mounted_on"] == "y"
+    assert made["axis-y.toml"]["plant"]["lead"] == "5 mm"
+    for name in made:
+        assert str(out / name) in shown
+    assert main(["run", str(out / "scenario.toml"), "--check"]) == 0
+
+
+def test_typed_answers_make_the_same_files(answers, tmp_path, monkeypatch, capsys):
+    assert main(["new", "machine", "--answers", str(answers), "--out", str(tmp_path / "file")]) == 0
+    lines = ["Bench mill", "", "", *TYPED["x"], *TYPED["y"]]
+    monkeypatch.setattr("sys.stdin", io.StringIO("\n".join(lines) + "\n"))
+    assert main(["new", "machine", "--out", str(tmp_path / "typed")]) == 0
+    assert read_all(tmp_path / "typed") == read_all(tmp_path / "file")
+    shown = capsys.readouterr()
+    assert "Rated torque" in shown.err
+    assert "Rated torque" not in shown.out
+
+
+def test_a_person_is_asked_again_and_told_why(tmp_path, monkeypatch, capsys):
+    wrong_first = ["Bench mill", "x, x", "x, y", "", "much", "1.3 N*m", *TYPED["x"][1:], *TYPED["y"]]
+    monkeypatch.setattr("sys.stdin", Terminal("\n".join(wrong_first) + "\n"))
+    assert main(["new", "machine", "--out", str(tmp_path / "mill")]) == 0
+    shown = capsys.readouterr().err
+    assert "axis 'x' stands there twice" in shown
+    assert "much" in shown
+    assert "machine.toml" in read_all(tmp_path / "mill")
+
+
+@pytest.mark.parametrize(
+    ("stdin", "code", "said"),
+    [
+        (io.StringIO("Mill\nx, y\n"), 2, "servo_period: the answers end before this question"),
+        (io.StringIO("Mill\nx, x\n"), 2, "axis 'x' stands there twice"),
+        (Terminal("Mill\n"), 130, "interrupted"),
+    ],
+)
+def test_answers_that_end_or_are_wrong_leave_nothing_behind(stdin, code, said, tmp_path, monkeypatch, capsys):
+    monkeypatch.setattr("sys.stdin", stdin)
+    assert main(["new", "machine", "--out", str(tmp_path / "mill")]) == code
+    assert said in capsys.readouterr().err
+    assert not (tmp_path / "mill").exists()
+
+
+def test_files_are_overwritten_only_when_told(answers, tmp_path, capsys):
+    out = tmp_path / "mill"
+    command = ["new", "machine", "--answers", str(answers), "--out", str(out)]
+    assert main(command) == 0
+    (out / "machine.toml").write_text("mine", encoding="utf-8")
+    assert main(command) == 2
+    assert "--force" in capsys.readouterr().err
+    assert (out / "machine.toml").read_text(encoding="utf-8") == "mine"
+    assert main([*command, "--force"]) == 0
+    assert (out / "machine.toml").read_text(encoding="utf-8") != "mine"
+
+
+@pytest.mark.parametrize(
+    ("text", "said"),
+    [
+        ("axes = [", "is no TOML"),
+        ("axes = [1, 2]", "axes: [1, 2] is no answer"),
+        ("[x.deep]\nlead = 1", "x.deep: {'lead': 1} is no answer"),
+        ("[x]\nlead = true", "x.lead: True is no answer"),
+        (ANSWERS.replace("moved_mass = 40", "moved_mass = -40"), "y.moved_mass"),
+        (ANSWERS.replace("lead =", "led ="), "y.led: answers no question"),
+    ],
+)
+def test_a_wrong_file_of_answers_is_named_with_its_key(text, said, tmp_path, capsys):
+    file = tmp_path / "wrong.toml"
+    file.write_text(text, encoding="utf-8")
+    assert main(["new", "machine", "--answers", str(file), "--out", str(tmp_path / "mill")]) == 2
+    shown = capsys.readouterr().err
+    assert f"{file}: " in shown
+    assert said in shown
+    assert not (tmp_path / "mill").exists()
+
+
+def test_a_file_of_answers_that_is_not_there_is_2(tmp_path, capsys):
+    assert main(["new", "machine", "--answers", str(tmp_path / "none.toml"), "--out", str(tmp_path)]) == 2
+    assert "none.toml: cannot be read: No such file" in capsys.readouterr().err
