@@ -69,7 +69,7 @@ def ramps(low: Array, high: Array, acceleration: Array, rise: Array, taper: Arra
 def ramp_distance(low: float, high: float, acceleration: float, rise: float, taper: float) -> float:
     """Return the distance of one ramp [m]; the same as `ramps` for plain numbers, where a loop needs it."""
     gain = high - low
-    if gain <= 0.0:
+    if gain <= 1e-200:  # below it the square root of a gain is lost to underflow
         return 0.0
     softness = 1.0 / rise + 1.0 / taper
     peak = acceleration if 2.0 * gain >= acceleration * acceleration * softness else math.sqrt(2.0 * gain / softness)

@@ -107,7 +107,7 @@ def load_machine(file: str | Path, plugins: Sequence[str | Path] = ()) -> Machin
     _load_plugins(plugins)
     path, reader = _open(file)
     content = reader.file(path)
-    if "controller" in content.entries:
+    if {"machine", "controller"} <= set(content.entries):
         read_table(ScenarioTable, content)
         content = _only(content, "machine", "axes")
     return build_machine(settle(reader.machine_file(content)))

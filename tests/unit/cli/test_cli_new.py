@@ -6,6 +6,7 @@ import tomllib
 import pytest
 
 from contourlab.cli.main import main
+from contourlab.cli.new_machine import questions
 
 ANSWERS = """
 name = "Bench mill"
@@ -25,11 +26,15 @@ rotor_inertia = 1.2
 moved_mass = 40
 lead = "5 mm"
 """
-# The same in the order of the questions; an empty line takes the default.
-TYPED = {
-    "x": ["1.3 N*m", "3.9", "0.5", "0.6", "", "", "20", "", "", "", "", "", "y", ""],
-    "y": ["2.4", "7200 mN*m", "0.5", "1.2", "", "5 mm", "40", "", "", "", "", "", "", ""],
-}
+OTHER_WORDS = {"y.peak_torque": "7200 mN*m", "y.lead": "0.5 cm", "x.peak_torque": " 3.9 "}
+"""Answers of the file in other words that mean the same."""
+
+
+def typed() -> list[str]:
+    """Return the answers of the file as a person types them; an empty line takes the default."""
+    given = tomllib.loads(ANSWERS)
+    flat = {f"{axis}.{key}": str(value) for axis in "xy" for key, value in given[axis].items()} | OTHER_WORDS
+    return [given["name"], "", "", *(flat.get(question.key, "") for question in questions(["x", "y"]))]
 
 
 class Terminal(io.StringIO):
@@ -65,8 +70,7 @@ def test_answers_in_a_file_make_a_machine_that_is_accepted(answers, tmp_path, ca
 
 def test_typed_answers_make_the_same_files(answers, tmp_path, monkeypatch, capsys):
     assert main(["new", "machine", "--answers", str(answers), "--out", str(tmp_path / "file")]) == 0
-    lines = ["Bench mill", "", "", *TYPED["x"], *TYPED["y"]]
-    monkeypatch.setattr("sys.stdin", io.StringIO("\n".join(lines) + "\n"))
+    monkeypatch.setattr("sys.stdin", io.StringIO("\n".join(typed()) + "\n"))
     assert main(["new", "machine", "--out", str(tmp_path / "typed")]) == 0
     assert read_all(tmp_path / "typed") == read_all(tmp_path / "file")
     shown = capsys.readouterr()
@@ -75,7 +79,8 @@ def test_typed_answers_make_the_same_files(answers, tmp_path, monkeypatch, capsy
 
 
 def test_a_person_is_asked_again_and_told_why(tmp_path, monkeypatch, capsys):
-    wrong_first = ["Bench mill", "x, x", "x, y", "", "much", "1.3 N*m", *TYPED["x"][1:], *TYPED["y"]]
+    right = typed()
+    wrong_first = [right[0], "x, x", *right[1:3], "much", *right[3:]]
     monkeypatch.setattr("sys.stdin", Terminal("\n".join(wrong_first) + "\n"))
     assert main(["new", "machine", "--out", str(tmp_path / "mill")]) == 0
     shown = capsys.readouterr().err
