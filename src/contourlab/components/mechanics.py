@@ -116,19 +116,16 @@ def _sticking(plant: Any, friction: Any) -> Callable[..., Any]:
         rest = select(fabs(push) <= held(par), 0.0, select(push > 0.0, 1.0, -1.0))
         way = select(v == 0.0, rest, select(v > 0.0, 1.0, -1.0))
         p1, v1, k1, k4 = slide(par, p, v, push, way, dt)
-        reverses = way * v1 < 0.0
-        # The instant of the reversal, as a part of the step; then from rest, held or the other way.
-        # Where there is no reversal the cubic gets any numbers that keep it free of 0/0.
-        u = zero_of_cubic(select(reverses, v, 1.0), select(reverses, v1, -1.0), dt * k1, dt * k4)
-        u2, u3 = u * u, u * u * u
-        p_turn = p + (p1 - p) * (3.0 * u2 - 2.0 * u3) + dt * (v * (u - 2.0 * u2 + u3) + v1 * (u3 - u2))
-        p2, v2, _, _ = slide(par, p_turn, 0.0, push, rest, (1.0 - u) * dt)
-        p_after = select(rest == 0.0, p_turn, p2)
-        v_after = select(rest == 0.0, 0.0, v2)
-        stuck = way == 0.0
-        p_next = select(stuck, p, select(reverses, p_after, p1))
-        v_next = select(stuck, 0.0, select(reverses, v_after, v1))
-        return (p_next, v_next), (p_next, v_next, (v_next - v) / dt)
+        if way == 0.0:
+            p1, v1 = p, 0.0
+        elif way * v1 < 0.0:
+            # The instant of the reversal, as a part of the step; then from rest, held or the other way.
+            u = zero_of_cubic(v, v1, dt * k1, dt * k4)
+            u2, u3 = u * u, u * u * u
+            p_turn = p + (p1 - p) * (3.0 * u2 - 2.0 * u3) + dt * (v * (u - 2.0 * u2 + u3) + v1 * (u3 - u2))
+            p2, v2, _, _ = slide(par, p_turn, 0.0, push, rest, (1.0 - u) * dt)
+            p1, v1 = select(rest == 0.0, p_turn, p2), select(rest == 0.0, 0.0, v2)
+        return (p1, v1), (p1, v1, (v1 - v) / dt)
 
     return step
 

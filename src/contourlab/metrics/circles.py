@@ -110,37 +110,45 @@ def minimum_zone(points: Array) -> tuple[float, Array]:
     """Return the least distance between two concentric circles that hold all points between them, and their centre.
 
     The largest and smallest radius are made linear in the centre's shift, the best shift is a linear programme, and this is repeated; for
-    deviations far smaller than the radius it converges in a few rounds.
+    deviations far smaller than the radius it converges in a few rounds. Only the few points that touch the circles matter: the programme
+    starts with some of them, and takes in those that it turns out to have left out.
     """
-    from scipy.optimize import linprog
-
     centre = least_squares_centre(points)
     best, best_centre = math.inf, centre
-    for _ in range(20):
-        out = points - centre
-        radius = np.linalg.norm(out, axis=1)
-        zone = float(radius.max() - radius.min())
-        if zone >= best * (1.0 - 1e-12):
+    active = np.unique(np.linspace(0, len(points) - 1, 24).astype(int))
+    for _ in range(100):
+        radius = np.linalg.norm(points - centre, axis=1)
+        low, high = int(np.argmin(radius)), int(np.argmax(radius))
+        zone = float(radius[high] - radius[low])
+        known = low in active and high in active
+        if zone < best * (1.0 - 1e-12):
+            best, best_centre = zone, centre
+        elif known:
             break
-        best, best_centre = zone, centre
-        middle, size = float(radius.mean()), max(zone, 1e-15)
-        spoke = out / radius[:, None]
-        ones = np.ones((len(points), 1))
-        none = np.zeros_like(ones)
-        # In units of the zone, so that the solver sees numbers near 1: radius - spoke.shift between low and high.
-        level = ((radius - middle) / size)[:, None]
-        above = np.hstack([-spoke, -ones, none])
-        below = np.hstack([spoke, none, ones])
-        solved = linprog(
-            [0.0, 0.0, 1.0, -1.0],
-            np.vstack([above, below]),
-            np.concatenate([-level, level])[:, 0],
-            bounds=[(None, None)] * 4,
-        )
-        if not solved.success:
+        active = np.union1d(active, [low, high])
+        shift = _best_shift(points[active], centre, zone)
+        if shift is None:
             break
-        centre = centre + size * np.asarray(solved.x)[:2]
+        centre = centre + shift
     return best, np.asarray(best_centre)
+
+
+def _best_shift(points: Array, centre: Array, zone: float) -> Array | None:
+    """Return the shift of the centre that makes the linearised zone of some points least; None if it cannot be had."""
+    from scipy.optimize import linprog
+
+    out = points - centre
+    radius = np.linalg.norm(out, axis=1)
+    size = max(zone, 1e-15)
+    spoke = out / radius[:, None]
+    ones = np.ones((len(points), 1))
+    none = np.zeros_like(ones)
+    # In units of the zone, so that the solver sees numbers near 1: radius - spoke.shift between low and high.
+    level = ((radius - radius.mean()) / size)[:, None]
+    above = np.hstack([-spoke, -ones, none])
+    below = np.hstack([spoke, none, ones])
+    solved = linprog([0.0, 0.0, 1.0, -1.0], np.vstack([above, below]), np.concatenate([-level, level])[:, 0], bounds=[(None, None)] * 4)
+    return size * np.asarray(solved.x)[:2] if solved.success else None
 
 
 def circle_figures(points: Array, centre: Array, radius: float, clockwise: bool, name: str) -> CircleFigures:
