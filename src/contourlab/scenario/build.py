@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
+from itertools import pairwise
 from typing import Any
 
 import numpy as np
@@ -70,6 +71,11 @@ def _limits(table: Table) -> Limits:
 
 def _error(table: Table) -> AxisError:
     found = read_table(ErrorTable, table)
+    n, rising = len(found.position), all(a < b for a, b in pairwise(found.position))
+    if len(found.lead_error) != n:
+        raise table.error(f"{len(found.lead_error)} values for {n} positions: one for each is wanted", "lead_error")
+    if not rising:
+        raise table.error("the positions have to rise", "position")
     with located(table):
         return AxisError(np.array(found.position), np.array(found.lead_error), found.repeatability)
 

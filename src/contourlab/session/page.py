@@ -10,6 +10,7 @@ import numpy as np
 
 from contourlab import __version__
 from contourlab.report.data import AxisBounds, CircleRun, FrequencyResponse, Mark, Provenance, ReportData, SchemeReport
+from contourlab.metrics.circles import pairs
 from contourlab.studies.compare import AxisBode, Outcome
 
 __all__ = ["report_data"]
@@ -32,7 +33,8 @@ def report_data(title: str, outcomes: Sequence[Outcome], *, scenario: str, comma
     reference = first.reference
     programmed = None if reference.programmed is reference.path else reference.programmed
     system = f"{platform.system()} {platform.machine()}, Python {platform.python_version()}"
-    provenance = Provenance(__version__, command, command, scenario, first.case.seed, system)
+    again = "save the scenario below as scenario.toml, then: contourlab run scenario.toml"
+    provenance = Provenance(__version__, command, again, scenario, first.case.seed, system)
     schemes = [_scheme(outcome) for outcome in outcomes]
     return ReportData(title, schemes, reference.path, provenance, programmed, first.case.lines, first.case.tolerance)
 
@@ -56,6 +58,7 @@ def _scheme(outcome: Outcome) -> SchemeReport:
         bode={axis: _response(bode) for axis, bode in outcome.bode.items()},
         circles=circles,
         spikes=marks,
+        bidirectional=pairs(outcome.circles),
     )
 
 

@@ -6,10 +6,10 @@ from collections.abc import Callable
 from pathlib import Path
 
 import pytest
+from texts_of_scenarios import CONTROLLER, MACHINE, SCENARIO
 
 from contourlab.errors import ContourlabError, ProgramError, ScenarioError
 from contourlab.scenario import load_axis, load_controller, load_machine, load_scenario, parse_scenario, scenario_from_parts
-from texts_of_scenarios import CONTROLLER, MACHINE, SCENARIO
 
 Write = Callable[..., Path]
 

@@ -8,6 +8,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from texts_of_scenarios import CONTROLLER, MACHINE, SCENARIO
 
 from contourlab.components.controller.position import PositionController
 from contourlab.components.friction.coulomb import Coulomb
@@ -24,7 +25,6 @@ from contourlab.scenario import (
     parse_scenario,
     scenario_from_parts,
 )
-from texts_of_scenarios import CONTROLLER, MACHINE, SCENARIO
 
 Write = Callable[..., Path]
 AXIS = '[plant]\nkind = "rigid-axis"\ngain = "2 m/s^2/full_scale"\n[friction]\nkind = "coulomb"\ncoulomb = "0.1 full_scale"\n'
