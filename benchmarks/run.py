@@ -33,9 +33,24 @@ HERE = Path(__file__).resolve().parent
 PERIOD, STEPS, RADIUS, FREQUENCY, WEIGHT = 1e-4, 40_000, 20.0, 0.5, 0.75
 FLAGS = ("-O3", "-march=native", "-fPIC", "-shared")
 SIGNALS = ("position", "applied_command", "contour_error_estimate")
-NAMES = (
-    "gain damping coulomb breakaway stribeck smoothing limit bandwidth filter model_gain model_damping kv kp ki forward_gain forward_damping"
-).split()
+NAMES = [
+    "gain",
+    "damping",
+    "coulomb",
+    "breakaway",
+    "stribeck",
+    "smoothing",
+    "limit",
+    "bandwidth",
+    "filter",
+    "model_gain",
+    "model_damping",
+    "kv",
+    "kp",
+    "ki",
+    "forward_gain",
+    "forward_damping",
+]
 
 
 def axis_numbers(gain: float, damping: float, coulomb: float, model_gain: float, model_damping: float) -> list[float]:

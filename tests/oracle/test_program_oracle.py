@@ -122,8 +122,7 @@ def assert_same(ours: list[Move], theirs: list[dict[str, Any]]) -> None:
 def sweep_of(move: dict[str, Any], first: int, second: int) -> float:
     """Return the angle [rad] of one of LinuxCNC's arcs by counting up from its start."""
     start, end = (
-        math.atan2(move[key][second] - move["centre"][second], move[key][first] - move["centre"][first])
-        for key in ("start", "end")
+        math.atan2(move[key][second] - move["centre"][second], move[key][first] - move["centre"][first]) for key in ("start", "end")
     )
     sense = 1.0 if move["turns"] > 0 else -1.0
     angle = sense * (end - start)

@@ -25,6 +25,7 @@ __all__ = ["Question", "build_machine", "explain", "questions", "write_machine"]
 _NAME = re.compile(r"[A-Za-z0-9_]{1,32}\Z")
 _MOST_AXES = 9
 
+
 @dataclass(frozen=True)
 class Question:
     """One question.
@@ -87,9 +88,7 @@ def questions(axes: Sequence[str] = ()) -> list[Question]:
     """
     if not axes:
         return list(_GENERAL)
-    return [
-        Question(f"{axis}.{q.key}", f"{axis}: {q.text}", q.unit, q.si, q.default, q.required) for axis in axes for q in _PER_AXIS
-    ]
+    return [Question(f"{axis}.{q.key}", f"{axis}: {q.text}", q.unit, q.si, q.default, q.required) for axis in axes for q in _PER_AXIS]
 
 
 def axis_names(answer: str) -> tuple[str, ...]:

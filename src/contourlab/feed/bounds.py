@@ -156,9 +156,7 @@ def _time(bounds: Bounds, length: Array, stops: NDArray[np.bool_]) -> Array:
     return time + np.maximum(length - covered, 0.0) / peak
 
 
-def piece_bounds(
-    samples: Samples, starts: NDArray[np.intp], length: Array, stops: NDArray[np.bool_], limits: AxisLimits
-) -> Bounds:
+def piece_bounds(samples: Samples, starts: NDArray[np.intp], length: Array, stops: NDArray[np.bool_], limits: AxisLimits) -> Bounds:
     """Return the limits along the path of each piece.
 
     Parameters

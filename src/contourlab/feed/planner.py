@@ -72,9 +72,7 @@ def _spans(moves: tuple[Array, ...], pieces: Pieces, rest_after: Array, length: 
     return rows.reshape(-1, 5)
 
 
-def _with_smooth_stretches(
-    rows: Array, pieces: Pieces, path: Path, stretches: Iterable[Stretch], limits: AxisLimits
-) -> Array:
+def _with_smooth_stretches(rows: Array, pieces: Pieces, path: Path, stretches: Iterable[Stretch], limits: AxisLimits) -> Array:
     """Put the spans of smooth stretches in the place of their pieces, where they are faster."""
     parts, done = [], 0
     for stretch in stretches:
@@ -114,9 +112,7 @@ def _repeated(pieces: Pieces, laps: int, lap_length: float) -> Pieces:
     )
 
 
-def plan_profile(
-    route: Route, limits: AxisLimits, *, laps: int = 1, curvature_step: float = 1.0
-) -> Profile:
+def plan_profile(route: Route, limits: AxisLimits, *, laps: int = 1, curvature_step: float = 1.0) -> Profile:
     """Plan the motion along a route, without sampling it.
 
     Parameters

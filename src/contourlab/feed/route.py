@@ -18,6 +18,7 @@ __all__ = ["Route", "route_from_path", "route_from_program"]
 
 Array = NDArray[np.float64]
 
+
 def _per_curve(name: str, value: ArrayLike, n_curve: int, dtype: Any) -> NDArray[Any]:
     array = np.array(value, dtype=dtype)
     if array.shape not in ((), (1,), (n_curve,)):
@@ -86,9 +87,7 @@ def _line(source_line: int) -> str:
     return f" (line {source_line})" if source_line else ""
 
 
-def route_from_path(
-    path: Path, feedrate: float, *, dwell: float = 0.0, programmed: Path | None = None
-) -> Route:
+def route_from_path(path: Path, feedrate: float, *, dwell: float = 0.0, programmed: Path | None = None) -> Route:
     """Return the route along a path at one feedrate.
 
     Parameters

@@ -76,11 +76,7 @@ def ramp_distance(low: float, high: float, acceleration: float, rise: float, tap
     up, down = peak / rise, peak / taper
     hold = max(gain / peak - 0.5 * (up + down), 0.0)
     after = low + 0.5 * peak * up
-    return (
-        up * (low + peak * up / 6.0)
-        + hold * (after + 0.5 * peak * hold)
-        + down * (after + peak * (hold + down / 3.0))
-    )
+    return up * (low + peak * up / 6.0) + hold * (after + 0.5 * peak * hold) + down * (after + peak * (hold + down / 3.0))
 
 
 def reachable_speed(low: float, ceiling: float, room: float, acceleration: float, rise: float, taper: float) -> float:
@@ -111,9 +107,7 @@ def reachable_speed(low: float, ceiling: float, room: float, acceleration: float
     return below
 
 
-def peak_speed(
-    length: Array, start: Array, end: Array, ceiling: Array, acceleration: Array, rise: Array, taper: Array
-) -> Array:
+def peak_speed(length: Array, start: Array, end: Array, ceiling: Array, acceleration: Array, rise: Array, taper: Array) -> Array:
     """Return the cruise speed of each move: the highest whose two ramps fit into its length.
 
     Parameters
@@ -167,18 +161,14 @@ def move_spans(
     with np.errstate(divide="ignore", invalid="ignore"):
         cruise_time = np.where(cruise > 0.0, cruise / peak, 0.0)
     none = np.zeros_like(peak)
-    duration = np.stack(
-        [up.rise_time, up.hold_time, up.taper_time, cruise_time, down.taper_time, down.hold_time, down.rise_time], -1
-    )
+    duration = np.stack([up.rise_time, up.hold_time, up.taper_time, cruise_time, down.taper_time, down.hold_time, down.rise_time], -1)
     a0 = np.stack([none, up.peak, up.peak, none, none, -down.peak, -down.peak], -1)
     # An infinite jerk acts for no time at all; zero stands for it, so that no product of the two is formed.
     rise, taper = np.where(np.isinf(rise), 0.0, rise), np.where(np.isinf(taper), 0.0, taper)
     j = np.stack([rise, none, -taper, none, -taper, none, rise], -1)
     low = start + 0.5 * up.peak * up.rise_time
     exit_ = end + 0.5 * down.peak * down.rise_time
-    v0 = np.stack(
-        [start, low, low + up.peak * up.hold_time, peak, peak, exit_ + down.peak * down.hold_time, exit_], -1
-    )
+    v0 = np.stack([start, low, low + up.peak * up.hold_time, peak, peak, exit_ + down.peak * down.hold_time, exit_], -1)
     step = duration * (v0 + duration * (a0 / 2.0 + duration * j / 6.0))
     s0 = np.zeros_like(step)
     np.cumsum(step[:, :3], axis=1, out=s0[:, 1:4])

@@ -187,9 +187,7 @@ def limit_report(reference: Reference, limits: AxisLimits) -> LimitReport:
     return LimitReport(velocity, acceleration, jerk, step, n_step)
 
 
-def _look(
-    reference: Reference, start: int, stop: int, records: tuple[_Record, ...], jumps: Array, wide: int
-) -> int:
+def _look(reference: Reference, start: int, stop: int, records: tuple[_Record, ...], jumps: Array, wide: int) -> int:
     """Take in the samples [start, stop), with enough of their neighbours; return the number of curvature steps."""
     margin = 4 + wide
     low, high = max(start - margin, 0), min(stop + margin, reference.n_sample)

@@ -105,10 +105,7 @@ class Arc:
     def sweep(self) -> float:
         """Angle travelled [rad], > 0 counterclockwise, < 0 clockwise; never 0."""
         first, second, _ = self.axes
-        angles = [
-            math.atan2(point[second] - self.centre[second], point[first] - self.centre[first])
-            for point in (self.start, self.end)
-        ]
+        angles = [math.atan2(point[second] - self.centre[second], point[first] - self.centre[first]) for point in (self.start, self.end)]
         sense = 1.0 if self.turns > 0 else -1.0
         once = (sense * (angles[1] - angles[0])) % (2.0 * math.pi)
         if once < FULL_CIRCLE_BELOW:

@@ -55,9 +55,7 @@ def _curve(result: Any, values: Array, points: int, factor: float, look: tuple[s
     return Curve(times(result, kept), values[kept] * factor, *look)
 
 
-def _runs(
-    data: ReportData, axis: int, points: int, signal: str, label: str, factor: float, unit: str
-) -> Panel | None:
+def _runs(data: ReportData, axis: int, points: int, signal: str, label: str, factor: float, unit: str) -> Panel | None:
     """Return a panel with one signal of every scheme."""
     curves = tuple(
         _curve(scheme.result, axis_column(scheme.result, signal, axis), points, factor, (scheme.name, *style))

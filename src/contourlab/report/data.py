@@ -281,19 +281,14 @@ class SchemeReport:
     def runs(self) -> tuple[CircleRun, ...]:
         """The circles in one form."""
         return tuple(
-            CircleRun(c.name, c.clockwise, c.radius, c.angle, c.deviation, c.figures())
-            if isinstance(c, CircleFigures)
-            else c
+            CircleRun(c.name, c.clockwise, c.radius, c.angle, c.deviation, c.figures()) if isinstance(c, CircleFigures) else c
             for c in self.circles
         )
 
     @property
     def marks(self) -> tuple[Mark, ...]:
         """The spikes in one form."""
-        return tuple(
-            Mark(s.time, f"{s.axis} reverses", "reversal", abs(s.height)) if isinstance(s, Spike) else s
-            for s in self.spikes
-        )
+        return tuple(Mark(s.time, f"{s.axis} reverses", "reversal", abs(s.height)) if isinstance(s, Spike) else s for s in self.spikes)
 
 
 @dataclass(frozen=True)

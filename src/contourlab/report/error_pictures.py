@@ -80,9 +80,7 @@ def _corners(data: ReportData, last: float) -> Array:
     return np.asarray(found[found <= last], dtype=np.float64)
 
 
-def _panel(
-    data: ReportData, x_label: str, y_label: str, curves: tuple[Curve, ...], signed: bool, ticks: tuple[Tick, ...]
-) -> Panel:
+def _panel(data: ReportData, x_label: str, y_label: str, curves: tuple[Curve, ...], signed: bool, ticks: tuple[Tick, ...]) -> Panel:
     """Return one panel of errors with its tolerance band; a band far beyond the errors is left out."""
     band, text, y_range = None, "", None
     if data.tolerance is not None:
@@ -166,7 +164,5 @@ def circle_tables(data: ReportData) -> tuple[CircleTable, ...]:
 def _table(name: str, runs: dict[str, dict[str, float]]) -> CircleTable:
     """Return one table; a figure that a run does not have is a dash."""
     labels = dict.fromkeys(label for figures in runs.values() for label in figures)
-    rows = tuple(
-        (label, tuple(quantity(figures.get(label, math.nan), "µm", UM) for figures in runs.values())) for label in labels
-    )
+    rows = tuple((label, tuple(quantity(figures.get(label, math.nan), "µm", UM) for figures in runs.values())) for label in labels)
     return CircleTable(name, tuple(runs), rows)

@@ -199,8 +199,7 @@ def _note(text: str, colour: str, tail: str) -> Figure:
 def polar_figure(chart: PolarChart) -> Figure:
     """Return a ball-bar plot: the ring at 0 is the nominal circle."""
     data: list[Figure] = [
-        {**_line(curve), "type": "scatterpolar", "r": packed(curve.y), "theta": packed(curve.x)}
-        for curve in chart.curves
+        {**_line(curve), "type": "scatterpolar", "r": packed(curve.y), "theta": packed(curve.x)} for curve in chart.curves
     ]
     for trace in data:
         trace["hovertemplate"] = "%{r:.3g} µm at %{theta:.1f}°"

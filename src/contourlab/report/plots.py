@@ -60,9 +60,7 @@ def write_plots(data: ReportData, folder: str | Path, formats: Sequence[str] = (
         if name not in FORMATS:
             raise ParameterError("formats", name, f"of {', '.join(FORMATS)}")
     with matplotlib.rc_context(rc=LOOKS):  # type: ignore[arg-type]
-        files = [
-            _write(figure, Path(folder) / f"{key}.{name}", name) for key, figure in _drawings(data) for name in formats
-        ]
+        files = [_write(figure, Path(folder) / f"{key}.{name}", name) for key, figure in _drawings(data) for name in formats]
     return tuple(files)
 
 

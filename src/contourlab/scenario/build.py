@@ -240,4 +240,3 @@ def _given(table: Table, name: str, units: tuple[str, str], kind: type[Component
         return otherwise
     only = Table({name: table.entries[name]}, table.file, table.key)
     return float(read_values(kind, only, units)[name])
-

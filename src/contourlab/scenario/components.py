@@ -37,7 +37,7 @@ def _as_table(node: Node, family: str) -> Table:
     if isinstance(node, Table):
         return node
     if not isinstance(node.value, str):
-        raise node.error(f"{node.value!r} is no {family}: write a table with kind = \"...\" and its parameters")
+        raise node.error(f'{node.value!r} is no {family}: write a table with kind = "..." and its parameters')
     return Table({"kind": node}, node.file, node.key)
 
 

@@ -248,4 +248,3 @@ def _nested(name: str, base: Mapping[str, Any], value: Mapping[str, Any]) -> dic
         return {name: dict(value)}  # a component of another kind replaces the inherited one whole
     inner = difference(base, value)
     return {name: inner} if inner else {}
-

@@ -25,7 +25,7 @@ def _check_turns(text: str, given: str, wanted: str) -> None:
     """Refuse to take turns for radians or the other way round: units treat both as bare numbers, a factor of 2 pi apart."""
     if _HERTZ.search(given) and wanted in ("rad/s", "1/s"):
         number = 2.0 * math.pi * to_si(text, "Hz")
-        raise UnitError(f"{text!r} is a frequency, {wanted} is wanted: if turns per second are meant, write \"{number:.6g} {wanted}\"")
+        raise UnitError(f'{text!r} is a frequency, {wanted} is wanted: if turns per second are meant, write "{number:.6g} {wanted}"')
     if wanted == "Hz" and _TURNS.search(given):
         raise UnitError(f"{text!r} is an angular velocity, Hz is wanted: divide by the angle of a full turn and write it in Hz")
 
@@ -85,7 +85,7 @@ def _bare(value: float, unit: str, shown: str) -> float:
     if not math.isfinite(number):
         raise UnitError(f"{value if isinstance(value, float) else 'the number'} is not a finite number")
     if unit:
-        raise UnitError(f"{value!r} has no unit: write \"{value!r} {shown}\", or the same in another unit")
+        raise UnitError(f'{value!r} has no unit: write "{value!r} {shown}", or the same in another unit')
     return number
 
 

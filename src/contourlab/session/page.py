@@ -9,8 +9,8 @@ from collections.abc import Sequence
 import numpy as np
 
 from contourlab import __version__
-from contourlab.report.data import AxisBounds, CircleRun, FrequencyResponse, Mark, Provenance, ReportData, SchemeReport
 from contourlab.metrics.circles import pairs
+from contourlab.report.data import AxisBounds, CircleRun, FrequencyResponse, Mark, Provenance, ReportData, SchemeReport
 from contourlab.studies.compare import AxisBode, Outcome
 
 __all__ = ["report_data"]

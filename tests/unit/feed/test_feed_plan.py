@@ -185,9 +185,7 @@ def test_time_scales_with_the_limits():
     factor = 1.7
     for name in ("corners", "slot", "ellipse"):
         route = route_of(name)
-        fast = type(route)(
-            route.path, route.feedrate * factor, route.rapid, route.dwell, route.source_line, route.programmed
-        )
+        fast = type(route)(route.path, route.feedrate * factor, route.rapid, route.dwell, route.source_line, route.programmed)
         limits = AxisLimits(LIMITS.velocity * factor, LIMITS.acceleration * factor**2, LIMITS.jerk * factor**3)
         slow, quick = plan(route, LIMITS, 1e-3).duration, plan(fast, limits, 1e-3).duration
         assert quick * factor == pytest.approx(slow, rel=1e-6)

@@ -106,9 +106,7 @@ def test_rapid_moves_use_what_the_machine_has():
 
 
 def test_source_lines_follow_the_motion():
-    reference = plan(
-        route_from_program(parse_program(SLOT), axes=("x", "y")), AxisLimits([0.5, 0.5], [2.0, 2.0], [50.0, 50.0]), 1e-3
-    )
+    reference = plan(route_from_program(parse_program(SLOT), axes=("x", "y")), AxisLimits([0.5, 0.5], [2.0, 2.0], [50.0, 50.0]), 1e-3)
     breaks = reference.path.breaks
     middle = 0.5 * (breaks[1:] + breaks[:-1])
     np.testing.assert_array_equal(reference.source_line(middle), [2, 3, 4, 6, 7])

@@ -116,9 +116,7 @@ def test_helix_centre_is_at_the_height_of_the_start() -> None:
         ("G19", "YZ", "Y10", "Y0 Z10 J-10 K0", (0.0, 0.0, 0.0), (0.0, 0.0, 0.01)),
     ],
 )
-def test_planes_are_right_handed(
-    plane: str, name: str, start: str, words: str, centre: tuple[float, ...], end: tuple[float, ...]
-) -> None:
+def test_planes_are_right_handed(plane: str, name: str, start: str, words: str, centre: tuple[float, ...], end: tuple[float, ...]) -> None:
     arc = only_arc(f"{plane} G0 {start}", f"G3 {words} F600")
     assert (arc.plane, arc.centre, arc.end, arc.turns) == (name, centre, end, 1)
     assert arc.sweep == pytest.approx(math.pi / 2)

@@ -29,9 +29,7 @@ def test_ends(end: str) -> None:
     assert parse_program(f"G0 X10\n{end}").moves == TO_TEN
 
 
-@pytest.mark.parametrize(
-    "text", ["%\nG0 X10\n%", "\n\n  % \nG0 X10\n%\nG0 X20\nM2", "%\nG0 X10\nM2\n%", "%\nG0 X10\nM2", "G0 X10\nM2\n%"]
-)
+@pytest.mark.parametrize("text", ["%\nG0 X10\n%", "\n\n  % \nG0 X10\n%\nG0 X20\nM2", "%\nG0 X10\nM2\n%", "%\nG0 X10\nM2", "G0 X10\nM2\n%"])
 def test_percent_frames_a_program(text: str) -> None:
     assert [move.end for move in parse_program(text).moves] == [(0.01, 0.0, 0.0)]  # type: ignore[union-attr]
 

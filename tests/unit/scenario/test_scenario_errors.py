@@ -16,7 +16,7 @@ Write = Callable[..., Path]
 FAULTS = [
     ('kind = "rigid-axis"\ngain = "1695', 'kind = "rigid-axes"\ngain = "1695', "axes.x.plant.kind", "'rigid-axis'"),
     ('damping = "10 1/s"', 'dampng = "10 1/s"', "axes.x.plant.dampng", "'damping'"),
-    ('damping = "10 1/s"', 'damping = 10', "axes.x.plant.damping", "no unit"),
+    ('damping = "10 1/s"', "damping = 10", "axes.x.plant.damping", "no unit"),
     ('damping = "10 1/s"', 'damping = "10 mm"', "axes.x.plant.damping", "converted"),
     ('damping = "10 1/s"', 'damping = "-1 1/s"', "axes.x.plant.damping", ">= 0 1/s"),
     ('damping = "10 1/s"', 'damping = "10 Hz"', "axes.x.plant.damping", "62.8319"),
@@ -40,7 +40,12 @@ FAULTS = [
     ('stage_mass = "3 kg"', "substeps = 0", "axes.y.substeps", "greater"),
     ('stage_mass = "3 kg"', "substeps = 2.5", "axes.y.substeps", "whole number"),
     ('velocity = "150 mm/s"\nacceleration = "1 m/s^2"\n[axes.y]', 'travel = ["1 mm"]\n[axes.y]', "axes.x.limits.travel", "two positions"),
-    ('velocity = "150 mm/s"\nacceleration = "1 m/s^2"\n[axes.y]', 'travel = ["1 mm", "-1 mm"]\n[axes.y]', "axes.x.limits", "lower one first"),
+    (
+        'velocity = "150 mm/s"\nacceleration = "1 m/s^2"\n[axes.y]',
+        'travel = ["1 mm", "-1 mm"]\n[axes.y]',
+        "axes.x.limits",
+        "lower one first",
+    ),
     ("weight = 0.5", "weight = 1.5", "controller.coupling.weight", "<= 0.99"),
     ("weight = 0.5", "weight = true", "controller.coupling.weight", "number"),
     ('kind = "newton"', 'kind = "newton"\niterations = 2.5', "controller.estimator.iterations", "whole number"),
@@ -170,7 +175,7 @@ def test_letters_stand_for_axes_of_other_names() -> None:
         parse_scenario(text + f"[program]\n{program}")
     assert parse_scenario(text + f'[program]\n{program}\nletters = ["x", "y"]').motion.n_axis == 2
     for wrong in ('["x"]', '["x", "x"]', '["x", "w"]'):
-        with pytest.raises(ScenarioError, match="letter|input"):
+        with pytest.raises(ScenarioError, match=r"letter|input"):
             parse_scenario(text + f"[program]\n{program}\nletters = {wrong}")
 
 

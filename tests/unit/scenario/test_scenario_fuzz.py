@@ -30,16 +30,51 @@ from contourlab.scenario.load import _scenario
 from contourlab.scenario.tree import from_mapping, parse_tree, settle
 
 RICH = (
-    SCENARIO
-    + '[schemes.a]\ncontroller.axes."*".observer = "none"\naxes.y.friction = "none"\n[schemes."b c".feed]\nfrequency = "1 Hz"\n'
-    + '[machine.squareness]\n"x-y" = "20 um/m"\n[axes.x.error]\nposition = ["0 mm", "5 mm"]\nlead_error = {unit = "um", values = [0, 1]}\n'
-).replace('position_gain = "4 full_scale/mm"', 'gains = {natural_frequency = "25 rad/s", damping = 0.7, pole = "35 rad/s"}').replace(
-    'velocity_gain = "0.1 full_scale*s/mm"\n', ""
+    (
+        SCENARIO
+        + '[schemes.a]\ncontroller.axes."*".observer = "none"\naxes.y.friction = "none"\n[schemes."b c".feed]\nfrequency = "1 Hz"\n'
+        + '[machine.squareness]\n"x-y" = "20 um/m"\n[axes.x.error]\nposition = ["0 mm", "5 mm"]\n'
+        + 'lead_error = {unit = "um", values = [0, 1]}\n'
+    )
+    .replace('position_gain = "4 full_scale/mm"', 'gains = {natural_frequency = "25 rad/s", damping = 0.7, pole = "35 rad/s"}')
+    .replace('velocity_gain = "0.1 full_scale*s/mm"\n', "")
 )
 WORDS = [
     *sorted(set(re.findall(r"[\w.*/^%-]+", RICH))),
-    *('""', "''", "[]", "{}", "[[1]]", "{a = 1}", "nan", "-inf", "1e400", "9" * 400, "true", "1979-05-27", '"default"', '"none"', "\\u0000", "é", "\x00"),
-    *('"file"', "file = 3", '"builtin:xyz"', "machine = 1", "axes = 2", "[axes]", "[[axes]]", "[controller]", "kind = 5", '"*" = 1', "-1", '"1 mm"', "0"),
+    *(
+        '""',
+        "''",
+        "[]",
+        "{}",
+        "[[1]]",
+        "{a = 1}",
+        "nan",
+        "-inf",
+        "1e400",
+        "9" * 400,
+        "true",
+        "1979-05-27",
+        '"default"',
+        '"none"',
+        "\\u0000",
+        "é",
+        "\x00",
+    ),
+    *(
+        '"file"',
+        "file = 3",
+        '"builtin:xyz"',
+        "machine = 1",
+        "axes = 2",
+        "[axes]",
+        "[[axes]]",
+        "[controller]",
+        "kind = 5",
+        '"*" = 1',
+        "-1",
+        '"1 mm"',
+        "0",
+    ),
 ]
 
 
@@ -78,9 +113,57 @@ def outcome(text: str) -> str:
 
 
 ODD = [
-    *(None, True, 0, -1, 3, 10**400, 0.5, -2.5, math.nan, math.inf, "", " ", "x", "y", "*", "none", "default", "builtin:xyz", "a\x00b", "../x.toml"),
-    *("1 mm", "-1 mm", "0 1/s", "nan mm", "1 (", "5 N", "1 full_scale", "1e308 km", "position", "planned", "circle", "coulomb", "disturbance-observer"),
-    *([], [[]], ["x"], ["x", "x"], ["x", "y", "z"], [1, 2], ["1 mm", "2 mm"], {}, {"kind": "none"}, {"kind": 3}, {"file": "no.toml"}, {"file": {}}),
+    *(
+        None,
+        True,
+        0,
+        -1,
+        3,
+        10**400,
+        0.5,
+        -2.5,
+        math.nan,
+        math.inf,
+        "",
+        " ",
+        "x",
+        "y",
+        "*",
+        "none",
+        "default",
+        "builtin:xyz",
+        "a\x00b",
+        "../x.toml",
+    ),
+    *(
+        "1 mm",
+        "-1 mm",
+        "0 1/s",
+        "nan mm",
+        "1 (",
+        "5 N",
+        "1 full_scale",
+        "1e308 km",
+        "position",
+        "planned",
+        "circle",
+        "coulomb",
+        "disturbance-observer",
+    ),
+    *(
+        [],
+        [[]],
+        ["x"],
+        ["x", "x"],
+        ["x", "y", "z"],
+        [1, 2],
+        ["1 mm", "2 mm"],
+        {},
+        {"kind": "none"},
+        {"kind": 3},
+        {"file": "no.toml"},
+        {"file": {}},
+    ),
     *({"x": {}}, {"*": 3}, {"a": {"b": {"c": {}}}}, {"unit": "mm", "values": [0, 1]}, datetime.date(2000, 1, 1)),
 ]
 
@@ -165,7 +248,11 @@ def _read(reader: object, text: str, place: Path) -> None:
         build_axis(settle(Reader().axis_file(content)), "x")
 
 
-@given(st.dictionaries(st.sampled_from(["gain", "damping", "coulomb", "limit", "resolution"]), st.floats(min_value=1e-9, max_value=1e9), min_size=5))
+@given(
+    st.dictionaries(
+        st.sampled_from(["gain", "damping", "coulomb", "limit", "resolution"]), st.floats(min_value=1e-9, max_value=1e9), min_size=5
+    )
+)
 def test_any_machine_is_written_and_read_back(values: dict[str, float]) -> None:
 
     error = AxisError(np.array([0.0, values["gain"]]), np.array([values["limit"], -values["damping"]]))

@@ -95,7 +95,9 @@ def test_what_all_axes_share_goes_behind_what_one_says_and_before_an_older_file(
 
 
 def test_schemes_change_what_they_name_and_nothing_else() -> None:
-    text = SCENARIO + """
+    text = (
+        SCENARIO
+        + """
     [schemes.base]
     [schemes."no observer"]
     controller.axes.y.observer = "none"
@@ -113,6 +115,7 @@ def test_schemes_change_what_they_name_and_nothing_else() -> None:
     axes."*".sensor = "ideal"
     controller.axes."*".controller.position_gain = "2 full_scale/mm"
     """
+    )
     scenario = parse_scenario(text)
     assert [case.name for case in scenario.cases()] == ["base", "no observer", "coupled", "alone", "lugre", "slow", "every"]
     base = scenario.case("base")
@@ -135,7 +138,9 @@ def test_a_scheme_can_swap_a_file(written: Write) -> None:
     written(m=MACHINE, c=CONTROLLER, axis=AXIS, c2=CONTROLLER.replace("weight = 0.5", "weight = 0.1"))
     head = 'machine = "m.toml"\ncontroller = "c.toml"\ncontour = "circle"\nfeed = {law = "uniform", frequency = "1 Hz"}\n'
     file = written(
-        s=head + '[schemes.other]\ncontroller = "c2.toml"\n[schemes.swapped]\naxes.y.file = "axis.toml"\n[schemes.stage]\nmachine = "builtin:ghaffari/a3a1"\n'
+        s=head
+        + '[schemes.other]\ncontroller = "c2.toml"\n[schemes.swapped]\naxes.y.file = "axis.toml"\n'
+        + '[schemes.stage]\nmachine = "builtin:ghaffari/a3a1"\n'
         'controller = "builtin:ghaffari/calibrated"\n'
     )
     scenario = load_scenario(file)
@@ -172,7 +177,8 @@ def test_poles_are_placed_for_the_model_the_loop_sees() -> None:
 def test_carried_mass_counts_when_poles_are_placed() -> None:
     text = (
         '[machine]\nname = "m"\nservo_period = "1 ms"\naxes = ["x", "y"]\n'
-        '[axes."*".plant]\nkind = "mass-damper"\nmass = "10 kg"\nforce_constant = "20 N/A"\n[axes.y]\nmounted_on = "x"\nstage_mass = "30 kg"\n'
+        '[axes."*".plant]\nkind = "mass-damper"\nmass = "10 kg"\nforce_constant = "20 N/A"\n'
+        '[axes.y]\nmounted_on = "x"\nstage_mass = "30 kg"\n'
         '[controller.axes."*".controller]\nkind = "position"\n'
         'gains = {natural_frequency = "50 rad/s", damping = 0.7, pole = "50 rad/s"}\n'
         '[contour]\nname = "circle"\n[feed]\nlaw = "uniform"\nfrequency = "0.5 Hz"\n'
@@ -231,7 +237,9 @@ def test_everything_about_a_machine_is_written(written: Write) -> None:
 
 
 def test_local_names_parameters_of_the_axis_controller() -> None:
-    text = SCENARIO.replace("[controller.axes.y.observer]", '[controller.axes.y]\nlocal = ["observer.model_gain"]\n[controller.axes.y.observer]')
+    text = SCENARIO.replace(
+        "[controller.axes.y.observer]", '[controller.axes.y]\nlocal = ["observer.model_gain"]\n[controller.axes.y.observer]'
+    )
     scenario = parse_scenario(text)
     assert scenario.controller.axes["y"].local == ("observer.model_gain",)
     assert parse_scenario(scenario.text).controller == scenario.controller
@@ -246,7 +254,8 @@ def test_a_plug_in_may_be_loaded_twice(written: Write, tmp_path: Path, monkeypat
     plugin = tmp_path / "gentle_friction.py"
     plugin.write_text(
         "from contourlab.components.contract import Component, param\n\n\nclass Gentle(Component):\n"
-        '    family = "friction"\n    kind = "gentle-for-tests"\n    law = "smooth"\n    slope: float = param(unit="{force}*s/m", minimum=0.0, doc="slope")\n\n'
+        '    family = "friction"\n    kind = "gentle-for-tests"\n    law = "smooth"\n'
+        '    slope: float = param(unit="{force}*s/m", minimum=0.0, doc="slope")\n\n'
         "    @staticmethod\n    def force(par, v):\n        return par.slope * v\n"
     )
     text = MACHINE.replace('friction = "none"', 'friction = {kind = "gentle-for-tests", slope = "2 full_scale*s/m"}')

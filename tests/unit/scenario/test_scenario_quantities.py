@@ -33,7 +33,9 @@ def test_quantities_come_out_in_si(text: str, unit: str, si: float) -> None:
     assert read_number(text, unit) == pytest.approx(si, rel=1e-14)
 
 
-@pytest.mark.parametrize("value", ["20", "20 kg", "20 mm/s", "mm", "", "nan mm", "inf mm", "1e999 mm", "20mm", "20 mm#", "20 mm\x00", 20, True, None, []])
+@pytest.mark.parametrize(
+    "value", ["20", "20 kg", "20 mm/s", "mm", "", "nan mm", "inf mm", "1e999 mm", "20mm", "20 mm#", "20 mm\x00", 20, True, None, []]
+)
 def test_what_is_no_length_is_refused(value: object) -> None:
     with pytest.raises(UnitError):
         read_number(value, "m", "mm")
@@ -63,7 +65,17 @@ def test_any_text_is_a_number_or_a_unit_error(text: str, unit: str) -> None:
 
 @given(
     st.floats(min_value=1e-12, max_value=1e12),
-    st.sampled_from([("m", "mm"), ("m", "um"), ("m/s", "mm/min"), ("m/s^2/full_scale", "mm/s^2/full_scale"), ("kg*m^2", "kg*cm^2"), ("N", "N"), ("1/s", "")]),
+    st.sampled_from(
+        [
+            ("m", "mm"),
+            ("m", "um"),
+            ("m/s", "mm/min"),
+            ("m/s^2/full_scale", "mm/s^2/full_scale"),
+            ("kg*m^2", "kg*cm^2"),
+            ("N", "N"),
+            ("1/s", ""),
+        ]
+    ),
 )
 def test_what_is_written_reads_back_to_the_same_bits(value: float, units: tuple[str, str]) -> None:
     assert read_number(quantity(value, *units), units[0]) == value
@@ -72,7 +84,14 @@ def test_what_is_written_reads_back_to_the_same_bits(value: float, units: tuple[
 def test_lists_are_lists_of_quantities_or_share_a_unit() -> None:
     assert read_list(["0 mm", "2 cm"], "m") == (0.0, 0.02)
     assert read_list({"unit": "um", "values": [0, 1.5]}, "m") == (0.0, 1.5e-6)
-    for wrong in ("0 mm", ["0 mm", 2], {"unit": "mm"}, {"unit": "mm", "values": ["1 mm"]}, {"unit": "kg", "values": [1]}, {"unit": "mm", "values": 3}):
+    for wrong in (
+        "0 mm",
+        ["0 mm", 2],
+        {"unit": "mm"},
+        {"unit": "mm", "values": ["1 mm"]},
+        {"unit": "kg", "values": [1]},
+        {"unit": "mm", "values": 3},
+    ):
         with pytest.raises(UnitError):
             read_list(wrong, "m")
     with pytest.raises(UnitError, match="item 2"):
