@@ -19,6 +19,7 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
+from functools import cache
 from types import SimpleNamespace
 from typing import TYPE_CHECKING, Any, ClassVar, dataclass_transform
 
@@ -272,6 +273,7 @@ class Component:
     # --- what the engine asks for ------------------------------------------------------------------------------------------------
 
     @classmethod
+    @cache
     def numeric(cls) -> tuple[str, ...]:
         """Names of the parameters that are rows of numbers in compiled code."""
         return tuple(name for name, p in cls.parameters.items() if not p.choices and not p.structural)

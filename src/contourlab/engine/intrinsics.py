@@ -191,25 +191,22 @@ def libm_tanh(x: float) -> float:
 
 @njit(**INLINE)
 def _expm1_reduced(x: float) -> tuple[float, float]:
-    """x = n ln 2 + r with |r| <= ln 2 / 2; returns n and e**r - 1 (Taylor to r**13: remainder below 1e-17).
+    """x = n ln 2 + r with |r| <= ln 2 / 2; returns n and e**r - 1.
 
-    Estrin's scheme: pairs, then pairs of pairs, so that the terms do not wait for each other as in Horner's.
+    (e**r - 1 - r) / r**2 as the polynomial that interpolates it at ten Chebyshev points: e**r to 1.3e-17. In Estrin's scheme, pairs and
+    then pairs of pairs, terms do not wait for each other as in Horner's.
     """
     n = rint(x * 1.4426950408889634074)
     r = fma(-n, 6.93147180369123816490e-01, x)
     r = fma(-n, 1.90821492927058770002e-10, r)
     r2 = r * r
     r4 = r2 * r2
-    a = fma(r, 1.0 / 6.0, 0.5)
-    b = fma(r, 1.0 / 120.0, 1.0 / 24.0)
-    c = fma(r, 1.0 / 5040.0, 1.0 / 720.0)
-    d = fma(r, 1.0 / 362880.0, 1.0 / 40320.0)
-    e = fma(r, 1.0 / 39916800.0, 1.0 / 3628800.0)
-    f = fma(r, 1.0 / 6227020800.0, 1.0 / 479001600.0)
-    low = fma(b, r2, a)
-    middle = fma(d, r2, c)
-    high = fma(f, r2, e)
-    q = fma(fma(high, r4, middle), r4, low)
+    a = fma(r, 0.16666666666666669, 0.5000000000000001)
+    b = fma(r, 0.008333333333330008, 0.041666666666624115)
+    c = fma(r, 0.0001984126986320094, 0.001388888891721834)
+    d = fma(r, 2.7557268299267734e-06, 2.4801521290566992e-05)
+    e = fma(r, 2.5100445462573073e-08, 2.7620090550614496e-07)
+    q = fma(fma(e, r4, fma(d, r2, c)), r4, fma(b, r2, a))
     return n, fma(q, r2, r)
 
 

@@ -35,7 +35,10 @@ class Group:
         self.parameters, self.state, self.rings = [], [], []
         for node in schedule.nodes:
             step = node.step
-            self.parameters.append(np.array([self._lane_values(node.parameters[name]) for name in step.parameters]).reshape(-1, width))
+            block = np.empty((len(step.parameters), width))
+            for i, name in enumerate(step.parameters):
+                block[i] = self._lane_values(node.parameters[name])
+            self.parameters.append(block)
             self.state.append(self._fill(step.states, node.initial))
             length = 1 << max(node.ring_length - 1, 0).bit_length()
             self.rings.append(np.zeros((length, width)) if step.ring else np.zeros((0, width)))
@@ -43,10 +46,10 @@ class Group:
                 first = schedule.row(f"{node.name}.{port.name}")
                 self.signals[first : first + port.rows] = self._fill((port,), node.start)
 
-    def _lane_values(self, value: Any) -> Array:
+    def _lane_values(self, value: Any) -> float | Array:
         lanes = np.asarray(value, dtype=float)
         if lanes.ndim == 0:
-            return np.full(self.width, float(lanes))
+            return float(lanes)
         part = lanes[self.lanes]
         return np.concatenate([part, np.repeat(part[-1:], self.width - part.size)])
 
@@ -79,6 +82,10 @@ class Group:
             good &= np.isfinite(x).all(axis=0)
         return np.asarray(good)
 
+    def state_of(self, node: str) -> Array:
+        """Return the states of a node (n_state, width): a view that changes as ticks run."""
+        return self.state[next(i for i, known in enumerate(self.schedule.nodes) if known.name == node)]
+
     def first_bad_node(self) -> str:
         """Return the name of the first node that holds a number that is not finite; empty if there is none."""
         for node, x in zip(self.schedule.nodes, self.state, strict=True):
@@ -103,6 +110,7 @@ class CompiledGroup(Group):
 
         super().__init__(schedule, width, lanes)
         self._kernel = kernel(width)
+        self._signal_table = self.signals.ctypes.data
         self._kept: list[Any] = []
         self._records = np.zeros((len(schedule.nodes), len(NODE_FIELDS)), dtype=np.int64)
         for n, node in enumerate(schedule.nodes):
@@ -121,7 +129,7 @@ class CompiledGroup(Group):
             )
 
     def _row_address(self, row: int) -> int:
-        return int(self.signals.ctypes.data + 8 * self.width * row)
+        return self._signal_table + 8 * self.width * row
 
     def _keep(self, array: NDArray[Any]) -> NDArray[Any]:
         self._kept.append(array)
@@ -136,7 +144,7 @@ class CompiledGroup(Group):
 
     def _input_words(self, n: int) -> NDArray[np.int64]:
         words = []
-        for source in self.schedule.sources(self.schedule.nodes[n]):
+        for source in self.schedule.sources[n]:
             if isinstance(source, float):
                 words.append(self._keep(np.full(self.width, source)).ctypes.data)
             else:
@@ -155,7 +163,7 @@ class CompiledGroup(Group):
             self.schedule.record_point,
             external.ctypes.data,
             external.shape[1],
-            self.signals.ctypes.data,
+            self._signal_table,
             log.ctypes.data,
             addresses.ctypes.data,
             len(log_rows),

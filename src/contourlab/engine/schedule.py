@@ -7,7 +7,6 @@ point see the state of the machine at the tick; the plants stand behind it and c
 
 from __future__ import annotations
 
-import re
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Any
@@ -86,9 +85,6 @@ class Node:
             raise EngineError(f"node {self.name}: every >= 1, repeat >= 1 and 0 <= phase < every are wanted")
 
 
-_SIGNAL = re.compile(r"^(?P<node>.+)\.(?P<port>[^.\[\]]+)(?:\[(?P<index>\d+)\])?$")
-
-
 @dataclass(frozen=True)
 class Schedule:
     """Nodes in their order, the external signals that are fed at each tick, and the record point.
@@ -111,22 +107,25 @@ class Schedule:
     record_point: int
     row_of: dict[str, int] = field(init=False, repr=False, compare=False)
     n_row: int = field(init=False, repr=False, compare=False)
+    sources: tuple[tuple[int | float, ...], ...] = field(init=False, repr=False, compare=False)
+    """For each node, and each row of its inputs, the signal row (int) or the constant (float) that it takes."""
 
     def __post_init__(self) -> None:
         names = [node.name for node in self.nodes]
         if len(set(names)) != len(names):
             raise EngineError(f"two nodes share a name: {sorted({n for n in names if names.count(n) > 1})}")
         table: dict[str, int] = {}
-        row = 0
-        for owner, ports in [("in", self.externals), *((node.name, node.step.outputs) for node in self.nodes)]:
+        owners: list[int] = []
+        for n, (owner, ports) in enumerate([("in", self.externals), *((node.name, node.step.outputs) for node in self.nodes)]):
             for port in ports:
+                row = len(owners)
                 table[f"{owner}.{port.name}"] = row
                 for i in range(port.size):
                     table[f"{owner}.{port.name}[{i}]"] = row + i
-                row += port.rows
+                owners += [n - 1] * port.rows
         object.__setattr__(self, "row_of", table)
-        object.__setattr__(self, "n_row", row)
-        self._check_order()
+        object.__setattr__(self, "n_row", len(owners))
+        object.__setattr__(self, "sources", tuple(self._sources(n, node, owners) for n, node in enumerate(self.nodes)))
 
     def row(self, signal: str) -> int:
         """Return the first row of a signal.
@@ -140,39 +139,35 @@ class Schedule:
             raise EngineError(f"no signal {signal!r}; there are {', '.join(k for k in self.row_of if '[' not in k)}")
         return self.row_of[signal]
 
-    def sources(self, node: Node) -> list[int | float]:
-        """Return, for each input row of a node, the signal row (int) or the constant (float) it takes."""
+    def _sources(self, n: int, node: Node, owners: list[int]) -> tuple[int | float, ...]:
         found: list[int | float] = []
         for port in node.step.inputs:
-            wire = node.wires[port.name]
-            if port.size and not isinstance(wire, tuple):
-                if isinstance(wire, float | int):
-                    wire = (float(wire),) * port.size
-                else:
-                    signal = wire.signal if isinstance(wire, Late) else wire
-                    wire = tuple(f"{signal}[{i}]" for i in range(port.size))
-            wires = wire if isinstance(wire, tuple) else (wire,)
+            wires = _spread(node.wires[port.name], port)
             if len(wires) != port.rows:
                 raise EngineError(f"node {node.name}: input {port.name} takes {port.rows} wires, {len(wires)} given")
-            for item in wires:
-                found.append(float(item) if isinstance(item, float | int) else self.row(item.signal if isinstance(item, Late) else item))
-        return found
+            for wire in wires:
+                if isinstance(wire, float | int):
+                    found.append(float(wire))
+                    continue
+                signal = wire.signal if isinstance(wire, Late) else wire
+                row = self.row(signal)
+                if owners[row] == n:
+                    raise EngineError(f"node {node.name} reads its own output {signal}: keep it as a state")
+                if owners[row] > n and not isinstance(wire, Late):
+                    raise EngineError(f"node {node.name} reads {signal}, which is computed later: mark the wire as Late")
+                found.append(row)
+        return tuple(found)
 
-    def _check_order(self) -> None:
-        position = {"in": -1, **{node.name: n for n, node in enumerate(self.nodes)}}
-        for n, node in enumerate(self.nodes):
-            for port in node.step.inputs:
-                wire = node.wires[port.name]
-                for item in wire if isinstance(wire, tuple) else (wire,):
-                    if isinstance(item, float | int):
-                        continue
-                    signal = item.signal if isinstance(item, Late) else item
-                    match = _SIGNAL.match(signal)
-                    owner = match["node"] if match else signal
-                    if owner == node.name:
-                        raise EngineError(f"node {node.name} reads its own output {signal}: keep it as a state")
-                    if owner not in position:
-                        self.row(signal)
-                    if not isinstance(item, Late) and position.get(owner, -1) >= n:
-                        raise EngineError(f"node {node.name} reads {signal}, which is computed later: mark the wire as Late")
-            self.sources(node)
+
+def _spread(wire: Wire | tuple[Wire, ...], port: Port) -> tuple[Wire, ...]:
+    """Return one wire for each row of an input port."""
+    if isinstance(wire, tuple):
+        return wire
+    if not port.size:
+        return (wire,)
+    if isinstance(wire, float | int):
+        return (float(wire),) * port.size
+    late = isinstance(wire, Late)
+    signal = wire.signal if isinstance(wire, Late) else wire
+    rows = (f"{signal}[{i}]" for i in range(port.size))
+    return tuple(Late(row) if late else row for row in rows)

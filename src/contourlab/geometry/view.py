@@ -8,7 +8,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
-from functools import cache
+from functools import cache, lru_cache
 from typing import Any
 
 import numpy as np
@@ -33,6 +33,7 @@ class PathView:
     tables: Mapping[str, NDArray[np.float64]]
 
 
+@lru_cache(maxsize=4)
 def view_of(path: Path, tolerance: float = 1e-10, pieces: int | None = None, analytic: bool = True) -> PathView:
     """Return the view of a path.
 
@@ -45,6 +46,11 @@ def view_of(path: Path, tolerance: float = 1e-10, pieces: int | None = None, ana
         At least so many pieces.
     analytic : bool
         Whether a circle is seen in closed form.
+
+    Returns
+    -------
+    PathView
+        The views of the last few paths are kept, since runs that are compared share theirs.
     """
     if analytic and path.closed and path.n_axis == 2 and len(path.curves) == 1 and isinstance(path.curves[0], Arc):
         return _circle(path)

@@ -5,7 +5,9 @@ from __future__ import annotations
 import os
 from collections.abc import Callable, Mapping, Sequence
 from concurrent.futures import ThreadPoolExecutor
-from dataclasses import dataclass
+from contextlib import nullcontext
+from dataclasses import dataclass, field
+from functools import partial
 from typing import Any
 
 import numpy as np
@@ -19,13 +21,13 @@ from contourlab.geometry.view import PathView, view_of
 from contourlab.loop.machine import Controller, Machine, parameter_names
 from contourlab.loop.simulate import BLOCK, jit_enabled
 from contourlab.loop.template import Loop, build
+from contourlab.loop.watch import NAME
 from contourlab.metrics.streaming import SUMS, judge_step
 
 __all__ = ["LANES", "BatchResult", "simulate_batch"]
 
 Array = NDArray[np.float64]
 LANES = 32
-_BLOCK = 1024
 
 
 @dataclass(frozen=True)
@@ -39,17 +41,20 @@ class BatchResult:
         magnitude on a path in space), ``contour_error_integral`` [m s], ``contour_error_max_time`` [s], ``tracking_error_rms`` and
         ``tracking_error_max`` [m]. NaN for a variant that failed.
     failed_at : ndarray (n_variant,) of int
-        Sample at which the variant ran away; -1 where it did not. Looked for every 1024 samples, so it is the first sample of that block.
+        Sample at which the variant left its following-error limit, or gave a command that is not finite; -1 where it did neither.
     unsure : ndarray (n_variant,)
         Samples at which the judge's foot point had not fully converged.
     signals : mapping of str to ndarray (n_sample, n, n_variant)
-        The signals asked for.
+        The signals asked for: views of `log`.
+    log : ndarray (n_group, n_sample, n_row, 32)
+        The memory of the signals, as the lanes wrote it.
     """
 
     figures: Mapping[str, Array]
     failed_at: NDArray[np.int64]
     unsure: Array
     signals: Mapping[str, Array]
+    log: Array = field(repr=False)
 
 
 def simulate_batch(
@@ -66,6 +71,7 @@ def simulate_batch(
     seed: int = 0,
     jit: bool | None = None,
     progress: Callable[[int], None] | None = None,
+    reuse: BatchResult | None = None,
 ) -> BatchResult:
     """Run variants that differ in parameters only, and judge each.
 
@@ -91,6 +97,8 @@ def simulate_batch(
         Compiled, or plain Python.
     progress : callable, optional
         Told the number of samples done.
+    reuse : BatchResult, optional
+        An earlier result that is not needed any more: its `log` is written over where it fits, which spares asking the system for memory.
 
     Returns
     -------
@@ -114,30 +122,36 @@ def simulate_batch(
     loop = build(machine, controller, reference.path, start, progress_at, columns, view, extra, seed)
     compiled = jit_enabled() if jit is None else jit
     groups = [make_group(loop.schedule, LANES, slice(i, i + LANES), compiled) for i in range(0, n, LANES)]
-    failed = np.full(len(groups) * LANES, -1, dtype=np.int64)
     rows = [loop.schedule.row(signal) for name in keep for signal in _signal(loop, name)]
-    kept = np.empty((len(groups), reference.n_sample, len(rows), LANES))
-    limits = np.array([axis.limits.following_error for axis in machine.axes])
-    positions = [loop.schedule.row(f"{axis.name}.plant.position") for axis in machine.axes]
+    shape = (len(groups), reference.n_sample, len(rows), LANES)
+    log = reuse.log if reuse is not None and reuse.log.shape == shape else np.empty(shape)
+    failed = _advance_all(groups, reference, rows, log, threads or os.cpu_count() or 1, progress)[:n]
+    sums = np.concatenate([group.state_of("judge")[1:] for group in groups], axis=1)[:, :n] if judge else np.zeros((len(SUMS), n))
+    figures = _figures(sums, failed, machine.servo_period) if judge else {}
+    return BatchResult(figures, failed, sums[SUMS.index("unsure")], _split(log, n, keep, loop), log)
+
+
+def _advance_all(
+    groups: list[Group], reference: Reference, rows: list[int], log: Array, threads: int, progress: Callable[[int], None] | None
+) -> NDArray[np.int64]:
+    """Run every group through the reference, a long block at a time; return the sample at which each lane failed, or -1."""
+    broken = np.full((len(groups), LANES), -1.0)
 
     def advance(g: int, external: Array, k: int) -> None:
-        groups[g].run(external, rows, kept[g, k : k + len(external)])
-        lanes = slice(g * LANES, (g + 1) * LANES)
-        behind = np.abs(groups[g].signals[positions] - external[-1, : len(positions), None])
-        bad = ~groups[g].finite() | ~(behind <= limits[:, None]).all(axis=0)
-        failed[lanes] = np.where((failed[lanes] < 0) & bad, k, failed[lanes])
+        groups[g].run(external, rows, log[g, k : k + len(external)])
+        # The watch sees what reaches a position or a command; this, what has not got there yet.
+        broken[g] = np.where((broken[g] < 0) & ~groups[g].finite(), k + len(external) - 1, broken[g])
 
-    with ThreadPoolExecutor(threads or os.cpu_count() or 1) as pool:
-        for k in range(0, reference.n_sample, _BLOCK):
-            sampled = k - k % BLOCK
-            table = reference.block(sampled, min(sampled + BLOCK, reference.n_sample)).table
-            external = table[k - sampled : k - sampled + _BLOCK]
-            list(pool.map(lambda g, e=external, at=k: advance(g, e, at), range(len(groups))))
-            if progress is not None:
-                progress(min(k + _BLOCK, reference.n_sample))
-    sums = _sums(groups, loop)[:, :n] if judge else np.zeros((len(SUMS), n))
-    figures = _figures(sums, failed[:n], machine.servo_period) if judge else {}
-    return BatchResult(figures, failed[:n], sums[SUMS.index("unsure")], _split(kept, n, keep, loop))
+    workers = min(threads, len(groups))
+    with ThreadPoolExecutor(workers) if workers > 1 else nullcontext() as pool:
+        for k in range(0, reference.n_sample, BLOCK):
+            external = reference.block(k, min(k + BLOCK, reference.n_sample)).table
+            work = partial(advance, external=external, k=k)
+            for done, _ in enumerate((pool.map if pool is not None else map)(work, range(len(groups))), 1):
+                if progress is not None:
+                    progress(k + len(external) * done // len(groups))
+    seen = np.array([group.state_of(NAME)[0] for group in groups])
+    return np.where(seen >= 0, seen, broken).astype(np.int64).ravel()
 
 
 def _checked(machine: Machine, controller: Controller, variants: Mapping[str, ArrayLike]) -> tuple[dict[str, Array], int]:
@@ -148,7 +162,8 @@ def _checked(machine: Machine, controller: Controller, variants: Mapping[str, Ar
             raise ParameterError("variants", name, "a parameter of the machine or controller, such as " + ", ".join(list(known)[:3]))
         part, parameter = known[name]
         columns[name] = np.atleast_1d(np.asarray(values, dtype=float))
-        for value in np.unique(columns[name]):
+        # The extremes speak for all; a NaN is both.
+        for value in (columns[name].min(), columns[name].max()) if columns[name].size else ():
             part.parameters[parameter].check(float(value))
     lengths = {len(values) for values in columns.values()}
     if len(lengths) != 1:
@@ -174,11 +189,6 @@ def _signal(loop: Loop, name: str) -> tuple[str, ...]:
     if name not in loop.signals:
         raise ParameterError("keep", name, "one of " + ", ".join(loop.signals))
     return loop.signals[name]
-
-
-def _sums(groups: list[Group], loop: Loop) -> Array:
-    judge = next(i for i, node in enumerate(loop.schedule.nodes) if node.name == "judge")
-    return np.concatenate([group.state[judge][1:] for group in groups], axis=1)
 
 
 def _figures(sums: Array, failed: NDArray[np.int64], period: float) -> dict[str, Array]:

@@ -17,6 +17,7 @@ from contourlab.geometry.view import PathView
 from contourlab.loop.machine import Controller, Machine
 from contourlab.loop.template import Loop, build
 from contourlab.loop.tool import ToolPosition
+from contourlab.loop.watch import watched
 from contourlab.result import Result, Signal, Status
 
 __all__ = ["UNITS", "jit_enabled", "simulate", "simulate_blocks"]
@@ -102,7 +103,7 @@ def simulate(
     for block, now in simulate_blocks(machine, controller, reference, seed=seed, jit=jit, view=view, signals=signals):
         blocks.append(block)
         status = now
-        done += len(next(iter(block.values())))
+        done = min(done + BLOCK, reference.n_sample)
         if progress is not None:
             progress(done)
     if not status.ok and on_failure == "raise":
@@ -154,8 +155,8 @@ def simulate_blocks(
     for start in range(0, reference.n_sample, block):
         asked = reference.block(start, min(start + block, reference.n_sample))
         saved = group.snapshot()
-        found = _run(group, loop, asked, wanted | _WATCHED)
-        status = _verdict(machine, found, asked.position, start)
+        found = _run(group, loop, asked, wanted)
+        status = watched(group, machine)
         if status.ok and not group.finite().all():
             status = _first_non_finite(group, saved, loop, asked, start)
         if not status.ok:
@@ -168,7 +169,6 @@ def simulate_blocks(
 
 
 _GIVEN = {"reference": 0, "reference_velocity": 1, "reference_acceleration": 2, "arc_length": 3, "feedrate": 4}
-_WATCHED = frozenset({"axis_position", "command"})
 
 
 def _wanted(loop: Loop, signals: Sequence[str] | None) -> frozenset[str]:
@@ -176,12 +176,12 @@ def _wanted(loop: Loop, signals: Sequence[str] | None) -> frozenset[str]:
     for name in signals or ():
         if name not in known:
             raise ParameterError("signals", repr(name), "one of " + ", ".join(sorted(known)))
-    return frozenset(signals if signals is not None else known) or _WATCHED
+    return frozenset(signals if signals is not None else known)
 
 
 def _run(group: Group, loop: Loop, asked: ReferenceBlock, wanted: frozenset[str]) -> dict[str, Array]:
     """Run one block; return the signals that are wanted, and what the tool's position needs."""
-    needed = wanted | {"axis_velocity"} if "tool_position" in wanted else wanted
+    needed = wanted | {"axis_position", "axis_velocity"} if "tool_position" in wanted else wanted
     logged = {name: rows for name, rows in loop.signals.items() if name in needed}
     # A row that several signals share (an ideal sensor's position is the axis') is logged once.
     rows = list(dict.fromkeys(signal for signals in logged.values() for signal in signals))
@@ -195,23 +195,6 @@ def _run(group: Group, loop: Loop, asked: ReferenceBlock, wanted: frozenset[str]
         part = log[:, columns[0] : columns[-1] + 1 : step] if even else log[:, columns]
         found[name] = part[:, 0] if name == "contour_error_estimate" else part
     return found
-
-
-def _verdict(machine: Machine, signals: dict[str, Array], asked: Array, start: int) -> Status:
-    """Return the first sample at which an axis is not finite or beyond its following-error limit."""
-    limits = [axis.limits.following_error for axis in machine.axes]
-    gaps = [asked[:, j] - signals["axis_position"][:, j] for j in range(len(limits))]
-    # A number that is not finite makes these comparisons false.
-    sound = [gap.max() <= limit and -gap.min() <= limit for gap, limit in zip(gaps, limits, strict=True)]
-    if all(sound) and all(np.isfinite(command.max() - command.min()) for command in signals["command"].T):
-        return Status(ok=True)
-    error = np.abs(np.column_stack(gaps))
-    sample, axis = (int(i) for i in np.argwhere(~(error <= limits) | ~np.isfinite(signals["command"]))[0])
-    worst = error[sample, axis]
-    reason = "the loop gave a number that is not finite"
-    if np.isfinite(worst) and worst > limits[axis]:
-        reason = f"following error {worst * 1e3:.4g} mm passes the limit of {limits[axis] * 1e3:.4g} mm"
-    return Status(ok=False, sample=start + sample, axis=machine.axis_names[axis], reason=reason)
 
 
 def _first_non_finite(group: Group, saved: Any, loop: Loop, asked: ReferenceBlock, start: int) -> Status:

@@ -35,6 +35,7 @@ from contourlab.geometry import Path
 from contourlab.geometry.view import PathView, view_of
 from contourlab.loop.machine import Controller, Machine
 from contourlab.loop.tool import stream_of
+from contourlab.loop.watch import watch_node
 
 __all__ = ["Loop", "build"]
 
@@ -268,7 +269,7 @@ def build(
     builder.sense()
     builder.contour(view)
     builder.control()
-    builder.nodes += extra
+    builder.nodes += (*extra, watch_node(machine))
     record_point = len(builder.nodes)
     builder.move()
     n = len(builder.names)
