@@ -41,8 +41,13 @@ def tick_matrix(schedule: Schedule) -> Array:
 
 
 def spectral_radius(schedule: Schedule) -> float:
-    """Return the largest magnitude of the poles of the sampled loop: below 1 it is stable."""
-    return float(np.abs(np.linalg.eigvals(tick_matrix(schedule))).max())
+    """Return the largest magnitude of the poles of the sampled loop: below 1 it is stable.
+
+    States that only remember what they were given at the start (where an axis stood, what the watch has noted) are no part of the loop.
+    """
+    matrix = tick_matrix(schedule)
+    moves = np.any(matrix != np.eye(len(matrix)), axis=1)
+    return float(np.abs(np.linalg.eigvals(matrix[np.ix_(moves, moves)])).max(initial=0.0))
 
 
 def _after(group: Group, parts: list[Array], zero: Array) -> Array:

@@ -219,7 +219,7 @@ def circles_of(result: Result, reference: Reference) -> tuple[CircleFigures, ...
 
 def _pass(result: Result, reference: Reference, low: float, high: float) -> NDArray[np.int64]:
     along = result["arc_length"]
-    (start, stop), _ = evaluation_window(reference, result.n_sample)
+    (start, stop), _ = evaluation_window(reference, result.n_sample, result.start)
     counted = np.arange(start, stop)
     path = reference.programmed
     inside = along[counted] - path.length * np.floor(along[counted] / path.length) if path.closed else along[counted]
@@ -232,7 +232,8 @@ def _run_of(result: Result, samples: NDArray[np.int64], curve: Arc, n_axis: int)
     flat = (result["tool_position"][samples] - curve.centre) @ frame.T
     letters = "XYZ"
     plane = "".join(letters[int(np.argmax(np.abs(axis)))] if n_axis <= 3 else "?" for axis in frame)
-    turn = curve.sweep if frame[0] @ np.eye(n_axis)[0] >= 0.0 or n_axis > 2 else -curve.sweep
+    # In the plane the sense is that of the first two axes, whichever way round the arc's own frame is.
+    turn = curve.sweep * np.linalg.det(frame) if n_axis == 2 else curve.sweep
     name = f"{plane}, radius {curve.radius * 1e3:.6g} mm"
     return circle_figures(flat, np.zeros(2), curve.radius, turn < 0.0, name)
 

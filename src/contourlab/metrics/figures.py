@@ -112,9 +112,12 @@ def _plain(value: Any) -> Any:
     return None if isinstance(value, float) and not math.isfinite(value) else value
 
 
-def evaluation_window(reference: Reference, n_sample: int) -> tuple[tuple[int, int], str]:
-    """Return the samples that count, the last whole lap where the reference has laps, and its name."""
-    laps = [lap for lap in reference.laps if lap[1] <= n_sample]
+def evaluation_window(reference: Reference, n_sample: int, first: int = 0) -> tuple[tuple[int, int], str]:
+    """Return the samples that count, the last whole lap where the reference has laps, and its name.
+
+    `first` is the run's sample at which a result of `n_sample` samples begins; the window is counted from there.
+    """
+    laps = [(start - first, stop - first) for start, stop in reference.laps if first <= start and stop <= first + n_sample]
     return (laps[-1], "last lap") if laps else ((0, n_sample), "whole motion")
 
 
@@ -134,7 +137,7 @@ def summarise(result: Result, reference: Reference, window: tuple[int, int] | No
     ResultError
         If the run has not been judged, or the window is empty.
     """
-    chosen, basis = (window, "window") if window else evaluation_window(reference, result.n_sample)
+    chosen, basis = (window, "window") if window else evaluation_window(reference, result.n_sample, result.start)
     start, stop = chosen
     if not 0 <= start < stop <= result.n_sample:
         raise ResultError(f"window {start} .. {stop} of a result of {result.n_sample} samples: a part of it is wanted")

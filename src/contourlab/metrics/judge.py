@@ -13,6 +13,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
+from contourlab.errors import ResultError
 from contourlab.feed import Reference
 from contourlab.geometry import Path
 from contourlab.result import Result, Signal
@@ -44,11 +45,20 @@ def judge(result: Result, reference: Reference) -> Result:
     reference : Reference
         What was asked for; its planned and its programmed path.
 
+    Raises
+    ------
+    ResultError
+        If a position is not finite, or the result has other axes than the path.
+
     Notes
     -----
     Signals ``contour_error``, ``part_error``, ``planning_deviation``, ``foot_arc_length`` (on the programmed path) and ``tracking_error``.
     """
     tool, wanted, along = result["tool_position"], result["reference"], result["arc_length"]
+    for name in ("tool_position", "reference", "arc_length"):
+        _check_finite(result, name)
+    if tool.shape[1] != reference.n_axis:
+        raise ResultError(f"a result of axes {', '.join(result.axes)} for a path of {reference.n_axis} coordinates")
     tracking = wanted - tool
     planned, programmed = reference.path, reference.programmed
     contour, foot = _errors(planned, tool, along, reach(planned, tracking))
@@ -65,6 +75,14 @@ def judge(result: Result, reference: Reference) -> Result:
         foot_arc_length=Signal(part_foot, one, "m"),
         tracking_error=Signal(tracking, ("sample", "axis"), "m"),
     )
+
+
+def _check_finite(result: Result, name: str) -> None:
+    good = np.isfinite(result[name])
+    if not good.all():
+        where = np.argwhere(~good)[0]
+        axis = f" of axis {result.axes[where[1]]}" if len(where) == 2 else ""
+        raise ResultError(f"{name}{axis} is not finite at sample {int(where[0]) + result.start}: there is nothing to judge it by")
 
 
 def _errors(path: Path, points: Array, around: Array, window: float) -> tuple[Array, Array]:

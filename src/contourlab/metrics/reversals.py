@@ -26,7 +26,7 @@ class Spike:
         Of the reversal of the reference.
     sample : int
     quadrant : int
-        1 to 4 in the plane, entered at the reversal, by the signs of the reference velocity's first two axes; 0 in space.
+        1 to 4 in the plane, entered at the reversal on a round path, whichever way it is run; 0 in space, or where the other axis stands.
     height : float [m]
         Largest distance of the contour error from its local baseline, signed: positive to the left of the path.
     peak_time : float [s]
@@ -91,16 +91,24 @@ def _spike(result: Result, error: Array, velocity: Array, k: int, end: int, j: i
     while right + 1 < len(above) and above[right + 1]:
         right += 1
     period = result.servo_period
-    quadrant = 0
-    if velocity.shape[1] == 2:
-        quadrant = {(1, 1): 4, (-1, 1): 1, (-1, -1): 2, (1, -1): 3}.get((int(np.sign(velocity[k, 0])), int(np.sign(velocity[k, 1]))), 0)
     time = (k + result.start) * period
     return Spike(
         result.axes[j],
         time,
         k + result.start,
-        quadrant,
+        _quadrant(velocity[k], j),
         float(away[peak]),
         time + peak * period,
         (right - left + 1) * period,
     )
+
+
+def _quadrant(velocity: Array, j: int) -> int:
+    """Return the quadrant of a round path in which it goes on with `velocity` after axis j has turned."""
+    if velocity.size != 2 or not velocity.all():
+        return 0
+    x, y = (int(np.sign(v)) for v in velocity)
+    counter_clockwise = {(1, 1): 4, (-1, 1): 1, (-1, -1): 2, (1, -1): 3}[x, y]
+    # The velocity of a quarter is that of the opposite one run the other way; to the left means one sign of x y for each axis.
+    left = (x * y > 0) == (j == 1)
+    return counter_clockwise if left else (counter_clockwise + 1) % 4 + 1

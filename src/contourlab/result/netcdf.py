@@ -13,6 +13,7 @@ import numpy as np
 from contourlab.errors import OutputError, ResultError
 from contourlab.result.atomic import replacing
 from contourlab.result.signals import Result, Signal, Status
+from contourlab.result.spool import Spool
 
 __all__ = ["ResultWriter", "read_result"]
 
@@ -56,32 +57,47 @@ class ResultWriter:
     def __init__(self, file: str | Path, header: Mapping[str, str | int | float], axes: tuple[str, ...]) -> None:
         self.file, self.header, self.axes = Path(file), dict(header), axes
         self._stack = contextlib.ExitStack()
+        self._spool: Any = None
         self._data: Any = None
+        self._names: set[str] = set()
         self._length = 0
 
     def __enter__(self) -> ResultWriter:
         import h5netcdf
 
-        temporary = self._stack.enter_context(replacing(self.file))
-        try:
-            self._data = h5netcdf.File(temporary, "w")
+        with contextlib.ExitStack() as stack:
+            temporary = stack.enter_context(replacing(self.file))
+            self._spool = stack.enter_context(Spool(temporary, "w+"))
+            self._data = stack.enter_context(h5netcdf.File(self._spool, "w"))
             self._data.dimensions = {"sample": None, "axis": len(self.axes)}
             names = self._data.create_variable("axis", ("axis",), dtype=_text_type())
             names[:] = np.array(self.axes, dtype=object)
-        except OSError as error:
-            self._close()
-            raise OutputError(f"{self.file}: cannot be written: {error}") from error
+            # What was opened closes in `__exit__`; before this line it closes here.
+            self._stack = stack.pop_all()
         return self
 
     def append(self, signals: Mapping[str, Signal]) -> None:
-        """Write the next samples; every call gives the same signals."""
+        """Write the next samples; every call gives the same signals.
+
+        Raises
+        ------
+        OutputError
+            If they cannot be written: the disk is full.
+        ResultError
+            If the signals are not those of the first call.
+        """
         try:
             self._append(signals)
+            self._spool.check()
         except OSError as error:
             raise OutputError(f"{self.file}: cannot be written: {error.strerror or error}") from error
 
     def _append(self, signals: Mapping[str, Signal]) -> None:
         count = len(next(iter(signals.values())).data) if signals else 0
+        if self._length and set(signals) != self._names:
+            odd = ", ".join(sorted(set(signals) ^ self._names))
+            raise ResultError(f"every block has the signals of the first one; this one differs in {odd}")
+        self._names = set(signals)
         stop = self._length + count
         # Chunks are stored whole: a short run would otherwise be padded to the full chunk.
         rows = max(min(count, _CHUNK), 1)
@@ -90,8 +106,6 @@ class ResultWriter:
         self._data.resize_dimension("sample", stop)
         for name, signal in signals.items():
             if name not in self._data.variables:
-                if self._length:
-                    raise ResultError(f"signal {name} was not in the first block")
                 chunks = (rows,) if signal.data.ndim == 1 else (rows, len(self.axes))
                 made = self._data.create_variable(name, signal.dims, float, chunks=chunks, fillvalue=np.nan)
                 made.attrs["units"] = signal.unit
@@ -110,20 +124,22 @@ class ResultWriter:
         }
 
     def __exit__(self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None) -> None:
-        try:
-            if kind is None:
-                for name, value in self.header.items():
-                    self._data.attrs[name] = value
-            self._close()
-        except OSError as problem:
-            self._stack.__exit__(OSError, problem, None)
-            raise OutputError(f"{self.file}: cannot be written: {problem}") from problem
-        self._stack.__exit__(kind, error, trace)
+        if kind is not None:
+            self._stack.__exit__(kind, error, trace)
+            return
+        with self._stack:
+            for name, value in self.header.items():
+                self._note(name, value)
+            self._data.close()
+            self._spool.check()
 
-    def _close(self) -> None:
-        if self._data is not None:
-            data, self._data = self._data, None
-            data.close()
+    def _note(self, name: str, value: str | int | float) -> None:
+        try:
+            self._data.attrs[name] = int(value) if isinstance(value, bool) else value
+        except (TypeError, ValueError) as error:
+            raise ResultError(
+                f"{name.removeprefix('attribute_')} = {value!r}: text or a number of 64 bits can be kept in a file"
+            ) from error
 
 
 def _text_type() -> Any:
@@ -147,8 +163,14 @@ def read_result(file: str | Path) -> Result:
                 for name, v in data.variables.items()
                 if name not in ("axis", "time")
             }
-    except (OSError, KeyError, ValueError) as error:
+        return _assembled(header, axes, signals)
+    except KeyError as error:
+        raise ResultError(f"{file}: cannot be read as a result: {error.args[0]} is missing") from error
+    except (OSError, RuntimeError, TypeError, ValueError) as error:
         raise ResultError(f"{file}: cannot be read as a result: {error}") from error
+
+
+def _assembled(header: Mapping[str, Any], axes: tuple[str, ...], signals: Mapping[str, Signal]) -> Result:
     status = Status(
         bool(header["status_ok"]),
         int(header["status_sample"]),

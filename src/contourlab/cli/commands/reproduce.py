@@ -33,13 +33,40 @@ def _papers() -> None:
 
 
 def _print_rows(rows: Sequence[Mapping[str, Any]]) -> None:
-    """Print one line a figure, and how many agree."""
+    """Print the figures by name, one line a case, and how many agree."""
+    from rich.padding import Padding
+    from rich.text import Text
+
+    groups: dict[tuple[str, str], list[Mapping[str, Any]]] = {}
+    for row in rows:
+        groups.setdefault((row["name"], row["unit"]), []).append(row)
+    parts: list[Any] = []
+    for (name, unit), members in groups.items():
+        parts.append(Text.assemble((name, "bold"), f" [{unit}]" if unit else ""))
+        notes = dict.fromkeys(row["note"] for row in members if row["note"])
+        shared = len(notes) == 1
+        if shared:
+            parts.append(Padding(Text(next(iter(notes)), "dim"), (0, 0, 0, 2)))
+        parts.append(Padding(_group_table(members, with_notes=not shared and bool(notes)), (0, 0, 1, 2)))
+    compared = [row["pass"] for row in rows if row["pass"] is not None]
+    words = f"{sum(compared)} of {len(compared)} figures agree; {len(rows) - len(compared)} are shown without a claim."
+    show(*parts, words)
+
+
+def _group_table(rows: Sequence[Mapping[str, Any]], *, with_notes: bool) -> Any:
     from rich.table import Table
 
-    table = Table("figure", "case", "paper", "here", "unit", "tolerance", "agrees", "note")
+    table = Table(box=None, pad_edge=False, header_style="dim")
+    table.add_column("case", min_width=40)
+    for title in ("paper", "here", "difference"):
+        table.add_column(title, min_width=11, justify="right")
+    table.add_column("agrees", min_width=6)
+    if with_notes:
+        table.add_column("")
     for row in rows:
-        numbers = ["" if row[key] is None else f"{row[key]:.6g}" for key in ("paper", "here", "tolerance")]
+        paper, here = row["paper"], row["here"]
+        apart = "" if paper is None or here is None else f"{here - paper:+.3g}"
         verdict = {True: "yes", False: "[red]no[/red]", None: ""}[row["pass"]]
-        table.add_row(row["name"], row["case"], numbers[0], numbers[1], row["unit"], numbers[2], verdict, row["note"])
-    compared = [row["pass"] for row in rows if row["pass"] is not None]
-    show(table, f"{sum(compared)} of {len(compared)} figures agree; {len(rows) - len(compared)} are shown without a claim.")
+        cells = [row["case"], "" if paper is None else f"{paper:.6g}", "" if here is None else f"{here:.6g}", apart, verdict]
+        table.add_row(*cells, *([row["note"]] if with_notes else []))
+    return table
