@@ -38,6 +38,7 @@ _HOMES = {
     "contourlab.program": ("Program", "parse_program", "read_program"),
     "contourlab.result": ("Result", "Signal", "Status"),
     "contourlab.scenario": ("load_scenario",),
+    "contourlab.studies.record": ("simulate_to_file",),
     "contourlab.studies.verdict": ("verdict",),
 }
 _WHERE = {name: home for home, names in _HOMES.items() for name in names}

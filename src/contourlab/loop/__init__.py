@@ -2,7 +2,7 @@
 
 from contourlab.loop.batch import BatchResult, simulate_batch
 from contourlab.loop.machine import Axis, AxisController, AxisError, Controller, Limits, Machine, parameter_names
-from contourlab.loop.simulate import simulate, simulate_blocks
+from contourlab.loop.simulate import result_of, simulate, simulate_blocks
 
 __all__ = [
     "Axis",
@@ -13,6 +13,7 @@ __all__ = [
     "Limits",
     "Machine",
     "parameter_names",
+    "result_of",
     "simulate",
     "simulate_batch",
     "simulate_blocks",

@@ -20,7 +20,7 @@ from contourlab.loop.tool import ToolPosition
 from contourlab.loop.watch import watched
 from contourlab.result import Result, Signal, Status
 
-__all__ = ["UNITS", "jit_enabled", "simulate", "simulate_blocks"]
+__all__ = ["UNITS", "jit_enabled", "result_of", "simulate", "simulate_blocks"]
 
 Array = NDArray[np.float64]
 BLOCK = 1 << 16
@@ -108,13 +108,27 @@ def simulate(
             progress(done)
     if not status.ok and on_failure == "raise":
         raise DivergenceError(status.reason, sample=status.sample, time=status.sample * machine.servo_period, axis=status.axis)
-    command_unit = machine.axes[0].plant.command_unit
     joined = blocks[0] if len(blocks) == 1 else {name: np.concatenate([block[name] for block in blocks]) for name in blocks[0]}
+    return result_of(machine, reference, joined, status, scheme=scheme, seed=seed)
+
+
+def result_of(
+    machine: Machine,
+    reference: Reference,
+    signals: dict[str, Array],
+    status: Status,
+    *,
+    scheme: str = "base",
+    seed: int = 0,
+    start: int = 0,
+) -> Result:
+    """Return the arrays of a run, or of a block that begins at sample `start`, as a labelled result."""
+    command_unit = machine.axes[0].plant.command_unit
     return Result(
         scheme=scheme,
         axes=machine.axis_names,
         servo_period=machine.servo_period,
-        signals={name: make_signal(name, data, command_unit) for name, data in joined.items()},
+        signals={name: make_signal(name, data, command_unit) for name, data in signals.items()},
         status=status,
         attributes={
             "machine": machine.name,
@@ -122,6 +136,7 @@ def simulate(
             "path": reference.path.digest,
             **{f"command_limit_{axis.name}": float(getattr(axis.drive, "limit", math.inf)) for axis in machine.axes},
         },
+        start=start,
     )
 
 

@@ -1,0 +1,69 @@
+"""A run that goes to a file as it is made, so that memory does not grow with its length."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from pathlib import Path
+
+from contourlab.errors import DivergenceError
+from contourlab.feed import Reference
+from contourlab.loop import Controller, Machine, result_of, simulate_blocks
+from contourlab.metrics import judge
+from contourlab.result import ResultWriter, Status
+
+__all__ = ["simulate_to_file"]
+
+_JUDGED = ("tool_position", "reference", "arc_length")
+
+
+def simulate_to_file(
+    machine: Machine,
+    controller: Controller,
+    reference: Reference,
+    file: str | Path,
+    *,
+    signals: Sequence[str] = (),
+    scheme: str = "base",
+    seed: int = 0,
+    block: int = 1 << 15,
+    progress: Callable[[int], None] | None = None,
+) -> Status:
+    """Run a machine along a reference, judge it, and write it to a NetCDF file block by block.
+
+    Parameters
+    ----------
+    machine, controller, reference
+        As for `simulate`.
+    file : str or Path
+        Appears whole when the run has ended well, and not at all otherwise.
+    signals : sequence of str
+        Signals to write besides those of the judge and what it looks at; all if none is named.
+    scheme : str
+        Name of the result.
+    seed : int
+        Of all noise.
+    block : int, >= 1
+        Samples that are in memory at a time.
+    progress : callable, optional
+        Told the number of samples done.
+
+    Raises
+    ------
+    DivergenceError
+        If the loop runs away.
+    OutputError
+        If the file cannot be written.
+    """
+    wanted = tuple(dict.fromkeys((*_JUDGED, *signals))) if signals else None
+    empty = result_of(machine, reference, {}, Status(), scheme=scheme, seed=seed)
+    start = 0
+    with ResultWriter(file, empty.header(), empty.axes) as writer:
+        for found, status in simulate_blocks(machine, controller, reference, seed=seed, signals=wanted, block=block):
+            if not status.ok:
+                raise DivergenceError(status.reason, sample=status.sample, time=status.sample * machine.servo_period, axis=status.axis)
+            part = judge(result_of(machine, reference, found, status, scheme=scheme, seed=seed, start=start), reference)
+            writer.append(part.signals)
+            start += part.n_sample
+            if progress is not None:
+                progress(start)
+    return Status()
