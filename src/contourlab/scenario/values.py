@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 from pathlib import Path as File
 from typing import Literal, TypeAlias
@@ -144,6 +144,11 @@ class Case:
         return self.run.tolerance
 
     @property
+    def signals(self) -> tuple[str, ...]:
+        """Signals to write; empty for all."""
+        return self.run.signals or ()
+
+    @property
     def seed(self) -> int:
         """Of all noise."""
         return self.run.seed
@@ -169,7 +174,7 @@ class Case:
         return AxisLimits([x.velocity for x in found], [x.acceleration for x in found], [x.jerk for x in found])
 
     def reference(self, feed_scale: float = 1.0) -> Reference:
-        """Return the sampled reference.
+        """Return the sampled reference; without laps to count where ``run.evaluate`` asks for the whole motion.
 
         Parameters
         ----------
@@ -183,7 +188,10 @@ class Case:
         ProgramError
             If the program moves an axis that the machine lacks.
         """
-        factor = self.feed.override * feed_scale
+        found = self._sampled(self.feed.override * feed_scale)
+        return replace(found, laps=()) if self.run.evaluate == "whole" else found
+
+    def _sampled(self, factor: float) -> Reference:
         period = self.machine.servo_period
         if self.feed.law == "uniform":
             assert isinstance(self.motion, Contour) and self.feed.frequency is not None  # said by the reader
@@ -199,12 +207,6 @@ class Case:
             return route
         feedrate = np.where(route.rapid, route.feedrate, route.feedrate * factor)
         return Route(route.path, feedrate, route.rapid, route.dwell, route.source_line, route.programmed, route.dwell_before)
-
-    def window(self, reference: Reference) -> tuple[int, int]:
-        """Return the samples [start, stop) that the figures are over, as ``run.evaluate`` says."""
-        if self.run.evaluate == "last-lap" and reference.laps:
-            return reference.laps[-1]
-        return 0, reference.n_sample
 
 
 @dataclass(frozen=True, eq=False)

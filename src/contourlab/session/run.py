@@ -59,7 +59,7 @@ def run_scenario(
     plots : sequence of str
         Formats of plots besides the report: png, svg, pdf.
     signals : sequence of str
-        Signals to write; all by default.
+        Signals to write; by default those of the scenario, or all.
     progress : bool
         Whether to show a bar.
     """
@@ -114,7 +114,7 @@ def run_session(
         with _bar(progress, case.name) as told:
             outcomes.append(run_case(case, progress=told))
     for outcome in outcomes:
-        _write_signals(outcome, folder, signals)
+        _write_signals(outcome, folder, signals or outcome.case.signals)
     summary = summary_of(scenario.name, outcomes, command)
     write_text_atomic(folder / "summary.json", json.dumps(summary, indent=2, allow_nan=False) + "\n")
     table = _write_report(scenario, outcomes, folder, command, plots)

@@ -47,6 +47,10 @@ class Case(Protocol):
         """Of all noise."""
 
     @property
+    def signals(self) -> tuple[str, ...]:
+        """Signals to write; empty for all."""
+
+    @property
     def lines(self) -> tuple[str, ...]:
         """Source text of the program; empty for a contour."""
 

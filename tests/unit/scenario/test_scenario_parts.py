@@ -51,8 +51,8 @@ def test_a_reference_follows_from_a_case() -> None:
     circle = 0.02 * np.column_stack([np.cos(np.pi * t), np.sin(np.pi * t)])
     np.testing.assert_allclose(reference.block(0, 4000).position, circle, atol=1e-12)
     assert case.reference(0.5).n_sample == 8000
-    assert case.window(reference) == (2000, 4000)
-    assert replace(case, run=replace(case.run, evaluate="whole")).window(reference) == (0, 4000)
+    assert reference.laps == ((0, 2000), (2000, 4000))
+    assert replace(case, run=replace(case.run, evaluate="whole")).reference().laps == ()
 
 
 def test_a_planned_contour_keeps_to_the_limits() -> None:
