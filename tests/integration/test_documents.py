@@ -1,0 +1,60 @@
+"""The examples of the documents do what is said of them."""
+
+from __future__ import annotations
+
+import re
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import contourlab as cl
+
+ROOT = Path(__file__).parents[2]
+FENCE = re.compile(r"^```(\w+)\n(.*?)^```", re.MULTILINE | re.DOTALL)
+PART = "G21 G90 G94\nG1 X10 F600\nY10\nX0 Y0\nM2\n"
+
+
+def blocks(document: str, language: str) -> list[str]:
+    """Return the code blocks of a document."""
+    return [text for found, text in FENCE.findall((ROOT / document).read_text(encoding="utf-8")) if found == language]
+
+
+@pytest.fixture
+def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    """A folder with a part program, in which relative names start."""
+    (tmp_path / "part.ngc").write_text(PART)
+    monkeypatch.chdir(tmp_path)
+    return tmp_path
+
+
+def test_the_files_of_the_manual_make_a_scenario(folder: Path) -> None:
+    scenario, machine, axis, controller, program = blocks("docs/scenario-files.md", "toml")
+    for name, text in (("scenario", scenario), ("machine", machine), ("axis1", axis), ("controller", controller)):
+        (folder / f"{name}.toml").write_text(text, encoding="utf-8")
+    found = cl.load_scenario("scenario.toml")
+    assert [case.name for case in found.cases()] == ["position loop", "as it is"]
+    assert found.base.machine.carried_mass("x") == 8.0
+    assert found.base.machine.squareness == {("x", "y"): pytest.approx(2e-5)}
+    assert found.base.reference().path.length == pytest.approx(0.02 + 0.01 * np.sqrt(2.0))
+    # The last block stands for `program = "part.ngc"`.
+    (folder / "other.toml").write_text(scenario.replace('program = "part.ngc"', "").split("[schemes")[0] + program.replace('"z"', '"y"'))
+    assert cl.load_scenario("other.toml").base.reference().n_sample == found.base.reference().n_sample
+
+
+def test_the_scenario_of_the_readme_and_its_python(folder: Path) -> None:
+    (folder / "scenario.toml").write_text(blocks("README.md", "toml")[0], encoding="utf-8")
+    (text,) = blocks("README.md", "python")
+    scope: dict[str, object] = {}
+    exec(compile(text, "README.md", "exec"), scope)
+    batch = scope["batch"]
+    assert isinstance(batch, cl.BatchResult)
+    assert (batch.figures["contour_error_rms"] > 0.0).all()
+
+
+def test_every_contour_is_in_the_manual_with_its_parameters() -> None:
+    from contourlab.geometry import contour_names, contour_parameters
+
+    rows = dict(re.findall(r"^\| `([a-z-]+)` \| (.*) \|$", (ROOT / "docs/scenario-files.md").read_text(encoding="utf-8"), re.MULTILINE))
+    for name in contour_names():
+        assert set(re.findall(r"`([a-z_]+)`", rows[name])) == set(contour_parameters(name)), name
