@@ -14,6 +14,7 @@ from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import Any, TypeAlias
 
+from contourlab.components.contract import FAMILIES
 from contourlab.errors import ScenarioError
 
 __all__ = ["DEFAULT", "Leaf", "Node", "Table", "dotted", "from_mapping", "hint", "merge", "read_tree", "settle"]
@@ -24,18 +25,6 @@ DEFAULT = "default"
 MAX_DEPTH = 12
 _BARE = re.compile(r"[A-Za-z0-9_-]+\Z")
 _TEXTS = ("name", "file")
-_SLOTS = (
-    "plant",
-    "friction",
-    "drive",
-    "sensor",
-    "velocity",
-    "disturbance",
-    "observer",
-    "controller",
-    "estimator",
-    "coupling",
-)
 
 
 @dataclass(frozen=True, slots=True)
@@ -197,7 +186,7 @@ def _joined(name: str, base: Node, over: Node) -> Node:
         return over
     if isinstance(base, Leaf):
         # `drive = "saturation"` is short for a table with that kind; more of its keys may follow.
-        short = name in _SLOTS and isinstance(base.value, str) and base.value != "none"
+        short = name in FAMILIES and isinstance(base.value, str) and base.value != "none"
         if not short or "kind" in over.entries:
             return over
         return over.having(kind=base)
