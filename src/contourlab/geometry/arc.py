@@ -50,16 +50,23 @@ class Arc(Curve):
     ) -> None:
         self.centre = vector(centre, "centre")
         n = self.n_axis = self.centre.size
+        if n < 2:
+            raise GeometryError(f"centre = {centre!r}: an arc wants two coordinates or more")
         self.u = vector(u, "u") if u is not None else np.eye(n)[0]
         self.v = vector(v, "v") if v is not None else np.eye(n)[1]
         self.rise = vector(rise, "rise") if rise is not None else np.zeros(n)
+        for name, axis in (("u", self.u), ("v", self.v), ("rise", self.rise)):
+            if axis.size != n:
+                raise GeometryError(f"{name} has {axis.size} coordinates, the centre has {n}")
         self.radius, self.start_angle, self.sweep = float(radius), float(start_angle), float(sweep)
         if not (self.radius > 0.0 and math.isfinite(self.radius)):
             raise GeometryError(f"radius = {radius!r}: must be > 0 and finite")
-        if self.sweep == 0.0 or not math.isfinite(self.sweep) or not math.isfinite(self.start_angle):
+        if not math.isfinite(self.start_angle):
+            raise GeometryError(f"start_angle = {start_angle!r}: must be finite")
+        if self.sweep == 0.0 or not math.isfinite(self.sweep):
             raise GeometryError(f"sweep = {sweep!r}: must be finite and not zero")
         frame = np.array([self.u, self.v])
-        if not np.allclose(frame @ frame.T, np.eye(2), atol=1e-9) or np.abs(frame @ self.rise).max() > 1e-9 * max(1.0, self.radius):
+        if not np.allclose(frame @ frame.T, np.eye(2), rtol=0.0, atol=1e-9) or np.abs(frame @ self.rise).max() > 1e-9 * max(1.0, self.radius):
             raise GeometryError("u and v must be orthonormal, and rise at right angles to both")
         self.length = math.hypot(self.radius * self.sweep, float(np.linalg.norm(self.rise)))
         self.rate = self.sweep / self.length

@@ -89,12 +89,13 @@ class Star(Parametric):
 
     n_axis = 2
 
-    def __init__(self, radius: float, lobes: int, depth: float) -> None:
-        self.radius, self.lobes, self.depth = _positive("radius", radius), int(lobes), float(depth)
-        if self.lobes != lobes or self.lobes < 2 or not 0.0 <= self.depth < 1.0:
+    def __init__(self, radius: float, lobes: float, depth: float) -> None:
+        self.radius, self.depth = _positive("radius", radius), float(depth)
+        if not float(lobes).is_integer() or lobes < 2 or not 0.0 <= self.depth < 1.0:
             raise GeometryError(
                 f"star of {lobes} lobes, depth {depth}: a whole number >= 2 of lobes and a depth from 0 to below 1 are wanted"
             )
+        self.lobes = int(lobes)
         self.first, self.last = 0.0, 2.0 * math.pi
         self.measure()
 

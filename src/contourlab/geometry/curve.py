@@ -58,14 +58,17 @@ class Curve(ABC):
 
 
 def vector(values: ArrayLike, name: str) -> Array:
-    """Return a finite vector of two or more coordinates.
+    """Return a finite vector of one or more coordinates.
 
     Raises
     ------
     GeometryError
         If it is not.
     """
-    found = np.array(values, dtype=float)
+    try:
+        found = np.array(values, dtype=float)
+    except (TypeError, ValueError):
+        found = np.empty(0)
     if found.ndim != 1 or found.size < 1 or not np.isfinite(found).all():
         raise GeometryError(f"{name} = {values!r}: a vector of finite coordinates is wanted")
     return found

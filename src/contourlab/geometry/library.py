@@ -48,7 +48,7 @@ def diamond(side: float = 0.04) -> Path:
 
 def star(radius: float = 0.03, lobes: float = 5, depth: float = 0.3) -> Path:
     """Star r = R (1 + depth cos(lobes u))."""
-    return Path([Star(radius, int(lobes), depth)], closed=True)
+    return Path([Star(radius, lobes, depth)], closed=True)
 
 
 def butterfly(scale: float = 1.0) -> Path:

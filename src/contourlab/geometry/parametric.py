@@ -21,6 +21,10 @@ _TO_CHEBYSHEV = (2.0 / _TERMS) * np.cos(np.arange(_TERMS)[:, None] * np.arccos(_
 _TO_CHEBYSHEV[0] *= 0.5
 
 
+def _unit(vectors: Array) -> Array:
+    return np.asarray(vectors / np.linalg.norm(vectors, axis=1, keepdims=True))
+
+
 class Parametric(Curve):
     """A curve r(u), u from `first` to `last`, made to run by its arc length.
 
@@ -60,6 +64,21 @@ class Parametric(Curve):
         self._knots = np.array([d[0] for d in done] + [done[-1][1]])
         self._marks = np.concatenate([[0.0], np.cumsum([d[2] for d in done])])
         self.length = float(self._marks[-1])
+        self._check_smooth()
+
+    def _check_smooth(self) -> None:
+        """Refuse corners, gaps and points of rest inside the curve: by arc length they would be jumps that no one is told of."""
+        name, slow = type(self).__name__, self._speed(self._knots) <= 1e-6 * self.length / (self.last - self.first)
+        if slow.any():
+            raise GeometryError(f"{name} stands still at parameter {self._knots[int(np.argmax(slow))]:.9g}: a cusp, or points that coincide")
+        inner = self.joints()[1:-1]
+        before, after = self.raw(np.nextafter(inner, -np.inf), 1), self.raw(inner, 1)
+        for what, jump in (
+            ("gap", np.linalg.norm(after[0] - before[0], axis=1) > 1e-9 * self.length),
+            ("corner", np.linalg.norm(_unit(after[1]) - _unit(before[1]), axis=1) > 1e-6),
+        ):
+            if jump.any():
+                raise GeometryError(f"{name} has a {what} inside, at parameter {inner[int(np.argmax(jump))]:.9g}: make it two curves of a path")
 
     def _speed(self, u: Array) -> Array:
         return np.asarray(np.linalg.norm(self.raw(u.ravel(), 1)[1], axis=1).reshape(u.shape))
@@ -89,14 +108,16 @@ class Parametric(Curve):
         starts: list[Array] = []
         held: list[Array] = []
         probe = np.array([-0.93, -0.61, 0.07, 0.52, 0.96])
+        # Parameters far from 0 are themselves rounded.
+        rounding = 16.0 * np.finfo(float).eps * max(abs(self.first), abs(self.last))
         for _ in range(30):
             middle, half = 0.5 * (left + right), 0.5 * (right - left)
             nodes = self._solve((middle[:, None] + half[:, None] * _CHEBYSHEV).ravel()).reshape(-1, _TERMS)
             coefficients = nodes @ _TO_CHEBYSHEV.T
             exact = self._solve((middle[:, None] + half[:, None] * probe).ravel()).reshape(-1, probe.size)
             fit = coefficients @ np.cos(np.arange(_TERMS)[:, None] * np.arccos(probe))
-            gap = np.abs(fit - exact) * self._speed(exact)
-            good = (gap <= 1e-14 * self.length).all(axis=1) | (half <= 1e-9 * self.length)
+            gap, speed = np.abs(fit - exact), self._speed(exact)
+            good = (gap * speed <= np.maximum(1e-14 * self.length, rounding * speed)).all(axis=1) | (half <= 1e-9 * self.length)
             starts.append(left[good])
             held.append(coefficients[good])
             bad = ~good

@@ -126,15 +126,15 @@ def _divide(curve: Curve, tolerance: float, longest: float) -> tuple[Array, floa
         sixth = curve.radius * abs(curve.rate) ** 6
         n = max(least, int(np.ceil(curve.length * (sixth / (46080.0 * tolerance)) ** (1.0 / 6.0))))
         return np.linspace(0.0, curve.length, n + 1), sixth * (curve.length / n) ** 6 / 46080.0
-    return _bisect(curve, tolerance, least)
+    return _bisect(curve, tolerance, longest)
 
 
-def _bisect(curve: Curve, tolerance: float, least: int) -> tuple[Array, float]:
+def _bisect(curve: Curve, tolerance: float, longest: float) -> tuple[Array, float]:
     marks = getattr(curve, "_marks", np.array([0.0, curve.length]))
-    marks = np.unique(np.concatenate([marks, np.linspace(0.0, curve.length, least + 1)]))
-    keep = np.concatenate([[True], np.diff(marks) > 1e-12 * curve.length])
-    marks = marks[keep]
-    marks[-1] = curve.length
+    # Each stretch is divided by itself: marks of two kinds laid over each other would leave slivers between them.
+    n = np.maximum(np.ceil(np.diff(marks) / longest - 1e-9), 1.0).astype(np.int64)
+    part = np.arange(n.sum()) - np.repeat(np.cumsum(n) - n, n)
+    marks = np.append(np.repeat(marks[:-1], n) + part * np.repeat(np.diff(marks) / n, n), curve.length)
     left, right = marks[:-1], marks[1:]
     done: list[Array] = []
     worst = 0.0
