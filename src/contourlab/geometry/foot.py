@@ -23,6 +23,8 @@ __all__ = ["FootPoint", "foot_point"]
 Array = NDArray[np.float64]
 Index = NDArray[np.int64]
 _CHUNK = 1 << 17
+_MOST_CELLS = 1 << 21
+_SLACK = 1e-8  # m: more than the table is off
 
 
 class FootPoint(NamedTuple):
@@ -142,6 +144,9 @@ def _on_arcs(path: Path, points: Array, slot: Index, low: Array, high: Array, mi
     angle = np.arctan2(np.einsum("ij,ij->i", out, arc["v"]), np.einsum("ij,ij->i", out, arc["u"]))
     turn = 2.0 * math.pi / np.abs(arc["rate"])
     along = (angle - arc["start_angle"]) / arc["rate"]
+    # From the centre all points of the arc are equally far.
+    spoke = np.hypot(np.einsum("ij,ij->i", out, arc["u"]), np.einsum("ij,ij->i", out, arc["v"]))
+    along = np.where(spoke <= 1e-13 * arc["radius"], middle, along)
     along = along + turn * np.round((middle - along) / turn)
     # The turn nearest to the progress may end outside where a neighbour lies inside.
     for shift in (turn, -turn):
@@ -161,45 +166,92 @@ def _arc_gap(arc: dict[str, Array], points: Array, along: Array) -> Array:
 
 
 def _on_curves(path: Path, points: Array, curve: Index, low: Array, high: Array, middle: Array) -> Array:
-    """Samples between the ends, the best bracket, then Newton on r'.(r - p) with bisection as a guard.
+    """Brackets that may hold the closest point, then Newton on r'.(r - p) with bisection as a guard.
 
     All but the last steps are taken on the path's table, which is far cheaper than a spline by arc length and differs by a nanometre.
     """
     offset = path.breaks[curve]
     table = _table(path)
 
-    def near(s: Array) -> Array:
-        return np.asarray(table.evaluate(s)) if table is not None else path._at(curve, s - offset, 2)
+    def near(pair: Index, s: Array, order: int) -> Array:
+        return np.asarray(table.evaluate(s + offset[pair], order) if table is not None else path._at(curve[pair], s, order))
 
-    radius = _smallest_radii(path)[curve]
-    n = int(np.clip(np.ceil((high - low) / np.maximum(0.35 * radius, 1e-12)), 4, 64).max(initial=4))
-    grid = low[:, None] + (high - low)[:, None] * np.linspace(0.0, 1.0, n + 1)
-    if table is not None:
-        at = table.evaluate((offset[:, None] + grid).ravel(), 0)[0].reshape(*grid.shape, -1)
-    else:
-        at = path._at(np.repeat(curve, n + 1), grid.ravel(), 0)[0].reshape(*grid.shape, -1)
-    square = ((at - points[:, None, :]) ** 2).sum(axis=2)
-    # Among samples of the same distance the one nearest to the progress.
-    k = np.argmin(square + 1e-18 * np.abs(grid - middle[:, None]), axis=1)
-    row = np.arange(k.size)
-    s = _newton(
-        points, near, offset, grid[row, k], grid[row, np.maximum(k - 1, 0)], grid[row, np.minimum(k + 1, n)], 60, 1e-12 * path.length
-    )
+    def exact(pair: Index, s: Array, order: int) -> Array:
+        return path._at(curve[pair], s, order)
+
+    pair, s, a, b = _brackets(points, near, low, high, middle, 0.35 * _smallest_radii(path)[curve])
+    s = _newton(points, near, pair, s, a, b, 60, 1e-12 * path.length)
     reach = 1e-7 * path.length
+    fine = _newton(points, exact, pair, s, np.maximum(s - reach, low[pair]), np.minimum(s + reach, high[pair]), 3, 1e-15 * path.length)
+    # Far from the path, near its centre of curvature, a nanometre in the table moves the foot by more.
+    off = np.flatnonzero(np.abs(fine - s) > 0.5 * reach)
+    if off.size:
+        fine[off] = _newton(points, exact, pair[off], s[off], a[off], b[off], 60, 1e-15 * path.length)
+    row = np.arange(curve.size)
+    pair, s = np.concatenate([row, row, pair]), np.concatenate([low, high, fine])
+    square = ((exact(pair, s, 0)[0] - points[pair]) ** 2).sum(axis=1)
+    return np.asarray(s[_nearest(pair, square, np.abs(s - middle[pair]), curve.size)])
 
-    def exact(along: Array) -> Array:
-        return path._at(curve, along - offset, 2)
 
-    s = _newton(points, exact, offset, s, np.maximum(s - reach, low), np.minimum(s + reach, high), 3, 1e-15 * path.length)
-    ends = np.array([((path._at(curve, e, 0)[0] - points) ** 2).sum(axis=1) for e in (low, high, s)])
-    return np.asarray(np.choose(np.argmin(ends, axis=0), [low, high, s]))
+def _brackets(points: Array, near: Any, low: Array, high: Array, middle: Array, width: Array) -> tuple[Index, Array, Array, Array]:
+    """Return where the closest point may lie: pair, first guess, and ends of the bracket.
+
+    By arc length, distance changes by no more than the step. So a cell whose ends are d and e away comes nowhere closer than
+    (d + e - step) / 2, and is left out when a sample is closer than that. A cell as wide as `width` holds one closest point.
+    """
+    row = np.arange(low.size)
+    n = int(np.clip(np.ceil((high - low) / np.maximum(width, 1e-12)), 4, 64).max(initial=4))
+    grid = low[:, None] + (high - low)[:, None] * np.linspace(0.0, 1.0, n + 1)
+    at = near(np.repeat(row, n + 1), grid.ravel(), 0)[0].reshape(*grid.shape, -1)
+    away = np.sqrt(((at - points[:, None, :]) ** 2).sum(axis=2))
+    step = (high - low) / n
+    hope = away[:, :-1] + away[:, 1:] - step[:, None] <= 2.0 * away.min(axis=1, keepdims=True) + _SLACK
+    wide = step > width
+    # Among samples of the same distance the one nearest to the progress.
+    k = np.argmin(away**2 + 1e-18 * np.abs(grid - middle[:, None]), axis=1)
+    left, right = np.maximum(k - 1, 0), np.minimum(k + 1, n)
+    hope[row[~wide], left[~wide]] = False
+    hope[row[~wide], right[~wide] - 1] = False
+    pair, cell = np.nonzero(hope)
+    pair, a, b = _refine(points, near, pair, grid[pair, cell], grid[pair, cell + 1], width, away.min(axis=1))
+    mine = row[~wide]
+    return (
+        np.concatenate([mine, pair]),
+        np.concatenate([grid[mine, k[mine]], 0.5 * (a + b)]),
+        np.concatenate([grid[mine, left[mine]], a]),
+        np.concatenate([grid[mine, right[mine]], b]),
+    )
 
 
-def _newton(points: Array, at: Any, offset: Array, s: Array, a: Array, b: Array, most: int, enough: float) -> Array:
+def _refine(points: Array, near: Any, pair: Index, a: Array, b: Array, width: Array, best: Array) -> tuple[Index, Array, Array]:
+    """Divide cells until each holds one closest point at most; return those in which the distance turns from falling to rising."""
+    while pair.size and (split := b - a > width[pair]).any() and pair.size < _MOST_CELLS:
+        keep = ~split
+        ends = a[split, None] + (b - a)[split, None] * np.linspace(0.0, 1.0, 5)
+        owner = np.repeat(pair[split], 5)
+        away = np.sqrt(((near(owner, ends.ravel(), 0)[0] - points[owner]) ** 2).sum(axis=1)).reshape(-1, 5)
+        np.minimum.at(best, pair[split], away.min(axis=1))
+        hope = away[:, :-1] + away[:, 1:] - np.diff(ends, axis=1) <= 2.0 * best[pair[split], None] + _SLACK
+        i, j = np.nonzero(hope)
+        pair, a, b = (
+            np.concatenate([pair[keep], pair[split][i]]),
+            np.concatenate([a[keep], ends[i, j]]),
+            np.concatenate([b[keep], ends[i, j + 1]]),
+        )
+    slope = []
+    for s in (a, b):
+        r, first = near(pair, s, 1)
+        slope.append(np.einsum("ij,ij->i", first, r - points[pair]))
+    turns = (slope[0] <= 0.0) & (slope[1] >= 0.0)
+    return pair[turns], a[turns], b[turns]
+
+
+def _newton(points: Array, at: Any, pair: Index, s: Array, a: Array, b: Array, most: int, enough: float) -> Array:
     """Improve foot points on their curves, each within its bracket."""
+    mine = points[pair]
     for _ in range(most):
-        r, first, second = at(s + offset)
-        gap = r - points
+        r, first, second = at(pair, s, 2)
+        gap = r - mine
         g = np.einsum("ij,ij->i", first, gap)
         h = np.einsum("ij,ij->i", first, first) + np.einsum("ij,ij->i", second, gap)
         a, b = np.where(g < 0.0, s, a), np.where(g > 0.0, s, b)
@@ -218,7 +270,7 @@ def _table(path: Path) -> Any:
         return None
     held = path.__dict__.get("_near")
     if held is None:
-        held = path.__dict__["_near"] = path.table(1e-9)
+        held = path.__dict__["_near"] = path.table(1e-9 * min(path.length, 1.0))
     return held
 
 

@@ -233,7 +233,7 @@ def _run_of(result: Result, samples: NDArray[np.int64], curve: Arc, n_axis: int)
     letters = "XYZ"
     plane = "".join(letters[int(np.argmax(np.abs(axis)))] if n_axis <= 3 else "?" for axis in frame)
     # In the plane the sense is that of the first two axes, whichever way round the arc's own frame is.
-    turn = curve.sweep * np.linalg.det(frame) if n_axis == 2 else curve.sweep
+    turn = curve.sweep * float(np.linalg.det(frame)) if n_axis == 2 else curve.sweep
     name = f"{plane}, radius {curve.radius * 1e3:.6g} mm"
     return circle_figures(flat, np.zeros(2), curve.radius, turn < 0.0, name)
 

@@ -151,23 +151,31 @@ def _text_type() -> Any:
 def read_result(file: str | Path) -> Result:
     """Read a result; see `Result.load`."""
     import h5netcdf
+    import h5py
 
     try:
-        with h5netcdf.File(file, "r", decode_vlen_strings=True) as data:
-            header = {name: _plain(value) for name, value in data.attrs.items()}
-            if header.get("format") != "contourlab-result/1":
-                raise ResultError(f"{file}: is no result of contourlab (attribute format = {header.get('format')!r})")
-            axes = tuple(str(name) for name in data.variables["axis"][:])
-            signals = {
-                name: Signal(np.array(v[...]), tuple(v.dimensions), str(_plain(v.attrs["units"])))
-                for name, v in data.variables.items()
-                if name not in ("axis", "time")
-            }
+        # By h5py first: where the root of the file is damaged, h5netcdf fails again in its own clearing up.
+        with h5py.File(file, "r") as raw:
+            header = {name: _plain(value) for name, value in raw.attrs.items() if not name.startswith("_")}
+            _check_header(file, header)
+            with h5netcdf.File(raw, "r", decode_vlen_strings=True) as data:
+                axes = tuple(str(name) for name in data.variables["axis"][:])
+                signals = {
+                    name: Signal(np.array(v[...]), tuple(v.dimensions), str(_plain(v.attrs["units"])))
+                    for name, v in data.variables.items()
+                    if name not in ("axis", "time")
+                }
         return _assembled(header, axes, signals)
-    except KeyError as error:
-        raise ResultError(f"{file}: cannot be read as a result: {error.args[0]} is missing") from error
-    except (OSError, RuntimeError, TypeError, ValueError) as error:
+    except (OSError, KeyError, RuntimeError, TypeError, ValueError) as error:
         raise ResultError(f"{file}: cannot be read as a result: {error}") from error
+
+
+def _check_header(file: str | Path, header: Mapping[str, Any]) -> None:
+    if header.get("format") != "contourlab-result/1":
+        raise ResultError(f"{file}: is no result of contourlab (attribute format = {header.get('format')!r})")
+    missing = [name for name in _FIXED if name not in header]
+    if missing:
+        raise ResultError(f"{file}: cannot be read as a result: {missing[0]} is missing")
 
 
 def _assembled(header: Mapping[str, Any], axes: tuple[str, ...], signals: Mapping[str, Signal]) -> Result:
