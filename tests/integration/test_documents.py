@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import json
 import re
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
@@ -58,3 +60,27 @@ def test_every_contour_is_in_the_manual_with_its_parameters() -> None:
     rows = dict(re.findall(r"^\| `([a-z-]+)` \| (.*) \|$", (ROOT / "docs/scenario-files.md").read_text(encoding="utf-8"), re.MULTILINE))
     for name in contour_names():
         assert set(re.findall(r"`([a-z_]+)`", rows[name])) == set(contour_parameters(name)), name
+
+
+def test_the_tutorial_gives_the_figures_that_it_prints(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    from contourlab.cli.main import main
+
+    answers, compare = blocks("docs/tutorial.md", "toml")
+    (python,) = blocks("docs/tutorial.md", "python")
+    text = (ROOT / "docs/tutorial.md").read_text(encoding="utf-8")
+    (part,) = re.findall(r"^```\n; part.ngc\n(.*?)^```", text, re.MULTILINE | re.DOTALL)
+    for name, content in (("answers.toml", answers), ("compare.toml", compare), ("part.ngc", "; part.ngc\n" + part)):
+        (folder / name).write_text(content, encoding="utf-8")
+    commands = [line.split() for block in blocks("docs/tutorial.md", "sh") for line in block.splitlines()]
+    assert main(commands[0][1:]) == 0
+    assert "43.43 kg (68%)" in capsys.readouterr().out
+    assert main([*commands[1][1:-2], "50 um"]) == 1
+    verdict = re.search(r"base: FAIL, largest part error (\S+ um) against 50 um, at line (\d+)", capsys.readouterr().out)
+    assert verdict and verdict[0] in text
+    assert main(commands[2][1:]) == 1
+    summary = json.loads((folder / "results" / "summary.json").read_text(encoding="utf-8"))
+    for scheme, worst in re.findall(r"^\| ([^|]+?) \| ([\d.]+) um \|", text, re.MULTILINE):
+        assert f"{summary['schemes'][scheme]['metrics']['part_error']['max'] * 1e6:.3g}" == worst, scheme
+    scope: dict[str, Any] = {}
+    exec(compile(python, "tutorial.md", "exec"), scope)
+    assert f"{scope['batch'].figures['contour_error_max'][-1] * 1e6:.1f} um at 40 kg" in text

@@ -6,11 +6,12 @@ run), `values` (what comes out), `load` (the doors), `dump` and `toml_text` (the
 """
 
 from contourlab.scenario.dump import dump
-from contourlab.scenario.files import builtin_file, builtin_names
+from contourlab.scenario.files import BUILTIN, builtin_file, builtin_names
 from contourlab.scenario.load import load_axis, load_controller, load_machine, load_scenario, parse_scenario, scenario_from_parts
 from contourlab.scenario.values import Case, Contour, FeedSettings, Motion, Overrides, PartProgram, RunSettings, Scenario
 
 __all__ = [
+    "BUILTIN",
     "Case",
     "Contour",
     "FeedSettings",

@@ -36,6 +36,7 @@ def run_scenario(
     *,
     machine: str | Path | None = None,
     controller: str | Path | None = None,
+    tolerance: str | None = None,
     plugins: Sequence[str | Path] = (),
     check: bool = False,
     plots: Sequence[str] = (),
@@ -52,6 +53,8 @@ def run_scenario(
         Folder of the results.
     machine, controller : str or Path, optional
         Files, or names of shipped ones; both are wanted with a part program.
+    tolerance : str, optional
+        Largest part error of a part program that passes, as ``"25 um"``.
     plugins : sequence of str or Path
         Python files with components.
     check : bool
@@ -63,21 +66,25 @@ def run_scenario(
     progress : bool
         Whether to show a bar.
     """
-    from contourlab.scenario import load_scenario, scenario_from_parts
+    from contourlab.scenario import BUILTIN, load_scenario, scenario_from_parts
 
     path = Path(file)
-    if path.suffix.lower() == ".toml":
-        if machine is not None or controller is not None:
-            raise ScenarioError("a scenario names its own machine and controller: leave --machine and --controller out", file=path)
+    parts = {"--machine": machine, "--controller": controller, "--tolerance": tolerance}
+    shipped = str(file).startswith(BUILTIN) and path.suffix != ".ngc"
+    if shipped or path.suffix.lower() == ".toml":
+        for option, value in parts.items():
+            if value is not None:
+                raise ScenarioError(f"a scenario says this itself: leave {option} out", file=path)
         scenario = load_scenario(path, plugins=plugins)
     else:
         if machine is None or controller is None:
             raise ScenarioError("a part program needs --machine and --controller", file=path)
-        scenario = scenario_from_parts(path, machine, controller, plugins=plugins)
+        run = {} if tolerance is None else {"tolerance": tolerance}
+        scenario = scenario_from_parts(path, machine, controller, run=run, plugins=plugins)
     if check:
         return _checked(scenario)
     words = ["contourlab", "run", str(file)]
-    words += [w for option, value in (("--machine", machine), ("--controller", controller)) if value for w in (option, str(value))]
+    words += [word for option, value in parts.items() if value is not None for word in (option, str(value))]
     return run_session(scenario, out, command=shlex.join(words), plots=plots, signals=signals, progress=progress)
 
 

@@ -1,0 +1,212 @@
+"""What a user types or writes wrong: one line that says where, what, and what would be right; exit code 2; nothing written."""
+
+from __future__ import annotations
+
+import os
+import re
+from collections.abc import Iterable
+from pathlib import Path
+from typing import Any
+
+import pytest
+from typed_commands import CIRCLE, ON_XYZ, PART, SCHEMES, Run, contents
+
+RUBBISH = bytes(range(128, 256)) * 8
+
+SCENARIOS = {
+    "malformed": (CIRCLE.replace('name = "circle"', "name = [,,", 1), r"bad\.toml: .*line 1, column 9"),
+    "unknown key": (CIRCLE.replace("radius", "radios"), r"bad\.toml: contour\.radios: .*did you mean 'radius'\?"),
+    "unknown table": (CIRCLE + "[runs]\nseed = 1\n", r"bad\.toml: runs: unknown key.*run"),
+    "missing key": (CIRCLE.replace('frequency = "0.5 Hz"\n', ""), r'bad\.toml: feed: key frequency is missing: .*"0\.5 Hz"'),
+    "wrong unit": (CIRCLE.replace("20 mm", "20 kg"), r"bad\.toml: contour\.radius: '20 kg' cannot be converted to m"),
+    "no unit": (CIRCLE.replace('"20 mm"', "20"), r'bad\.toml: contour\.radius: 20 .*unit.*mm"'),
+    "zero length": (CIRCLE.replace("20 mm", "0 mm"), r"bad\.toml: contour: radius = 0\.0: must be > 0 m"),
+    "nan": (CIRCLE.replace('"20 mm"', "nan"), r"bad\.toml: contour\.radius: nan is not a finite number"),
+    "nan in text": (CIRCLE.replace("20 mm", "nan mm"), r"bad\.toml: contour\.radius: 'nan mm' is not a finite number"),
+    "negative mass": (
+        'controller = "builtin:xyz-controller"\nprogram = "part.ngc"\nmachine = {file = "builtin:xyz"}\n[axes.x]\nplant.mass = "-1 kg"\n',
+        r"bad\.toml: axes\.x\.plant\.mass: '-1 kg' is out of range: must be >=? 0 kg",
+    ),
+    "unknown component": (
+        CIRCLE + '[schemes.a.controller]\ncoupling.kind = "cross-coupling"\n',
+        r"bad\.toml: schemes\.a\.controller\.coupling\.kind: no coupling 'cross-coupling': .*modified-reference",
+    ),
+    "unknown part of a scheme": (
+        CIRCLE + "[schemes.a]\ncontour.radius = 3\n",
+        r"bad\.toml: schemes\.a\.contour: a scheme cannot change this: .*controller",
+    ),
+    "no such machine": (CIRCLE.replace("ghaffari/a3a1", "ghaffari/a3a9"), r"bad\.toml: machine: .*did you mean 'ghaffari/a3a"),
+    "no such program": (
+        'machine = "builtin:xyz"\ncontroller = "builtin:xyz-controller"\nprogram = "none.ngc"\n',
+        r"bad\.toml: program: none\.ngc: .*No such file",
+    ),
+    "binary": (RUBBISH, r"bad\.toml: is not UTF-8 text"),
+    "nothing in it": (b"", r"bad\.toml: 2 keys are missing: machine, controller"),
+}
+
+PROGRAMS = {
+    "unknown G-word": ("G21 G90\nG1 X1 F100\nG77 X3\nM2\n", r"bad\.ngc:3:1: G77 "),
+    "radii that differ": ("G21 G90\nG0 X0 Y0\nG2 X10 Y0 I4 J0 F100\nM2\n", r"bad\.ngc:3:\d+: the radius is 4 mm .* 6 mm .*: correct"),
+    "nan": ("G21 G90\nG1 Xnan F100\nM2\n", r"bad\.ngc:2:4: X has no number behind it: write for example X10"),
+    "no feedrate": ("G21 G90\nG1 X1\nM2\n", r"bad\.ngc:2:1: G1 without a feedrate: write F"),
+    "no end": ("G21 G90\nG1 X1 F100\n", r"bad\.ngc:2: the program has no end: add M2 or M30"),
+    "empty": ("", r"bad\.ngc: the program holds no motion"),
+    "no motion": ("G21 G90\nM2\n", r"bad\.ngc: the program holds no motion"),
+    "zero length": ("G21 G90\nG1 X0 Y0 F100\nM2\n", r"bad\.ngc: the program holds no motion"),
+    "rubbish": (RUBBISH, r"bad\.ngc:1:1: "),
+}
+
+
+QUICK = {
+    "malformed",
+    "unknown key",
+    "wrong unit",
+    "zero length",
+    "nan",
+    "negative mass",
+    "unknown G-word",
+    "radii that differ",
+    "empty",
+    "binary",
+}
+
+
+def cases(known: Iterable[str]) -> list[Any]:
+    """Return the names of cases; each costs a process, so that most are left to slow runs."""
+    return [name if name in QUICK else pytest.param(name, marks=pytest.mark.slow) for name in known]
+
+
+def one_line(text: str) -> str:
+    """Return what was said on standard error, which has to be a single line from the command."""
+    assert text.startswith("contourlab: ")
+    assert text.endswith("\n")
+    assert text.count("\n") == 1, text
+    return text[:-1]
+
+
+@pytest.mark.parametrize("name", cases(SCENARIOS))
+def test_a_wrong_scenario_is_one_line_and_2(contourlab: Run, tmp_path: Path, name: str) -> None:
+    content, pattern = SCENARIOS[name]
+    (tmp_path / "part.ngc").write_text(PART, encoding="utf-8")
+    (tmp_path / "bad.toml").write_bytes(content if isinstance(content, bytes) else content.encode())
+    said = contourlab("run", "bad.toml", "--out", "results")
+    assert (said.code, said.out) == (2, "")
+    assert re.search(pattern, one_line(said.err)), said.err
+    assert sorted(contents(tmp_path)) == ["bad.toml", "part.ngc"]
+    assert not (tmp_path / "results").exists()
+
+
+@pytest.mark.parametrize("name", cases(PROGRAMS))
+def test_a_wrong_program_is_one_line_and_2(contourlab: Run, tmp_path: Path, name: str) -> None:
+    content, pattern = PROGRAMS[name]
+    (tmp_path / "bad.ngc").write_bytes(content if isinstance(content, bytes) else content.encode())
+    said = contourlab("run", "bad.ngc", *ON_XYZ, "--out", "results")
+    assert (said.code, said.out) == (2, "")
+    assert re.search(pattern, one_line(said.err)), said.err
+    assert [path.name for path in tmp_path.iterdir()] == ["bad.ngc"]
+
+
+WRONG_NAMES = [
+    (["none.toml"], r"none\.toml: cannot be read: No such file"),
+    (["folder.toml"], r"folder\.toml: cannot be read: "),
+    (["folder.ngc", *ON_XYZ], r"folder\.ngc: .*cannot be read"),
+    (["part.ngc", "--machine", "xyz"], r"part\.ngc: a part program needs --machine and --controller"),
+    (["circle.toml", "--machine", "xyz"], r"circle\.toml: .*leave --machine out"),
+    (["part.ngc", "--machine", "xyzz", "--controller", "xyz-controller"], r"machine: .*xyzz.*did you mean 'xyz'"),
+    (["circle.toml", "--plugin", "none.py"], r"none\.py: no Python file"),
+    (["circle.toml", "--plugin", "empty.py"], r"empty\.py: defines no component"),
+]
+
+
+@pytest.mark.parametrize(
+    ("words", "pattern"),
+    [
+        (["none.ngc", *ON_XYZ], r"none\.ngc: .*No such file"),
+        (["part.ngc"], r"part\.ngc: a part program needs --machine and --controller"),
+        *(pytest.param(*case, marks=pytest.mark.slow) for case in WRONG_NAMES),
+    ],
+)
+def test_wrong_names_are_one_line_and_2(contourlab: Run, tmp_path: Path, words: list[str], pattern: str) -> None:
+    for folder in ("folder.toml", "folder.ngc"):
+        (tmp_path / folder).mkdir()
+    (tmp_path / "circle.toml").write_text(CIRCLE, encoding="utf-8")
+    (tmp_path / "part.ngc").write_text(PART, encoding="utf-8")
+    (tmp_path / "empty.py").write_text("import math\n", encoding="utf-8")
+    said = contourlab("run", *words, "--out", "results")
+    assert (said.code, said.out) == (2, "")
+    assert re.search(pattern, one_line(said.err)), said.err
+    assert not (tmp_path / "results").exists()
+
+
+@pytest.mark.parametrize(
+    ("words", "wrong"),
+    [
+        (["run", "circle.toml", "--outt", "results"], "--outt"),
+        (["run"], "SCENARIO|PART"),
+        (["run", "circle.toml", "another.toml"], "another.toml"),
+        (["runn"], "runn"),
+        (["demo", "now"], "now"),
+    ],
+)
+def test_wrong_usage_says_where_help_is(contourlab: Run, tmp_path: Path, words: list[str], wrong: str) -> None:
+    said = contourlab(*words)
+    assert (said.code, said.out) == (2, "")
+    message, advice = said.err.splitlines()
+    assert wrong in message
+    assert re.fullmatch(r"Try 'contourlab( run| demo)? --help'\.", advice)
+    assert not any(tmp_path.iterdir())
+
+
+@pytest.mark.parametrize("out", ["file/below", *(pytest.param(name, marks=pytest.mark.slow) for name in ("file", "file/below/that"))])
+def test_an_output_folder_that_cannot_be_is_found_before_the_run(contourlab: Run, tmp_path: Path, out: str) -> None:
+    (tmp_path / "circle.toml").write_text(CIRCLE, encoding="utf-8")
+    (tmp_path / "file").write_text("a file of the user", encoding="utf-8")
+    said = contourlab("run", "circle.toml", "--out", out)
+    assert (said.code, said.out) == (2, "")
+    assert re.search(rf"{re.escape(str(Path(out)))}: cannot be written: .*; choose another folder with --out", one_line(said.err))
+    assert (tmp_path / "file").read_text(encoding="utf-8") == "a file of the user"
+
+
+@pytest.mark.slow
+@pytest.mark.skipif(not Path("/proc/self").exists(), reason="no file system here that nobody can write to, whoever runs the tests")
+def test_a_file_system_that_refuses_files_is_2(contourlab: Run, tmp_path: Path) -> None:
+    (tmp_path / "circle.toml").write_text(CIRCLE, encoding="utf-8")
+    said = contourlab("run", "circle.toml", "--out", "/proc/self/results")
+    assert (said.code, said.out) == (2, "")
+    assert "/proc/self/results: cannot be written" in one_line(said.err)
+
+
+@pytest.mark.skipif(os.name == "nt" or not hasattr(os, "geteuid") or os.geteuid() == 0, reason="root may write anywhere")
+def test_a_folder_without_permission_is_2(contourlab: Run, tmp_path: Path) -> None:
+    (tmp_path / "circle.toml").write_text(CIRCLE, encoding="utf-8")
+    (tmp_path / "locked").mkdir(mode=0o500)
+    said = contourlab("run", "circle.toml", "--out", "locked")
+    assert said.code == 2
+    assert "locked: cannot be written: Permission denied" in one_line(said.err)
+
+
+WILD = """
+[schemes.wild]
+machine = {file = "builtin:ghaffari/a3a1"}
+axes.3.drive.limit = "1e6 full_scale"
+axes.3.limits.following_error = "5 mm"
+controller.axes.3.controller.position_gain = "4000 full_scale/mm"
+"""
+
+
+@pytest.mark.parametrize("words", [[], pytest.param(["--json"], marks=pytest.mark.slow)])
+def test_a_loop_that_runs_away_is_3_and_leaves_the_old_results(contourlab: Run, tmp_path: Path, words: list[str]) -> None:
+    (tmp_path / "wild.toml").write_text(CIRCLE + SCHEMES + WILD, encoding="utf-8")
+    old = tmp_path / "results" / "summary.json"
+    old.parent.mkdir()
+    old.write_text("an older run", encoding="utf-8")
+    said = contourlab("run", "wild.toml", "--out", "results", *words)
+    assert (said.code, said.out) == (3, "")
+    found = re.search(r"following error ([\d.]+) mm passes the limit of 5 mm \(axis 3, sample (\d+), t = ([\d.]+) s\)", one_line(said.err))
+    assert found
+    gap, sample, time = (float(group) for group in found.groups())
+    assert gap > 5.0
+    assert time == pytest.approx(sample * 1e-3)
+    assert 0 < sample < 100  # it runs away at once
+    assert contents(old.parent).keys() == {"summary.json"}
+    assert old.read_text(encoding="utf-8") == "an older run"
