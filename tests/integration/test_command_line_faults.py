@@ -145,6 +145,7 @@ def test_wrong_names_are_one_line_and_2(contourlab: Run, tmp_path: Path, words: 
         (["run"], "SCENARIO|PART"),
         (["run", "circle.toml", "another.toml"], "another.toml"),
         (["runn"], "runn"),
+        (["run", "circle.toml", "--out"], "--out"),
         (["demo", "now"], "now"),
     ],
 )

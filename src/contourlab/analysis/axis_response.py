@@ -126,10 +126,12 @@ def axis_response(
     gains = {name: transfer(_model(controller.controller), s)[:, 0, i] for i, name in enumerate(_model(controller.controller).inputs)}
     drive = _drive(axis.drive, s, servo_period)
 
-    # Command per applied command with the reference at rest, and per load with the applied command at rest.
+    # Command per applied command with the reference at rest.
     estimate = of_velocity * measured + of_applied
     back = gains["position"] * position + gains["velocity"] * measured + gains["disturbance_estimate"] * estimate
-    load_back = gains["position"] * position_load + (gains["velocity"] + gains["disturbance_estimate"] * of_velocity) * measured_load
+    inside = 1.0 - drive * gains["disturbance_estimate"] * of_applied
+    # Zero for a single mass, whose load acts where its drive does. Put together like this nothing large cancels at low frequencies.
+    apart = (gains["velocity"] + gains["disturbance_estimate"] * of_velocity) * (measured_load * position - measured * position_load)
     forward = gains["reference"] + s * gains["reference_velocity"] + s * s * gains["reference_acceleration"]
     applied = drive / (1.0 - drive * back)
     inner = drive / (1.0 - drive * gains["disturbance_estimate"] * estimate)
@@ -138,7 +140,7 @@ def axis_response(
         closed_loop=position * applied * forward,
         modified=position * applied * gains["reference"],
         loop_gain=-drive * back,
-        compliance=position_load + position * applied * load_back,
+        compliance=(position_load * inside + drive * apart) / (1.0 - drive * back),
         compensated=velocity * inner,
     )
 

@@ -24,7 +24,7 @@ def tick_matrix(schedule: Schedule) -> Array:
     Parameters
     ----------
     schedule : Schedule
-        Of linear steps; constants that a step adds of its own are taken out.
+        Of linear steps, each run at every tick; constants that a step adds of its own are taken out.
     """
     group = make_group(schedule, 1, slice(0, 1), False)
     parts = [*group.state, *group.rings, group.signals]
@@ -43,16 +43,21 @@ def tick_matrix(schedule: Schedule) -> Array:
 def spectral_radius(schedule: Schedule) -> float:
     """Return the largest magnitude of the poles of the sampled loop: below 1 it is stable.
 
-    States that only remember what they were given at the start (where an axis stood, what the watch has noted) are no part of the loop.
+    States that only remember what they were given at the start (where an axis stood, what the watch has noted), and those that sum up
+    what nothing reads (an integral without a gain), are no part of the loop.
     """
     matrix = tick_matrix(schedule)
-    moves = np.any(matrix != np.eye(len(matrix)), axis=1)
+    apart = matrix != np.eye(len(matrix))
+    moves = apart.any(axis=1) & apart.any(axis=0)
     return float(np.abs(np.linalg.eigvals(matrix[np.ix_(moves, moves)])).max(initial=0.0))
 
 
 def _after(group: Group, parts: list[Array], zero: Array) -> Array:
     group.tick = 0
     group.run(zero, [])
+    # Rings are written round and round: turned back by one, they stand at the next tick as they stood at this one.
+    for ring in group.rings:
+        ring[:] = np.roll(ring, -1, axis=0)
     return np.concatenate([part.ravel() for part in parts])
 
 

@@ -6,9 +6,11 @@ imported here; what a command needs is imported when it runs, so that ``--help``
 
 from __future__ import annotations
 
+import os
 import sys
 from collections.abc import Sequence
-from typing import Annotated, NoReturn
+from pathlib import Path
+from typing import Annotated
 
 import typer
 
@@ -20,7 +22,7 @@ from contourlab.cli.commands.run import run as run_command
 from contourlab.cli.output import say, silence
 from contourlab.errors import ContourlabError
 
-__all__ = ["app", "main", "run"]
+__all__ = ["app", "main"]
 
 NAME = "contourlab"
 BAD_INPUT, INTERNAL, INTERRUPTED = 2, 70, 130
@@ -57,11 +59,6 @@ def _options(
     """
 
 
-def run() -> NoReturn:
-    """Run the command line and leave the process with its exit code."""
-    sys.exit(main())
-
-
 def main(arguments: Sequence[str] | None = None) -> int:
     """Run one command.
 
@@ -76,6 +73,8 @@ def main(arguments: Sequence[str] | None = None) -> int:
         The exit code: see the module's text.
     """
     given, debug = _take_debug(sys.argv[1:] if arguments is None else arguments)
+    # A stream that came closed is None: what is said there goes nowhere, and no file of ours takes its place.
+    sys.stdout, sys.stderr = (stream or Path(os.devnull).open("w") for stream in (sys.stdout, sys.stderr))  # noqa: SIM115
     for stream in (sys.stdout, sys.stderr):
         if hasattr(stream, "reconfigure"):  # a terminal that cannot show a sign shows a question mark instead of failing
             stream.reconfigure(errors="replace")
@@ -122,11 +121,13 @@ def _explain(error: BaseException, debug: bool) -> int:
     elif isinstance(error, typer.TyperException):
         context = getattr(error, "ctx", None)
         place = context.command_path if context is not None else NAME
-        lines = [f"{NAME}: {error.format_message()}", f"Try '{place} --help'."]
+        lines = [f"{NAME}: {error.format_message() or 'a command is missing'}", f"Try '{place} --help'."]
     elif isinstance(error, OSError):
         lines = [f"{NAME}: {error.filename or 'standard output'}: {error.strerror or error}"]
         if error.filename is None:
             silence()  # what is left in the buffer would fail again at exit
+    elif isinstance(error, MemoryError):
+        lines = [f"{NAME}: not enough memory: {error or 'a smaller run is wanted'}; take fewer laps or schemes, or a longer servo period"]
     else:
         code, lines = INTERNAL, [f"{NAME}: internal error: {type(error).__name__}: {error}"]
         if not debug:

@@ -101,6 +101,8 @@ class Parameter:
     def check(self, value: Any) -> Any:
         """Return the value if it is in range: a float, a word, or a tuple of floats for a vector.
 
+        Infinity is for parameters whose default it is, where it says that there is no limit.
+
         Raises
         ------
         ParameterError
@@ -112,16 +114,31 @@ class Parameter:
             return str(value)
         if self.vector:
             if isinstance(value, str) or not hasattr(value, "__len__") or len(value) == 0:
-                raise ParameterError(self.name, repr(value), "a list of numbers", self.unit)
+                raise ParameterError(self.name, repr(value), "a list of numbers", self._unit_in_words)
             scalar = replace(self, vector=False)
             return tuple(scalar.check(item) for item in value)
         if isinstance(value, bool | str) or not isinstance(value, float | int | np.floating | np.integer):
-            raise ParameterError(self.name, repr(value), "a number", self.unit)
-        number = float(value)
+            raise ParameterError(self.name, repr(value), "a number", self._unit_in_words)
+        try:
+            number = float(value)
+        except OverflowError:  # a whole number that no float can hold
+            number = math.inf if value > 0 else -math.inf
+        if not math.isfinite(number) and number != self.default:
+            raise ParameterError(self.name, f"{number:g}", " and ".join(filter(None, ("finite", self.bound))), self._unit_in_words)
         low = number <= self.minimum if self.exclusive else number < self.minimum
-        if math.isnan(number) or low or number > self.maximum or (self.whole and number != round(number)):
-            raise ParameterError(self.name, f"{number:g}", self.bound, self.unit)
+        if low or number > self.maximum or (self.whole and number != round(number)):
+            raise ParameterError(self.name, f"{number:g}", self.bound, self._unit_in_words)
         return number
+
+    @property
+    def _unit_in_words(self) -> str:
+        """The unit where the plant is not known."""
+        return self.unit.format(command="command", force="force")
+
+    @property
+    def needed(self) -> str:
+        """What is to be given, in words, where nothing was."""
+        return f"given{', ' if self.bound else ''}{self.bound}{' ' if self._unit_in_words else ''}{self._unit_in_words}"
 
     @property
     def bound(self) -> str:
@@ -247,7 +264,7 @@ class Component:
         for name, parameter in self.parameters.items():
             value = values.get(name, parameter.default)
             if value is None:
-                raise ParameterError(f"{self.kind}.{name}", "not given", parameter.bound or "given", parameter.unit)
+                raise ParameterError(f"{self.kind}.{name}", "not given", parameter.needed)
             object.__setattr__(self, name, parameter.check(value))
 
     def __setattr__(self, name: str, value: object) -> None:

@@ -42,7 +42,10 @@ def _built_in() -> dict[tuple[str, str], type[Component]]:
             loaded = entry.load()
         except Exception as error:  # whatever a stranger's package raises on import is reported with its name
             raise ComponentError(f"entry point {entry.name} = {entry.value} cannot be loaded: {error}") from error
-        for kind in _declared(loaded) if isinstance(loaded, ModuleType) else [loaded]:
+        kinds = _declared(loaded) if isinstance(loaded, ModuleType) else [loaded]
+        if not kinds:
+            raise ComponentError(f"entry point {entry.name}: defines no component (a subclass of Component with family and kind)")
+        for kind in kinds:
             _add(found, kind, f"entry point {entry.name}")
     return found
 
@@ -52,17 +55,19 @@ def _add(found: dict[tuple[str, str], type[Component]], kind: type[Component], w
         raise ComponentError(f"{where}: {kind!r} is no component: a class with family and kind is wanted")
     key = (kind.family, kind.kind)
     if key in found and found[key] is not kind:
-        raise ComponentError(f"{where}: there is a {kind.family} named {kind.kind!r} already ({found[key].__module__})")
+        raise ComponentError(
+            f"{where}: there is a {kind.family} named {kind.kind!r} already ({found[key].__module__}); give this one another kind"
+        )
     found[key] = kind
 
 
 def load_plugin(file: str | Path) -> list[type[Component]]:
-    """Load the components of a loose Python file; return them.
+    """Load the components of a loose Python file; return them. A file that is loaded again takes its own place.
 
     Raises
     ------
     ComponentError
-        If the file cannot be imported or defines no component.
+        If the file cannot be imported, defines no component, or one whose name is taken; then none of it is kept.
     """
     path = Path(file).resolve()
     name = f"contourlab_plugin_{path.stem}_{abs(hash(str(path))):x}"
@@ -73,16 +78,18 @@ def load_plugin(file: str | Path) -> list[type[Component]]:
     sys.modules[name] = module
     try:
         spec.loader.exec_module(module)
-    except Exception as error:  # a plug-in may raise anything; its name belongs in the message
-        del sys.modules[name]
+    except (Exception, SystemExit) as error:  # a plug-in may raise anything; its name belongs in the message
+        sys.modules.pop(name, None)
         raise ComponentError(f"{file}: cannot be imported: {type(error).__name__}: {error}") from error
     kinds = _declared(module)
     if not kinds:
         raise ComponentError(f"{file}: defines no component (a subclass of Component with family and kind)")
+    known = {**_built_in(), **{key: kind for key, kind in _plugins.items() if kind.__module__ != name}}
     for kind in kinds:
-        known = {**_built_in(), **_plugins}
         _add(known, kind, str(file))
-        _plugins[(kind.family, kind.kind)] = kind
+    for key in [key for key, kind in _plugins.items() if kind.__module__ == name]:
+        del _plugins[key]
+    _plugins.update({(kind.family, kind.kind): kind for kind in kinds})
     return kinds
 
 

@@ -15,6 +15,7 @@ from functools import cache
 from typing import Any
 
 from numba import cfunc, njit, types
+from numba.core.errors import NumbaError
 
 from contourlab import primitives
 from contourlab.engine import intrinsics, memory, store, tuples
@@ -173,7 +174,16 @@ def _compile(step: Step, width: int) -> Any:
         Clock=primitives.Clock,
     )
     exec(compile(wrapper_source(step, width), f"<{step.name}>", "exec"), scope)
-    return cfunc(STEP_SIGNATURE, **OPTIONS)(scope["component"])
+    try:
+        return cfunc(STEP_SIGNATURE, **OPTIONS)(scope["component"])
+    except NumbaError as error:
+        raise EngineError(f"{step.name} cannot be compiled: {_first_words(error)}") from error
+
+
+def _first_words(error: NumbaError) -> str:
+    """Return the line of a compiler's message that says what is wrong; those before it say where it was at the time."""
+    lines = [line.strip() for line in str(error).splitlines() if line.strip()]
+    return next((line for line in lines if not line.startswith(("Failed in ", "During:", "File "))), type(error).__name__)
 
 
 @cache

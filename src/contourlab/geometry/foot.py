@@ -14,17 +14,15 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from contourlab.errors import GeometryError
-from contourlab.geometry.arc import Arc
-from contourlab.geometry.line import Line
 from contourlab.geometry.path import Path
+from contourlab.geometry.search import Bends, brackets
+from contourlab.geometry.table import PathTable
 
 __all__ = ["FootPoint", "foot_point"]
 
 Array = NDArray[np.float64]
 Index = NDArray[np.int64]
 _CHUNK = 1 << 17
-_MOST_CELLS = 1 << 21
-_SLACK = 1e-8  # m: more than the table is off
 
 
 class FootPoint(NamedTuple):
@@ -171,15 +169,24 @@ def _on_curves(path: Path, points: Array, curve: Index, low: Array, high: Array,
     All but the last steps are taken on the path's table, which is far cheaper than a spline by arc length and differs by a nanometre.
     """
     offset = path.breaks[curve]
-    table = _table(path)
+    table, bends = _near(path)
+    # At a joint the table already has the direction of the curve that begins there.
+    last = path.breaks[curve + 1] * (1.0 - 1e-15)
 
     def near(pair: Index, s: Array, order: int) -> Array:
-        return np.asarray(table.evaluate(s + offset[pair], order) if table is not None else path._at(curve[pair], s, order))
+        return np.asarray(
+            table.evaluate(np.minimum(s + offset[pair], last[pair]), order) if table is not None else path._at(curve[pair], s, order)
+        )
 
     def exact(pair: Index, s: Array, order: int) -> Array:
         return path._at(curve[pair], s, order)
 
-    pair, s, a, b = _brackets(points, near, low, high, middle, 0.35 * _smallest_radii(path)[curve])
+    def width(pair: Index, a: Array, b: Array) -> Array:
+        start = offset[pair]
+        bend = bends.largest(a + start, b + start) if bends is not None else 1.0 / _radii(path)[curve[pair]]
+        return 0.35 / np.maximum(bend, 1e-300)
+
+    pair, s, a, b = brackets(points, near, width, low, high, middle)
     s = _newton(points, near, pair, s, a, b, 60, 1e-12 * path.length)
     reach = 1e-7 * path.length
     fine = _newton(points, exact, pair, s, np.maximum(s - reach, low[pair]), np.minimum(s + reach, high[pair]), 3, 1e-15 * path.length)
@@ -191,59 +198,6 @@ def _on_curves(path: Path, points: Array, curve: Index, low: Array, high: Array,
     pair, s = np.concatenate([row, row, pair]), np.concatenate([low, high, fine])
     square = ((exact(pair, s, 0)[0] - points[pair]) ** 2).sum(axis=1)
     return np.asarray(s[_nearest(pair, square, np.abs(s - middle[pair]), curve.size)])
-
-
-def _brackets(points: Array, near: Any, low: Array, high: Array, middle: Array, width: Array) -> tuple[Index, Array, Array, Array]:
-    """Return where the closest point may lie: pair, first guess, and ends of the bracket.
-
-    By arc length, distance changes by no more than the step. So a cell whose ends are d and e away comes nowhere closer than
-    (d + e - step) / 2, and is left out when a sample is closer than that. A cell as wide as `width` holds one closest point.
-    """
-    row = np.arange(low.size)
-    n = int(np.clip(np.ceil((high - low) / np.maximum(width, 1e-12)), 4, 64).max(initial=4))
-    grid = low[:, None] + (high - low)[:, None] * np.linspace(0.0, 1.0, n + 1)
-    at = near(np.repeat(row, n + 1), grid.ravel(), 0)[0].reshape(*grid.shape, -1)
-    away = np.sqrt(((at - points[:, None, :]) ** 2).sum(axis=2))
-    step = (high - low) / n
-    hope = away[:, :-1] + away[:, 1:] - step[:, None] <= 2.0 * away.min(axis=1, keepdims=True) + _SLACK
-    wide = step > width
-    # Among samples of the same distance the one nearest to the progress.
-    k = np.argmin(away**2 + 1e-18 * np.abs(grid - middle[:, None]), axis=1)
-    left, right = np.maximum(k - 1, 0), np.minimum(k + 1, n)
-    hope[row[~wide], left[~wide]] = False
-    hope[row[~wide], right[~wide] - 1] = False
-    pair, cell = np.nonzero(hope)
-    pair, a, b = _refine(points, near, pair, grid[pair, cell], grid[pair, cell + 1], width, away.min(axis=1))
-    mine = row[~wide]
-    return (
-        np.concatenate([mine, pair]),
-        np.concatenate([grid[mine, k[mine]], 0.5 * (a + b)]),
-        np.concatenate([grid[mine, left[mine]], a]),
-        np.concatenate([grid[mine, right[mine]], b]),
-    )
-
-
-def _refine(points: Array, near: Any, pair: Index, a: Array, b: Array, width: Array, best: Array) -> tuple[Index, Array, Array]:
-    """Divide cells until each holds one closest point at most; return those in which the distance turns from falling to rising."""
-    while pair.size and (split := b - a > width[pair]).any() and pair.size < _MOST_CELLS:
-        keep = ~split
-        ends = a[split, None] + (b - a)[split, None] * np.linspace(0.0, 1.0, 5)
-        owner = np.repeat(pair[split], 5)
-        away = np.sqrt(((near(owner, ends.ravel(), 0)[0] - points[owner]) ** 2).sum(axis=1)).reshape(-1, 5)
-        np.minimum.at(best, pair[split], away.min(axis=1))
-        hope = away[:, :-1] + away[:, 1:] - np.diff(ends, axis=1) <= 2.0 * best[pair[split], None] + _SLACK
-        i, j = np.nonzero(hope)
-        pair, a, b = (
-            np.concatenate([pair[keep], pair[split][i]]),
-            np.concatenate([a[keep], ends[i, j]]),
-            np.concatenate([b[keep], ends[i, j + 1]]),
-        )
-    slope = []
-    for s in (a, b):
-        r, first = near(pair, s, 1)
-        slope.append(np.einsum("ij,ij->i", first, r - points[pair]))
-    turns = (slope[0] <= 0.0) & (slope[1] >= 0.0)
-    return pair[turns], a[turns], b[turns]
 
 
 def _newton(points: Array, at: Any, pair: Index, s: Array, a: Array, b: Array, most: int, enough: float) -> Array:
@@ -264,23 +218,22 @@ def _newton(points: Array, at: Any, pair: Index, s: Array, a: Array, b: Array, m
     return s
 
 
-def _table(path: Path) -> Any:
-    """Return the path's table where it has curves without a closed form by arc length; made once."""
+def _near(path: Path) -> tuple[PathTable | None, Bends | None]:
+    """Return the path's table where it has curves without a closed form by arc length, and its curvatures; made once."""
     if not np.any(path._kind == 2):
-        return None
-    held = path.__dict__.get("_near")
+        return None, None
+    held: Any = path.__dict__.get("_near")
     if held is None:
-        held = path.__dict__["_near"] = path.table(1e-9 * min(path.length, 1.0))
-    return held
+        table = path.table(1e-9 * min(path.length, 1.0))
+        held = path.__dict__["_near"] = (table, Bends(table))
+    return held  # type: ignore[no-any-return]
 
 
-def _smallest_radii(path: Path) -> Array:
+def _radii(path: Path) -> Array:
+    """Return the smallest radius of each curve; made once."""
     held: Any = path.__dict__.get("_radii")
     if held is None:
-        held = np.array(
-            [np.inf if isinstance(c, Line) else c.smallest_radius() if not isinstance(c, Arc) else c.radius for c in path.curves]
-        )
-        path.__dict__["_radii"] = held
+        held = path.__dict__["_radii"] = np.array([curve.smallest_radius() for curve in path.curves])
     return np.asarray(held)
 
 

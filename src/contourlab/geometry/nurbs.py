@@ -41,7 +41,10 @@ class _Spline:
 
 
 def _checked(degree: int, points: ArrayLike, knots: ArrayLike) -> tuple[Array, Array]:
-    c, t = np.array(points, dtype=float), np.array(knots, dtype=float)
+    try:
+        c, t = np.array(points, dtype=float), np.array(knots, dtype=float)
+    except (TypeError, ValueError):
+        c, t = np.empty(0), np.empty(0)
     if c.ndim != 2 or not (np.isfinite(c).all() and np.isfinite(t).all()):
         raise GeometryError("control points must be finite and of the shape (n, n_axis), knots finite")
     if degree < 1 or len(c) <= degree or t.shape != (len(c) + degree + 1,):
@@ -104,7 +107,8 @@ class Nurbs(Parametric):
         if self.weights.shape != (len(self.points),) or not (np.isfinite(self.weights).all() and (self.weights > 0.0).all()):
             raise GeometryError("one weight > 0 for each control point is wanted")
         self.n_axis = self.points.shape[1]
-        lifted = np.column_stack([self.points * self.weights[:, None], self.weights])
+        # Held from the first point, so that a small curve far from the origin keeps its digits.
+        lifted = np.column_stack([(self.points - self.points[0]) * self.weights[:, None], self.weights])
         self._spline = _Spline(self.degree, lifted, self.knots)
         self.first, self.last = float(self.knots[self.degree]), float(self.knots[len(self.points)])
         self.measure()
@@ -121,6 +125,7 @@ class Nurbs(Parametric):
         for k in range(order + 1):
             rest = a[k] - sum((binomial[k][i] * w[i] * found[k - i] for i in range(1, k + 1)), np.zeros_like(a[k]))
             found.append(rest / w[0])
+        found[0] = found[0] + self.points[0]
         return np.array(found)
 
     def describe(self) -> tuple[object, ...]:

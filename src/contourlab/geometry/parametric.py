@@ -70,7 +70,9 @@ class Parametric(Curve):
         """Refuse corners, gaps and points of rest inside the curve: by arc length they would be jumps that no one is told of."""
         name, slow = type(self).__name__, self._speed(self._knots) <= 1e-6 * self.length / (self.last - self.first)
         if slow.any():
-            raise GeometryError(f"{name} stands still at parameter {self._knots[int(np.argmax(slow))]:.9g}: a cusp, or points that coincide")
+            raise GeometryError(
+                f"{name} stands still at parameter {self._knots[int(np.argmax(slow))]:.9g}: a cusp, or points that coincide"
+            )
         inner = self.joints()[1:-1]
         before, after = self.raw(np.nextafter(inner, -np.inf), 1), self.raw(inner, 1)
         for what, jump in (
@@ -78,7 +80,9 @@ class Parametric(Curve):
             ("corner", np.linalg.norm(_unit(after[1]) - _unit(before[1]), axis=1) > 1e-6),
         ):
             if jump.any():
-                raise GeometryError(f"{name} has a {what} inside, at parameter {inner[int(np.argmax(jump))]:.9g}: make it two curves of a path")
+                raise GeometryError(
+                    f"{name} has a {what} inside, at parameter {inner[int(np.argmax(jump))]:.9g}: make it two curves of a path"
+                )
 
     def _speed(self, u: Array) -> Array:
         return np.asarray(np.linalg.norm(self.raw(u.ravel(), 1)[1], axis=1).reshape(u.shape))
@@ -141,6 +145,12 @@ class Parametric(Curve):
         for k in range(_TERMS - 1, 0, -1):
             b1, b2 = 2.0 * x * b1 - b2 + c[:, k], b1
         return np.asarray(np.clip(x * b1 - b2 + c[:, 0], self.first, self.last))
+
+    def smallest_radius(self) -> float:
+        # The stretches are short where the curve turns sharply; samples evenly spread would step over a cusp-like tail.
+        u = (self._knots[:-1, None] + np.diff(self._knots)[:, None] * np.linspace(0.0, 1.0, 17)).ravel()
+        bend = float(np.linalg.norm(by_arc_length(self.raw(u, 2), 2)[2], axis=1).max())
+        return 1.0 / bend if bend > 0.0 else float("inf")
 
     def derivatives(self, s: ArrayLike, order: int = 3) -> Array:
         return by_arc_length(self.raw(self.parameter(s), max(order, 1)), order)

@@ -136,6 +136,10 @@ def _bisect(curve: Curve, tolerance: float, longest: float) -> tuple[Array, floa
     part = np.arange(n.sum()) - np.repeat(np.cumsum(n) - n, n)
     marks = np.append(np.repeat(marks[:-1], n) + part * np.repeat(np.diff(marks) / n, n), curve.length)
     left, right = marks[:-1], marks[1:]
+    # Below the digits of the curve itself, halving would go on for ever.
+    digits = 1e-13 * curve.length + 16.0 * np.finfo(float).eps * float(np.abs(curve.position(marks)).max())
+    if tolerance < digits:
+        raise GeometryError(f"{type(curve).__name__}: no table of quintic pieces reaches {tolerance:g} m; {digits:.2g} m is within reach")
     done: list[Array] = []
     worst = 0.0
     for _ in range(40):

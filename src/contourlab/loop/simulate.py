@@ -107,7 +107,8 @@ def simulate(
         if progress is not None:
             progress(done)
     if not status.ok and on_failure == "raise":
-        raise DivergenceError(status.reason, sample=status.sample, time=status.sample * machine.servo_period, axis=status.axis)
+        reason = status.reason if scheme == "base" else f"{scheme}: {status.reason}"
+        raise DivergenceError(reason, sample=status.sample, time=status.sample * machine.servo_period, axis=status.axis)
     joined = blocks[0] if len(blocks) == 1 else {name: np.concatenate([block[name] for block in blocks]) for name in blocks[0]}
     return result_of(machine, reference, joined, status, scheme=scheme, seed=seed)
 

@@ -90,18 +90,16 @@ class _Builder:
     def add(self, name: str, part: Component, prefix: str, wires: Mapping[str, Any], at: float = 0.0) -> None:
         """Add the node of a component of one axis."""
         initial, start = part.at_rest(at)
-        self.nodes.append(
-            Node(
-                name,
-                part.make_step(len(self.names)),
-                wires,
-                part.block(self.period, self.changed(prefix)),
-                part.table_values(),
-                initial,
-                start,
-                part.ring_length(self.period),
-            )
-        )
+        changed = self.changed(prefix)
+        step, values = part.make_step(len(self.names)), part.block(self.period, changed)
+        self.nodes.append(Node(name, step, wires, values, part.table_values(), initial, start, self.ring_length(part, changed)))
+
+    def ring_length(self, part: Component, changed: Mapping[str, Array]) -> int:
+        """Return how much of its past a component keeps, so that it is enough for every variant."""
+        lengths = [part.ring_length(self.period)]
+        for name, values in changed.items() if part.ring else ():
+            lengths += [part.replace(**{name: float(extreme)}).ring_length(self.period) for extreme in (values.min(), values.max())]
+        return max(lengths)
 
     # --- slots -------------------------------------------------------------------------------------------------------------------
 
@@ -151,6 +149,7 @@ class _Builder:
         for j, (axis, at) in enumerate(zip(self.machine.axes, self.start, strict=True)):
             name, mine = axis.name, self.controller.axes[axis.name]
             applied = Late(f"{name}.drive.applied")
+            late = any(port.name == "accepted" for port in axis.drive.outputs)
             if mine.observer is not None:
                 wires = {"velocity": self.velocity(name), "applied": applied}
                 self.add(f"{name}.observer", mine.observer, f"controller.axes.{name}.observer", wires)
@@ -162,6 +161,7 @@ class _Builder:
                 "velocity": self.velocity(name),
                 "disturbance_estimate": f"{name}.observer.disturbance_estimate" if mine.observer is not None else 0.0,
                 "applied": applied,
+                "accepted": Late(f"{name}.drive.accepted") if late else applied,
             }
             wires = {port.name: offered[port.name] for port in mine.controller.inputs}
             self.add(f"{name}.controller", mine.controller, f"controller.axes.{name}.controller", wires, float(at))

@@ -143,13 +143,14 @@ def _verdict(scheme: Any, index: int, count: int) -> dict[str, Any] | None:
         "causes": [
             {
                 "name": cause.name,
-                "value": quantity(cause.contribution, "µm", 1e6),
+                # A nanometre more or less is no finding.
+                "value": quantity(round(cause.contribution, 9), "µm", 1e6),
                 "percent": f"{100.0 * cause.share:.0f} %",
                 "width": f"{min(max(100.0 * cause.share, 0.0), 100.0):.1f}",
             }
             for cause in verdict.causes
         ],
-        "advice": verdict.advice,
+        "advice": verdict.advice[:1].upper() + verdict.advice[1:],
     }
 
 

@@ -51,4 +51,4 @@ def write_bytes_atomic(file: str | Path, data: bytes) -> None:
 
 def write_text_atomic(file: str | Path, text: str) -> None:
     """Write a text file in UTF-8, whole or not at all."""
-    write_bytes_atomic(file, text.encode("utf-8"))
+    write_bytes_atomic(file, text.encode("utf-8", "replace"))

@@ -90,7 +90,8 @@ class ResultWriter:
             self._append(signals)
             self._spool.check()
         except OSError as error:
-            raise OutputError(f"{self.file}: cannot be written: {error.strerror or error}") from error
+            first = self._spool.failure or error
+            raise OutputError(f"{self.file}: cannot be written: {first.strerror or first}") from error
 
     def _append(self, signals: Mapping[str, Signal]) -> None:
         count = len(next(iter(signals.values())).data) if signals else 0

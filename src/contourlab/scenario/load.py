@@ -213,8 +213,13 @@ def scenario_from_parts(
     given = {"program": None if program is None else str(program), "contour": contour, "feed": feed, "run": run, "name": name or None}
     values |= {key: value for key, value in given.items() if value is not None}
     if program is not None and not name:
-        values["name"] = Path(program).stem
+        values["name"] = _title(Path(program))
     return _scenario(Reader(), from_mapping(values, COMMAND_LINE), Path(COMMAND_LINE))
+
+
+def _title(file: Path) -> str:
+    """Return the name of a file as a title: any file name gives one."""
+    return file.stem.encode("utf-8", "replace").decode()[:200]
 
 
 def _named(reference: str | Path) -> str:
@@ -251,7 +256,7 @@ def _scenario(reader: Reader, content: Table, path: Path) -> Scenario:
     schemes = content.table("schemes")
     cases = tuple(_case(name, _over(reader, layers, schemes.table(name)), motion, schemes.table(name)) for name in schemes.entries)
     overrides = {name: dict(_flat(schemes.table(name))) for name in schemes.entries}
-    return Scenario(plain.name or path.stem, path, base, overrides, cases)
+    return Scenario(plain.name or _title(path), path, base, overrides, cases)
 
 
 def _flat(table: Table, key: str = "") -> list[tuple[str, Any]]:

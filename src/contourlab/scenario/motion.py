@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from contourlab.errors import ProgramError
+from contourlab.errors import ProgramError, ScenarioError
 from contourlab.geometry import contour_names, contour_parameters
 from contourlab.loop import Machine
 from contourlab.loop.simulate import UNITS
@@ -80,6 +80,8 @@ def read_motion(content: Table, machine: Machine) -> Motion:
     except ProgramError as error:
         if error.line:
             raise
+        if reference.file.startswith("<"):  # typed, not read from a file: there is no key to name
+            raise ScenarioError(error.message, file=error.file) from error
         raise reference.error(str(error)) from error
     return PartProgram(file, program, letters, plain.require_end)
 

@@ -160,7 +160,7 @@ class GainsTable(_Strict):
 class ProgramTable(_Strict):
     """``[program]``."""
 
-    file: Text
+    file: Annotated[str, Field(min_length=1)]
     letters: Annotated[list[Letter], Field(min_length=1, max_length=3)] | None = None
     require_end: bool = True
 

@@ -10,7 +10,7 @@ from typing import Literal, TypeAlias
 
 import numpy as np
 
-from contourlab.errors import FeedError, ScenarioError
+from contourlab.errors import FeedError, ProgramError, ScenarioError
 from contourlab.feed import AxisLimits, Reference, Route, plan, route_from_path, route_from_program, uniform
 from contourlab.geometry import Path, contour
 from contourlab.loop import Controller, Machine
@@ -189,7 +189,28 @@ class Case:
             If the program moves an axis that the machine lacks.
         """
         found = self._sampled(self.feed.override * feed_scale)
+        self._check_travel(found)
         return replace(found, laps=()) if self.run.evaluate == "whole" else found
+
+    def _check_travel(self, reference: Reference) -> None:
+        """Refuse a motion that leaves the travel of an axis."""
+        if not any(np.isfinite(axis.limits.travel).any() for axis in self.machine.axes):
+            return
+        for start in range(0, reference.n_sample, 1 << 16):
+            block = reference.block(start, min(start + (1 << 16), reference.n_sample))
+            for axis, position in zip(self.machine.axes, block.position.T, strict=True):
+                low, high = axis.limits.travel
+                away = np.maximum(position - high, low - position)
+                k = int(np.argmax(away))
+                if away[k] > 1e-9:
+                    line = int(reference.source_line(block.arc_length[k : k + 1])[0])
+                    message = (
+                        f"axis {axis.name} is sent to {position[k] * 1e3:.6g} mm, its travel is {low * 1e3:g} to {high * 1e3:g} mm: "
+                        "move the part, or correct limits.travel"
+                    )
+                    if isinstance(self.motion, PartProgram):
+                        raise ProgramError(message, file=self.motion.file, line=line)
+                    raise FeedError(f"{self.motion.name}: {message}")
 
     def _sampled(self, factor: float) -> Reference:
         period = self.machine.servo_period

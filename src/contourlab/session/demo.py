@@ -10,7 +10,7 @@ from typing import Any
 
 from contourlab.result import write_text_atomic
 from contourlab.scenario import builtin_file, load_scenario
-from contourlab.session.run import RunOutcome, prepared, run_session
+from contourlab.session.run import RunOutcome, run_session
 
 __all__ = ["DEMOS", "run_demo"]
 
@@ -37,7 +37,7 @@ def run_demo(out: str | Path, *, progress: bool = False) -> RunOutcome:
     RunOutcome
         Passed when the last scheme of every part, the best one, is within its tolerance.
     """
-    folder = prepared(out)
+    folder = Path(out)
     titles, tables, summaries = {}, {}, {}
     for name, shipped in DEMOS.items():
         scenario = load_scenario(builtin_file(shipped))

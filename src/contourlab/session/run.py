@@ -10,8 +10,9 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from contourlab.errors import OutputError, ScenarioError
+from contourlab.errors import ParameterError, ScenarioError
 from contourlab.result import write_text_atomic
+from contourlab.session.folder import staged
 from contourlab.session.summary import summary_of
 from contourlab.studies.compare import Case, Outcome, run_case
 
@@ -78,12 +79,13 @@ def run_scenario(
         scenario = load_scenario(path, plugins=plugins)
     else:
         if machine is None or controller is None:
-            raise ScenarioError("a part program needs --machine and --controller", file=path)
+            raise ScenarioError("a part program needs --machine and --controller; a scenario ends in .toml", file=path)
         run = {} if tolerance is None else {"tolerance": tolerance}
         scenario = scenario_from_parts(path, machine, controller, run=run, plugins=plugins)
     if check:
         return _checked(scenario)
     words = ["contourlab", "run", str(file)]
+    words += [word for file in plugins for word in ("--plugin", str(file))]
     words += [word for option, value in parts.items() if value is not None for word in (option, str(value))]
     return run_session(scenario, out, command=shlex.join(words), plots=plots, signals=signals, progress=progress)
 
@@ -114,44 +116,60 @@ def run_session(
     OutputError
         If the folder cannot be made or written to; found before anything is simulated.
     """
-    folder = prepared(out)
-    outcomes: list[Outcome] = []
+    _check_choices(plots, signals)
     cases: Sequence[Case] = scenario.cases()
-    for case in cases:
-        with _bar(progress, case.name) as told:
-            outcomes.append(run_case(case, progress=told))
-    for outcome in outcomes:
-        _write_signals(outcome, folder, signals or outcome.case.signals)
-    summary = summary_of(scenario.name, outcomes, command)
-    write_text_atomic(folder / "summary.json", json.dumps(summary, indent=2, allow_nan=False) + "\n")
-    table = _write_report(scenario, outcomes, folder, command, plots)
-    return RunOutcome(summary["passed"] is not False, summary, table)
+    names = file_names([case.name for case in cases])
+    with staged(out) as folder:
+        outcomes: list[Outcome] = []
+        for case in cases:
+            with _bar(progress, case.name) as told:
+                outcomes.append(run_case(case, progress=told))
+        for outcome in outcomes:
+            _write_signals(outcome, folder / "signals" / f"{names[outcome.name]}.nc", signals or outcome.case.signals)
+        summary = summary_of(scenario.name, outcomes, command)
+        write_text_atomic(folder / "summary.json", json.dumps(summary, indent=2, allow_nan=False) + "\n")
+        table = _write_report(scenario, outcomes, folder, command, plots)
+    return RunOutcome(summary["passed"] is not False, summary, f"{table}\nreport: {Path(out) / 'report.html'}")
 
 
-def prepared(out: str | Path) -> Path:
-    """Return the folder of the results, made if it is not there, after a look at whether it can be written to."""
-    folder = Path(out)
-    try:
-        folder.mkdir(parents=True, exist_ok=True)
-        probe = folder / ".contourlab-probe"
-        probe.write_bytes(b"")
-        probe.unlink()
-    except OSError as error:
-        raise OutputError(f"{folder}: cannot be written: {error.strerror or error}; choose another folder with --out") from error
-    return folder
+def _check_choices(plots: Sequence[str], signals: Sequence[str]) -> None:
+    """Refuse what cannot be written before anything is simulated."""
+    from contourlab.loop.simulate import UNITS
+    from contourlab.report.plots import FORMATS
+    from contourlab.scenario.motion import JUDGED
+
+    for option, names, known in (("--plots", plots, FORMATS), ("--signals", signals, (*UNITS, *JUDGED))):
+        for name in names:
+            if name not in known:
+                raise ParameterError(option, repr(name), f"one of {', '.join(known)}")
 
 
-def _write_signals(outcome: Outcome, folder: Path, wanted: Sequence[str]) -> None:
+def _write_signals(outcome: Outcome, file: Path, wanted: Sequence[str]) -> None:
     result = outcome.result
     if wanted:
         # Asking for the data says clearly which signals there are, if one is not.
         result = replace(result, signals={name: result.signals[name] for name in wanted if result[name] is not None})
-    result.save(folder / "signals" / f"{file_name(outcome.name)}.nc")
+    result.save(file)
 
 
 def file_name(name: str) -> str:
     """Return a scheme's name as a file name that every system takes."""
     return "".join(c if c.isalnum() or c in "-_." else "-" for c in name).strip("-.") or "scheme"
+
+
+def file_names(names: Sequence[str]) -> dict[str, str]:
+    """Return a file name for each scheme; they differ also where a file system does not tell a from A."""
+    found: dict[str, str] = {}
+    taken: set[str] = set()
+    for name in names:
+        stem = chosen = file_name(name)
+        number = 1
+        while chosen.casefold() in taken:
+            number += 1
+            chosen = f"{stem}-{number}"
+        taken.add(chosen.casefold())
+        found[name] = chosen
+    return found
 
 
 def _write_report(scenario: Scenario, outcomes: Sequence[Outcome], folder: Path, command: str, plots: Sequence[str]) -> str:
@@ -165,7 +183,7 @@ def _write_report(scenario: Scenario, outcomes: Sequence[Outcome], folder: Path,
         from contourlab.report.plots import write_plots
 
         write_plots(data, folder / "plots", tuple(plots))
-    return "\n".join([comparison_text(data).rstrip(), *verdict_lines(outcomes), f"report: {folder / 'report.html'}"])
+    return "\n".join([comparison_text(data).rstrip(), *verdict_lines(outcomes)])
 
 
 def verdict_lines(outcomes: Sequence[Outcome]) -> list[str]:

@@ -14,7 +14,7 @@ from contourlab.cli.output import plain
 from contourlab.components import registry
 from contourlab.errors import DivergenceError, OutputError
 
-LAUNCH = [sys.executable, "-c", "from contourlab.cli.main import run; run()"]
+LAUNCH = [sys.executable, "-c", "from contourlab.__main__ import run; run()"]
 
 
 def fail_with(monkeypatch: pytest.MonkeyPatch, error: BaseException) -> None:

@@ -34,7 +34,7 @@ def components(
     from contourlab.components.registry import components as known
     from contourlab.components.registry import load_plugin
 
-    for file in plugin or ():
+    for file in {file.resolve(): file for file in plugin or ()}.values():
         load_plugin(file)
     chosen = _chosen(name, known())
     if as_json:

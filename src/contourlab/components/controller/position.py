@@ -20,7 +20,7 @@ def _make(hold: bool, ipv: bool) -> Any:
         error = inp.reference - inp.position
         rise = clock.dt * error
         if hold:
-            beyond = x.last_command - inp.applied
+            beyond = x.last_command - inp.accepted
             rise = 0.0 if beyond * error > 0.0 else rise
         integral = x.integral + rise
         if ipv:
@@ -71,7 +71,7 @@ class PositionController(Component):
         Port("position"),
         Port("velocity"),
         Port("disturbance_estimate"),
-        Port("applied"),
+        Port("accepted"),
     )
     outputs = (Port("command"),)
     derived = ("integral_rate", "acceleration_feedforward", "velocity_feedforward")

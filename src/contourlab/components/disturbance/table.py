@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from contourlab.components.contract import Component, Port, param, text_param
+from contourlab.errors import ParameterError
 from contourlab.primitives import clip, floor, lookup
 
 __all__ = ["TableLoad"]
@@ -54,6 +55,11 @@ class TableLoad(Component):
     origin: float = param(default=0.0, unit="", doc="time [s] or position [m] of the first value")
     step_size: float = param(unit="", minimum=0.0, exclusive=True, doc="time [s] or distance [m] between two values")
     values_given: tuple[float, ...] = param(unit="{force}", vector=True, doc="the forces; at least two")
+
+    def __init__(self, **values: Any) -> None:
+        super().__init__(**values)
+        if len(self.values_given) < 2:
+            raise ParameterError("values_given", f"{list(self.values_given)}", "a list of at least two numbers", "force")
 
     def step_function(self) -> Any:
         return _make(self.over == "time", self.beyond == "repeat")

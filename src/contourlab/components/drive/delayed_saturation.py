@@ -17,7 +17,8 @@ class DelayedSaturation(Component):
     """Amplifier with a limit, whose command arrives late by any length of time.
 
     The delay is n whole servo periods and a fraction f of one; the value between two ticks is the mean weighted by f, which is exact for
-    the average that a held command has over the period.
+    the average that a held command has over the period. ``accepted`` is the command behind the limit, before it is late: an integral that
+    waits for the limit must not take the delay for one.
     """
 
     family = "drive"
@@ -25,7 +26,7 @@ class DelayedSaturation(Component):
     example = {"limit": 0.5, "delay": 0.0123}
     reference = "transport delay of a sampled command"
     inputs = (Port("command"),)
-    outputs = (Port("applied"),)
+    outputs = (Port("applied"), Port("accepted"))
     derived = ("whole", "fraction")
     ring = "command"
 
@@ -43,7 +44,7 @@ class DelayedSaturation(Component):
         newer = delayed(par.ring, clock, par.whole)
         older = delayed(par.ring, clock, par.whole + 1.0)
         late = newer + par.fraction * (older - newer)
-        return (), (clip(late, -par.limit, par.limit),)
+        return (), (clip(late, -par.limit, par.limit), clip(inp.command, -par.limit, par.limit))
 
     def ring_length(self, dt: float) -> int:
         return math.floor(self.delay / dt + 1e-9) + 2

@@ -1,0 +1,197 @@
+"""The world around the command: interrupts, full disks, readers that leave, folders in use, odd names, terminals of every kind."""
+
+from __future__ import annotations
+
+import json
+import os
+import re
+import shutil
+import signal
+import subprocess
+from collections.abc import Callable
+from pathlib import Path
+
+import pytest
+from typed_commands import CIRCLE, COMMAND, ON_XYZ, PART, Finished, Run, contents, environment
+
+from contourlab.result import Result
+
+POSIX = pytest.mark.skipif(os.name == "nt", reason="signals, pipes and limits of a POSIX system")
+ESCAPE = "\x1b"
+
+
+@pytest.fixture
+def used(circle: Finished, tmp_path: Path) -> Path:
+    """A folder with the results of an older run."""
+    folder = tmp_path / "results"
+    shutil.copytree(circle.folder, folder)
+    return folder
+
+
+def read_until_closed(handle: int, at_first: Callable[[], None]) -> str:
+    """Return what comes out of a terminal; do something when it begins."""
+    parts: list[bytes] = []
+    while True:
+        try:
+            part = os.read(handle, 65536)
+        except OSError:  # Linux says so when the other side has closed
+            part = b""
+        if not part:
+            return b"".join(parts).decode()
+        if not parts:
+            at_first()
+        parts.append(part)
+
+
+def on_terminal(folder: Path, *words: str, width: int = 80, interrupted: bool = False, **changes: str) -> tuple[int, str]:
+    """Run the command on a terminal; return its exit code and all it showed. An interrupt comes with its first sign of life."""
+    import fcntl
+    import pty
+    import struct
+    import termios
+
+    ours, theirs = pty.openpty()
+    fcntl.ioctl(theirs, termios.TIOCSWINSZ, struct.pack("HHHH", 24, width, 0, 0))
+    env = environment({"TERM": "xterm-256color", **changes})
+    process = subprocess.Popen([COMMAND, *words], cwd=folder, stdin=theirs, stdout=theirs, stderr=theirs, env=env)
+    os.close(theirs)
+    try:
+        shown = read_until_closed(ours, lambda: process.send_signal(signal.SIGINT) if interrupted else None)
+        return process.wait(timeout=60), shown
+    finally:
+        process.kill()
+        os.close(ours)
+
+
+@POSIX
+def test_an_interrupt_in_the_middle_is_130_and_keeps_the_old_results(used: Path, tmp_path: Path) -> None:
+    (tmp_path / "long.toml").write_text(CIRCLE.replace("laps = 2", "laps = 50"), encoding="utf-8")
+    before = contents(used)
+    # On a terminal a bar says that the simulation has begun.
+    code, shown = on_terminal(tmp_path, "run", "long.toml", "--out", "results", interrupted=True)
+    assert code == 130
+    assert shown.splitlines()[-1].endswith("contourlab: interrupted")
+    assert "Traceback" not in shown
+    assert contents(used) == before
+
+
+@POSIX
+def test_questions_that_are_interrupted_are_130(tmp_path: Path) -> None:
+    code, shown = on_terminal(tmp_path, "new", "machine", interrupted=True)
+    assert code == 130
+    assert "contourlab: interrupted" in shown
+    assert "Traceback" not in shown
+    assert not any(tmp_path.iterdir())
+
+
+@POSIX
+@pytest.mark.parametrize("words", [[], pytest.param(["--json"], marks=pytest.mark.slow)])
+def test_a_reader_that_has_gone_is_no_error_and_the_verdict_stands(tmp_path: Path, words: list[str]) -> None:
+    (tmp_path / "circle.toml").write_text(CIRCLE.replace("16 um", "1 um"), encoding="utf-8")
+    reading, writing = os.pipe()
+    os.close(reading)
+    command = [COMMAND, "run", "circle.toml", "--out", "results", *words]
+    done = subprocess.run(command, cwd=tmp_path, stdout=writing, stderr=subprocess.PIPE, env=environment(), timeout=60)
+    os.close(writing)
+    assert (done.returncode, done.stderr) == (1, b"")
+    assert "report.html" in contents(tmp_path / "results")
+
+
+@POSIX
+@pytest.mark.parametrize("closed", [1, pytest.param(2, marks=pytest.mark.slow)])
+def test_streams_may_be_closed(tmp_path: Path, closed: int) -> None:
+    (tmp_path / "part.ngc").write_text(PART, encoding="utf-8")
+    command = [COMMAND, "run", "part.ngc", *ON_XYZ, "--out", "results"]
+    done = subprocess.run(command, cwd=tmp_path, capture_output=True, env=environment(), timeout=60, preexec_fn=lambda: os.close(closed))
+    assert (done.returncode, done.stderr) == (0, b"")
+    # A file that took the place of standard output would hold what is printed.
+    assert Result.load(tmp_path / "results" / "signals" / "base.nc").n_sample > 1000
+
+
+@POSIX
+@pytest.mark.parametrize("words", [[], pytest.param(["--json"], marks=pytest.mark.slow)])
+def test_a_full_disk_is_2_and_keeps_the_old_results(contourlab: Run, used: Path, tmp_path: Path, words: list[str]) -> None:
+    import resource
+
+    (tmp_path / "other.toml").write_text(CIRCLE.replace("20 mm", "19 mm"), encoding="utf-8")
+    before = contents(used)
+    full = 50_000  # bytes that a file may have; the signals of 4 s take more
+    said = contourlab(
+        "run", "other.toml", "--out", "results", *words, before=lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (full, full))
+    )
+    assert (said.code, said.out) == (2, "")
+    assert re.fullmatch(r"contourlab: results/\S+: cannot be written: File too large\n", said.err)
+    assert contents(used) == before
+
+
+@pytest.mark.slow
+def test_newer_results_replace_older_ones(contourlab: Run, used: Path, tmp_path: Path) -> None:
+    (tmp_path / "other.toml").write_text(CIRCLE.replace("20 mm", "19 mm"), encoding="utf-8")
+    before = contents(used)
+    said = contourlab("run", "other.toml", "--out", "results", "--json")
+    assert said.code == 0
+    after = contents(used)
+    assert all(after[name] != before[name] for name in ("summary.json", "report.html"))
+    assert json.loads(said.out) == json.loads((used / "summary.json").read_text(encoding="utf-8"))
+    assert not [name for name in after if ".part" in name or "probe" in name]
+
+
+def test_names_may_have_spaces_and_letters_of_any_script(contourlab: Run, tmp_path: Path) -> None:
+    place = tmp_path / "Fräs teile Ω"
+    place.mkdir()
+    (place / "część 1.ngc").write_text("(größer)\n" + PART.replace("%\n", ""), encoding="utf-8")
+    said = contourlab("run", place / "część 1.ngc", *ON_XYZ, "--out", "Ergebnis für 部品", "--json")
+    assert (said.code, said.err) == (0, "")
+    found = json.loads(said.out)
+    assert found["name"] == "część 1"
+    page = (tmp_path / "Ergebnis für 部品" / "report.html").read_text(encoding="utf-8")
+    assert "część 1" in page
+
+
+@pytest.mark.slow
+def test_a_scheme_may_have_any_name(contourlab: Run, tmp_path: Path) -> None:
+    (tmp_path / "circle.toml").write_text(CIRCLE + '[schemes."../größer: a|b"]\n', encoding="utf-8")
+    said = contourlab("run", "circle.toml", "--out", "results", "--json")
+    assert said.code == 0
+    assert list(json.loads(said.out)["schemes"]) == ["../größer: a|b"]
+    assert sorted(path.name for path in tmp_path.iterdir()) == ["circle.toml", "results"]
+    assert [path.suffix for path in (tmp_path / "results" / "signals").iterdir()] == [".nc"]
+
+
+def test_a_pipe_gets_no_colours_and_no_progress(circle: Finished, part: Finished, contourlab: Run) -> None:
+    said = [circle.said, part.said, contourlab("components"), contourlab("--help")]
+    assert not [one for one in said if ESCAPE in one.out + one.err]
+    assert "\r" not in part.said.out + part.said.err
+
+
+@POSIX
+def test_a_terminal_may_refuse_colours(tmp_path: Path) -> None:
+    colour = re.compile(r"\x1b\[[0-9;]*3[0-9][0-9;]*m")
+    assert colour.search(on_terminal(tmp_path, "--help")[1])
+    for words in (["--help"], ["components", "plant"]):
+        code, shown = on_terminal(tmp_path, *words, NO_COLOR="1")
+        assert code == 0
+        assert not colour.search(shown)
+
+
+@POSIX
+def test_tables_fit_a_narrow_terminal(tmp_path: Path) -> None:
+    for words in (["--help"], ["run", "--help"], ["components", "coulomb"]):
+        code, shown = on_terminal(tmp_path, *words, width=60)
+        plain = re.sub(r"\x1b\[[0-9;?]*[a-zA-Z]", "", shown)
+        assert code == 0
+        assert max(len(line.rstrip()) for line in plain.splitlines()) <= 60
+    assert "coulomb" in plain
+
+
+def test_help_fits_the_columns_asked_for(contourlab: Run) -> None:
+    said = contourlab("--help", env={"COLUMNS": "60"})
+    assert max(map(len, said.out.splitlines())) <= 60
+
+
+@pytest.mark.slow
+def test_nothing_is_asked_where_nobody_can_answer(tmp_path: Path) -> None:
+    (tmp_path / "circle.toml").write_text(CIRCLE, encoding="utf-8")
+    command = [COMMAND, "run", "circle.toml", "--check"]
+    done = subprocess.run(command, cwd=tmp_path, stdin=subprocess.DEVNULL, capture_output=True, env=environment(), timeout=60)
+    assert (done.returncode, done.stderr) == (0, b"")

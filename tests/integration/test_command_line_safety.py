@@ -1,0 +1,175 @@
+"""What a user must not lose or be misled by: old results, names, travel, interrupts at any moment."""
+
+from __future__ import annotations
+
+import json
+import os
+import re
+import shutil
+import signal
+import subprocess
+import sys
+import time
+from pathlib import Path
+
+import pytest
+from typed_commands import CIRCLE, COMMAND, ON_XYZ, PART, Finished, Run, contents, environment
+
+POSIX = pytest.mark.skipif(os.name == "nt", reason="signals, pipes and limits of a POSIX system")
+
+
+@pytest.fixture
+def used(circle: Finished, tmp_path: Path) -> Path:
+    folder = tmp_path / "results"
+    shutil.copytree(circle.folder, folder)
+    return folder
+
+
+def test_a_program_beyond_the_travel_of_an_axis_is_2(contourlab: Run, tmp_path: Path) -> None:
+    (tmp_path / "far.ngc").write_text("G21 G90\nG0 X100\nG1 X151 F6000\nM2\n", encoding="utf-8")
+    said = contourlab("run", "far.ngc", *ON_XYZ, "--out", "results")
+    assert (said.code, said.out) == (2, "")
+    assert re.search(r"far\.ngc:3: axis x .*151 mm.*-150 (mm )?to 150 mm", said.err)
+    assert not (tmp_path / "results").exists()
+
+
+def test_a_contour_beyond_the_travel_of_an_axis_is_2(contourlab: Run, tmp_path: Path) -> None:
+    (tmp_path / "far.toml").write_text(CIRCLE.replace("20 mm", "60 mm").replace("0.5 Hz", "0.1 Hz"), encoding="utf-8")
+    said = contourlab("run", "far.toml", "--out", "results")  # axis 3 has 50 mm each way
+    assert (said.code, said.out) == (2, "")
+    assert "axis 3" in said.err
+
+
+@POSIX
+@pytest.mark.parametrize("full", [1_000_000, 3_000_000])
+def test_a_disk_that_fills_up_late_keeps_the_old_results(contourlab: Run, used: Path, tmp_path: Path, full: int) -> None:
+    import resource
+
+    (tmp_path / "other.toml").write_text(CIRCLE.replace("20 mm", "19 mm").replace("laps = 2", "laps = 1"), encoding="utf-8")
+    before = contents(used)
+    said = contourlab("run", "other.toml", "--out", "results", before=lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (full, full)))
+    assert said.code == 2
+    assert "report.html: cannot be written: File too large" in said.err
+    assert contents(used) == before
+
+
+@POSIX
+def test_an_interrupt_while_results_are_written_keeps_the_old_ones(used: Path, tmp_path: Path) -> None:
+    (tmp_path / "other.toml").write_text(CIRCLE.replace("20 mm", "19 mm"), encoding="utf-8")
+    before = contents(used)
+    process = subprocess.Popen([COMMAND, "run", "other.toml", "--out", "results"], cwd=tmp_path, stderr=subprocess.PIPE, env=environment())
+    try:
+        # The first file of the new results has appeared, wherever it is kept until all are there.
+        while not [name for name in contents(used) if name.endswith("base.nc")]:
+            time.sleep(0.002)
+        process.send_signal(signal.SIGINT)
+        _, err = process.communicate(timeout=60)
+    finally:
+        process.kill()
+    assert (process.returncode, err) == (130, b"contourlab: interrupted\n")
+    assert contents(used) == before
+
+
+def test_older_results_are_replaced_whole_and_other_files_are_left_alone(contourlab: Run, used: Path, tmp_path: Path) -> None:
+    (tmp_path / "other.toml").write_text(CIRCLE.replace("20 mm", "19 mm"), encoding="utf-8")
+    (used / "notes.txt").write_text("of the user", encoding="utf-8")
+    (used / "plots").mkdir()
+    (used / "plots" / "path-0.svg").write_text("of the older run", encoding="utf-8")
+    assert contourlab("run", "other.toml", "--out", "results").code == 0
+    assert set(contents(used)) == {"report.html", "summary.json", "signals/base.nc", "notes.txt"}
+
+
+def test_a_failed_run_leaves_no_empty_folder(contourlab: Run, tmp_path: Path) -> None:
+    wild = '\n[schemes.wild]\naxes.3.drive.limit = "1e6 full_scale"\ncontroller.axes.3.controller.position_gain = "4000 full_scale/mm"\n'
+    (tmp_path / "wild.toml").write_text(CIRCLE + wild, encoding="utf-8")
+    said = contourlab("run", "wild.toml", "--out", "results/below")
+    assert said.code == 3
+    assert said.err.startswith("contourlab: wild: following error ")  # which scheme it was
+    assert not (tmp_path / "results").exists()
+
+
+def test_schemes_whose_names_look_alike_have_a_file_each(contourlab: Run, tmp_path: Path) -> None:
+    (tmp_path / "c.toml").write_text(CIRCLE + '[schemes."a b"]\n[schemes."a-b"]\n[schemes."A-b"]\n', encoding="utf-8")
+    assert contourlab("run", "c.toml", "--out", "results").code == 0
+    assert len({name.casefold() for name in contents(tmp_path / "results") if name.startswith("signals/")}) == 3
+
+
+@pytest.mark.parametrize("words", [["--plots", "gif"], ["--signals", "positon"]])
+def test_a_wrong_choice_is_found_before_the_run(contourlab: Run, tmp_path: Path, words: list[str]) -> None:
+    (tmp_path / "circle.toml").write_text(CIRCLE, encoding="utf-8")
+    said = contourlab("run", "circle.toml", "--out", "results", *words)
+    assert (said.code, said.out) == (2, "")
+    assert words[0] in said.err
+    assert words[1] in said.err
+    assert not (tmp_path / "results").exists()
+
+
+@POSIX
+def test_an_interrupt_at_the_start_shows_no_traceback(tmp_path: Path) -> None:
+    """While modules are still being read: Python tells which, and the interrupt comes at the first of the command line's."""
+    words = [sys.executable, "-X", "importtime", "-m", "contourlab", "components"]
+    with subprocess.Popen(words, cwd=tmp_path, stdout=subprocess.PIPE, stderr=subprocess.PIPE, env=environment(), text=True) as process:
+        assert process.stderr
+        said = []
+        for line in process.stderr:
+            said.append(line)
+            if "argparse" in line or "typer" in line or "click" in line:
+                process.send_signal(signal.SIGINT)
+                break
+        said += process.stderr.readlines()
+    assert process.returncode == 130
+    assert said[-1] == "contourlab: interrupted\n"
+    assert "Traceback" not in "".join(said)
+
+
+def test_the_package_can_be_run_as_a_module(tmp_path: Path) -> None:
+    done = subprocess.run([sys.executable, "-m", "contourlab", "--version"], cwd=tmp_path, capture_output=True, text=True, timeout=60)
+    assert (done.returncode, done.stderr) == (0, "")
+    assert done.stdout.startswith("contourlab ")
+
+
+@pytest.mark.skipif(sys.platform != "linux", reason="file names of any bytes")
+def test_file_names_need_not_be_utf8(tmp_path: Path) -> None:
+    (tmp_path / os.fsdecode(b"c\xe9.toml")).write_text(CIRCLE.split("\n", 1)[1], encoding="utf-8")
+    words = [os.fsencode(COMMAND), b"run", b"c\xe9.toml", b"--out", b"r\xe9"]
+    done = subprocess.run(words, cwd=tmp_path, capture_output=True, env=environment(), timeout=60)
+    assert (done.returncode, done.stderr) == (0, b"")
+    assert json.loads((tmp_path / os.fsdecode(b"r\xe9") / "summary.json").read_text(encoding="utf-8"))["name"] == "c?"
+
+
+def test_the_name_of_a_program_may_be_long(contourlab: Run, tmp_path: Path) -> None:
+    (tmp_path / f"{'a' * 240}.ngc").write_text(PART, encoding="utf-8")
+    assert contourlab("run", f"{'a' * 240}.ngc", *ON_XYZ, "--check").code == 0
+
+
+@pytest.mark.parametrize("name", ["none.ngc", "empty.ngc"])
+def test_a_program_named_on_the_command_line_is_named_first(contourlab: Run, tmp_path: Path, name: str) -> None:
+    (tmp_path / "empty.ngc").write_text("", encoding="utf-8")
+    assert contourlab("run", name, *ON_XYZ).err.startswith(f"contourlab: {name}: ")
+
+
+def test_a_plugin_that_exits_is_a_fault_of_the_plugin(contourlab: Run, tmp_path: Path) -> None:
+    (tmp_path / "leaves.py").write_text("raise SystemExit(0)\n", encoding="utf-8")
+    said = contourlab("components", "--plugin", "leaves.py")
+    assert said.code == 2
+    assert said.err.startswith("contourlab: leaves.py: cannot be imported: SystemExit")
+
+
+def test_what_was_typed_can_be_typed_again(contourlab: Run, tmp_path: Path) -> None:
+    (tmp_path / "drag.py").write_text(
+        "from contourlab.components.contract import Component, param\n\n\nclass Drag(Component):\n    '''Drag.'''\n\n"
+        "    family = 'friction'\n    kind = 'open-drag'\n    law = 'smooth'\n    example = {'coefficient': 40.0}\n    reference = 'none'\n"
+        "    coefficient: float = param(unit='{force}*s/m', minimum=0.0, doc='c')\n\n"
+        "    @staticmethod\n    def force(par, v):\n        return par.coefficient * v\n",
+        encoding="utf-8",
+    )
+    (tmp_path / "part.ngc").write_text(PART, encoding="utf-8")
+    said = contourlab("run", "part.ngc", *ON_XYZ, "--plugin", "drag.py", "--out", "results", "--json")
+    assert "--plugin drag.py" in json.loads(said.out)["command"]
+
+
+def test_an_ending_that_says_nothing_is_named(contourlab: Run, tmp_path: Path) -> None:
+    (tmp_path / "circle.txt").write_text(CIRCLE, encoding="utf-8")
+    said = contourlab("run", "circle.txt")
+    assert said.code == 2
+    assert ".toml" in said.err  # a scenario under another ending is told what is missing

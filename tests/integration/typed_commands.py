@@ -1,0 +1,95 @@
+"""The installed command in a process of its own, and the files that the tests give it."""
+
+from __future__ import annotations
+
+import hashlib
+import os
+import subprocess
+import sys
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from pathlib import Path
+
+COMMAND = Path(sys.executable).with_name("contourlab" + (".exe" if os.name == "nt" else ""))
+
+CIRCLE = """\
+name = "circle"
+machine = "builtin:ghaffari/a3a1"
+controller = "builtin:ghaffari/calibrated"
+[contour]
+name = "circle"
+radius = "20 mm"
+[feed]
+law = "uniform"
+frequency = "0.5 Hz"
+laps = 2
+[run]
+tolerance = "16 um"
+"""
+SCHEMES = """
+[schemes."position loop"]
+controller.axes."*".observer = "none"
+controller.estimator = "none"
+controller.coupling = "none"
+[schemes."all of it"]
+"""
+PART = """\
+%
+(A line and half a circle)
+G17 G21 G90 G94
+G0 X0 Y0 Z0
+G1 X5 F1000
+G3 X5 Y10 I0 J5
+M30
+%
+"""
+ON_XYZ = ("--machine", "xyz", "--controller", "xyz-controller")
+
+
+@dataclass(frozen=True)
+class Said:
+    """What a command left: its exit code and the two streams."""
+
+    code: int
+    out: str
+    err: str
+
+
+Run = Callable[..., Said]
+
+
+def environment(changes: Mapping[str, str] | None = None) -> dict[str, str]:
+    """Return the user's environment without what changes the look of the output; the cache of compiled code stays."""
+    dropped = {"NO_COLOR", "FORCE_COLOR", "COLUMNS", "LINES", "CONTOURLAB_JIT"}
+    return {**{name: value for name, value in os.environ.items() if name not in dropped}, **(changes or {})}
+
+
+def invoke(
+    folder: Path, *words: str | Path, typed: str = "", env: Mapping[str, str] | None = None, before: Callable[[], None] | None = None
+) -> Said:
+    """Run the command in a folder; standard input, output and error are pipes."""
+    done = subprocess.run(
+        [str(COMMAND), *map(str, words)],
+        cwd=folder,
+        input=typed,
+        capture_output=True,
+        encoding="utf-8",
+        env=environment(env),
+        preexec_fn=before,
+        timeout=300,
+    )
+    return Said(done.returncode, done.stdout, done.stderr)
+
+
+def contents(folder: Path) -> dict[str, str]:
+    """Return a hash of every file in a folder, hidden ones too."""
+    files = [path for path in sorted(folder.rglob("*")) if path.is_file()]
+    return {path.relative_to(folder).as_posix(): hashlib.sha256(path.read_bytes()).hexdigest() for path in files}
+
+
+@dataclass(frozen=True)
+class Finished:
+    """A run that is done: its folder of results and what it said."""
+
+    folder: Path
+    said: Said

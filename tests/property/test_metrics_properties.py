@@ -1,0 +1,206 @@
+"""What the judge must not depend on: where the machine stands, which way it faces, how fast the clock runs."""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+import numpy as np
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from numpy.typing import NDArray
+
+from contourlab.feed import Reference
+from contourlab.geometry import Arc, Line, Path, contour
+from contourlab.metrics import circle_figures, judge, minimum_zone, summarise
+from contourlab.metrics.figures import Metrics
+from contourlab.result import Result, Signal
+
+Array = NDArray[np.float64]
+few = settings(max_examples=40, deadline=None)
+angles = st.floats(-math.pi, math.pi)
+shifts = st.tuples(st.floats(-0.5, 0.5), st.floats(-0.5, 0.5))
+seeds = st.integers(0, 2**32 - 1)
+
+
+def turned(angle: float) -> Array:
+    return np.array([[math.cos(angle), -math.sin(angle)], [math.sin(angle), math.cos(angle)]])
+
+
+def a_path(angle: float = 0.0, shift: tuple[float, float] = (0.0, 0.0), mirrored: bool = False, scale: float = 1.0) -> Path:
+    """Line, corner, line, tangent arc, line; turned, moved, mirrored in x, scaled."""
+    m = scale * turned(angle) @ np.diag([1.0, -1.0 if mirrored else 1.0])
+    a, b, c = (m @ p + shift for p in np.array([(0.0, 0.0), (0.05, 0.0), (0.08, 0.04)]))
+    u, v = m[:, 0] / scale, m[:, 1] / scale
+    # The arc leaves along the second line, turning left by 100 degrees.
+    heading = math.atan2(0.04, 0.03)
+    centre = np.array([0.08, 0.04]) + 0.02 * np.array([-math.sin(heading), math.cos(heading)])
+    arc = Arc(m @ centre + shift, 0.02 * scale, heading - math.pi / 2, math.radians(100.0), u, v)
+    end = arc.derivatives([arc.length], 1)[:, 0]
+    return Path([Line(a, b), Line(b, c), arc, Line(end[0], end[0] + 0.03 * scale * end[1])])
+
+
+def wander(seed: int, n: int) -> Array:
+    """Return an error (n, 2) of about a hundredth of a millimetre, smooth in time."""
+    rng = np.random.default_rng(seed)
+    t = np.linspace(0.0, 1.0, n)[:, None]
+    return np.asarray(sum(rng.normal(0.0, 1e-5, 2) * np.sin(2.0 * np.pi * k * t + rng.uniform(0.0, 6.0, 2)) for k in range(1, 8)))
+
+
+def judged(path: Path, along: Array, tool: Array, period: float = 1e-3) -> tuple[Result, Metrics]:
+    reference = Reference.from_samples(path.position(along), period, path, arc_length=along)
+    asked = reference.block(0, len(along))
+    signals = {
+        "tool_position": Signal(tool, ("sample", "axis"), "m"),
+        "reference": Signal(asked.position, ("sample", "axis"), "m"),
+        "arc_length": Signal(along, ("sample",), "m"),
+        "feedrate": Signal(asked.feedrate, ("sample",), "m/s"),
+    }
+    result = judge(Result("made", ("x", "y"), period, signals), reference)
+    return result, summarise(result, reference)
+
+
+def numbers(metrics: Metrics) -> dict[str, float]:
+    found: dict[str, float] = {}
+    for name in ("part_error", "contour_error", "planning_deviation"):
+        figures: Any = getattr(metrics, name)
+        found |= {f"{name}.{key}": getattr(figures, key) for key in ("rms", "max", "mean", "p95", "integral", "signed_mean")}
+    return found
+
+
+N = 300
+
+
+@few
+@given(angle=angles, shift=shifts, seed=seeds)
+def test_moved_and_turned(angle: float, shift: tuple[float, float], seed: int) -> None:
+    """The same errors on a machine that stands and faces otherwise, with their side."""
+    here = a_path()
+    along = np.linspace(0.0, here.length, N)
+    tool = here.position(along) + wander(seed, N)
+    there = a_path(angle, shift)
+    one, figures = judged(here, along, tool)
+    other, figures_there = judged(there, along, tool @ turned(angle).T + shift)
+    # Positions of half a metre are rounded to 1e-16 m, and foot points taken from them to some of these.
+    assert np.abs(one["contour_error"] - other["contour_error"]).max() < 5e-15
+    assert figures.contour_error.worst.sample == figures_there.contour_error.worst.sample or figures.contour_error.max < 1e-9
+    for name, value in numbers(figures).items():
+        assert abs(value - numbers(figures_there)[name]) < 5e-15
+
+
+@few
+@given(seed=seeds)
+def test_mirrored(seed: int) -> None:
+    """A mirror changes sides, and nothing else."""
+    here, there = a_path(), a_path(mirrored=True)
+    along = np.linspace(0.0, here.length, N)
+    tool = here.position(along) + wander(seed, N)
+    one, _ = judged(here, along, tool)
+    other, _ = judged(there, along, tool * [1.0, -1.0])
+    assert np.abs(one["contour_error"] + other["contour_error"]).max() < 1e-15
+
+
+@few
+@given(seed=seeds)
+def test_run_backwards(seed: int) -> None:
+    """Left is right on the way back."""
+    here = a_path()
+    back = Path(
+        [Line(*(c.derivatives([x])[0, 0] for x in (c.length, 0.0))) if isinstance(c, Line) else backwards(c) for c in here.curves[::-1]]
+    )
+    along = np.linspace(0.0, here.length, N)
+    tool = here.position(along) + wander(seed, N)
+    one, _ = judged(here, along, tool)
+    other, _ = judged(back, along, tool[::-1])
+    assert np.abs(one["contour_error"] + other["contour_error"][::-1]).max() < 5e-15
+
+
+def backwards(curve: Any) -> Arc:
+    return Arc(curve.centre, curve.radius, curve.start_angle + curve.sweep, -curve.sweep, curve.u, curve.v)
+
+
+@few
+@given(seed=seeds, scale=st.floats(0.1, 10.0))
+def test_scaled(seed: int, scale: float) -> None:
+    """All lengths in another scale: all errors in that scale."""
+    here, there = a_path(), a_path(scale=scale)
+    along = np.linspace(0.0, here.length, N)
+    tool = here.position(along) + wander(seed, N)
+    one, _ = judged(here, along, tool)
+    other, _ = judged(there, scale * along, scale * tool)
+    assert np.abs(one["contour_error"] * scale - other["contour_error"]).max() < 1e-14 * max(scale, 1.0)
+
+
+@few
+@given(seed=seeds, factor=st.floats(0.01, 100.0))
+def test_clock(seed: int, factor: float) -> None:
+    """A clock that runs otherwise: integrals and times go with the period, speeds against it, errors not at all."""
+    path = a_path()
+    along = np.linspace(0.0, path.length, N)
+    tool = path.position(along) + wander(seed, N)
+    one, figures = judged(path, along, tool, 1e-3)
+    other, slow = judged(path, along, tool, factor * 1e-3)
+    assert np.array_equal(one["contour_error"], other["contour_error"])
+    close = 1e-12
+    assert abs(slow.contour_error.integral / figures.contour_error.integral / factor - 1.0) < close
+    assert abs(slow.cycle_time / figures.cycle_time / factor - 1.0) < close
+    assert abs(slow.feedrate_mean / figures.feedrate_mean * factor - 1.0) < close
+    assert slow.contour_error.rms == figures.contour_error.rms
+
+
+@few
+@given(error=st.lists(st.floats(-1e-3, 1e-3), min_size=3, max_size=200))
+def test_order_of_the_figures(error: list[float]) -> None:
+    """mean <= rms <= max, p95 <= max, |signed mean| <= mean, on the line where the error is what was asked for."""
+    path = Path([Line((0.0, 0.0), (1.0, 0.0))])
+    along = np.linspace(0.0, 1.0, len(error))
+    figures = judged(path, along, np.column_stack([along, error]))[1].contour_error
+    rounding = 1e-15
+    assert abs(figures.signed_mean) <= figures.mean + rounding
+    assert figures.mean <= figures.rms + rounding
+    assert figures.rms <= figures.max + rounding
+    assert figures.p95 <= figures.max
+    assert abs(figures.max - max(abs(e) for e in error)) < rounding
+    # 95 % of the samples do not pass it, and more than 5 % would pass any smaller one of them.
+    assert sum(abs(e) <= figures.p95 + rounding for e in error) >= 0.95 * (len(error) - 1)
+    assert sum(abs(e) >= figures.p95 - rounding for e in error) >= 0.05 * (len(error) - 1)
+    assert abs(figures.integral - math.fsum(abs(e) for e in error) * 1e-3) < rounding
+
+
+@few
+@given(seed=seeds, name=st.sampled_from(["circle", "ellipse", "lemniscate", "star", "diamond"]))
+def test_no_point_of_the_path_is_nearer(seed: int, name: str) -> None:
+    """The contour error is a shortest distance: never more than the tracking error, never less than to any sample of the path."""
+    path = contour(name)
+    along = np.linspace(0.0, 1.5 * path.length, N)
+    tool = path.position(along) + 10.0 * wander(seed, N)
+    result, _ = judged(path, along, tool)
+    size = np.abs(result["contour_error"])
+    assert (size <= np.linalg.norm(result["tracking_error"], axis=1) + 1e-15).all()
+    samples = path.position(np.linspace(0.0, path.length, 2000))
+    nearest = np.array([np.linalg.norm(samples - p, axis=1).min() for p in tool])
+    spacing = path.length / 2000
+    if name != "lemniscate":  # there the other branch may pass nearer
+        assert (np.abs(nearest - size) <= spacing).all()
+    assert (nearest <= size + spacing).all()
+
+
+@settings(max_examples=25, deadline=None)
+@given(seed=seeds, angle=angles, shift=shifts)
+def test_roundness_stands_anywhere(seed: int, angle: float, shift: tuple[float, float]) -> None:
+    """Both circular deviations are those of the shape; minimum zone <= least squares <= F_max - F_min around any centre."""
+    rng = np.random.default_rng(seed)
+    a = np.linspace(0.0, 2.0 * np.pi, 200, endpoint=False)
+    shape = 0.03 + sum(rng.normal(0.0, 3e-6) * np.cos(k * a + rng.uniform(0.0, 6.0)) for k in range(1, 7))
+    points = shape[:, None] * np.column_stack([np.cos(a), np.sin(a)])
+    here = circle_figures(points, np.zeros(2), 0.03, False, "here")
+    there = circle_figures(points @ turned(angle).T + shift, np.asarray(shift), 0.03, False, "there")
+    for name, value in here.figures().items():
+        assert abs(value - there.figures()[name]) < 1e-13
+    assert here.circular_deviation <= here.circular_deviation_least_squares + 1e-15
+    assert here.circular_deviation <= here.radial_max - here.radial_min + 1e-15
+    # Points within the ring change nothing.
+    zone, centre = minimum_zone(points)
+    radius = np.linalg.norm(points - centre, axis=1)
+    middle = centre + 0.5 * (radius.max() + radius.min()) * np.column_stack([np.cos(a[::7] + 0.01), np.sin(a[::7] + 0.01)])
+    assert abs(minimum_zone(np.concatenate([points, middle]))[0] - zone) < 1e-12

@@ -1,0 +1,230 @@
+"""The frequency response of an axis against transfer functions written down by hand and joined by python-control."""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+import control
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from contourlab.analysis import AxisResponse, axis_response, margins
+from contourlab.components.contract import Component, LinearModel
+from contourlab.components.controller.position import PositionController
+from contourlab.components.drive.delayed_saturation import DelayedSaturation
+from contourlab.components.observer.disturbance_observer import DisturbanceObserver
+from contourlab.components.plant.ball_screw import BallScrew
+from contourlab.components.plant.mass_damper import MassDamper
+from contourlab.components.plant.rigid_axis import RigidAxis
+from contourlab.components.plant.single_mass import SingleMass
+from contourlab.components.velocity.filtered_difference import FilteredDifference
+from contourlab.components.velocity.true import TrueVelocity
+from contourlab.errors import ComponentError, ParameterError
+from contourlab.loop.machine import Axis, AxisController
+
+W = np.logspace(-1, 3.5, 120)
+S = 1j * W
+A, B, KV, KP, KI = 0.9, 20.0, 60.0, 2200.0, 12.0
+MODEL_A, MODEL_B, W_D, W_Z = 0.8, 15.0, 150.0, 900.0
+s = control.tf("s")
+PLANT = A / (s * (s + B))
+PID = KV * s + KP + KP * KI / s
+AHEAD = (s * s + MODEL_B * s) / MODEL_A
+
+
+def respond(
+    structure: str = "feedforward",
+    observer: Component | None = None,
+    velocity: Component | None = None,
+    period: float = 0.0,
+    axis: Axis | None = None,
+    **changed: float,
+) -> AxisResponse:
+    gains = {"velocity_gain": KV, "position_gain": KP, "integral_gain": KI, "model_gain": MODEL_A, "model_damping": MODEL_B, **changed}
+    controller = AxisController(PositionController(structure=structure, **gains), velocity or TrueVelocity(), observer)
+    return axis_response(axis or Axis("x", RigidAxis(gain=A, damping=B)), controller, period, W)
+
+
+def same(found: Any, law: Any, rel: float = 1e-9) -> None:
+    assert np.abs(found / law(S) - 1.0).max() < rel
+
+
+def test_structure_without_feedforward_is_eq_16() -> None:
+    """P/R' = a K_P K_I/(s^3 + (b + a K_V) s^2 + a K_P s + a K_P K_I)."""
+    found = respond("ipv")
+    law = A * KP * KI / (s**3 + (B + A * KV) * s**2 + A * KP * s + A * KP * KI)
+    same(found.closed_loop, law)
+    same(found.modified, law)
+    same(found.loop_gain, PID * PLANT)
+
+
+def test_structure_with_feedforward() -> None:
+    found = respond()
+    closed = control.feedback(PLANT, PID)
+    same(found.loop_gain, PID * PLANT)
+    same(found.closed_loop, (PID + AHEAD) * closed)
+    same(found.modified, (KP + KP * KI / s) * closed)
+    same(found.compliance, closed)
+    same(found.compensated, s * PLANT)
+
+
+def test_feedforward_of_the_true_model_leaves_no_error() -> None:
+    found = respond(model_gain=A, model_damping=B)
+    assert np.abs(found.closed_loop - 1.0).max() < 1e-12
+
+
+def test_velocity_from_differences() -> None:
+    """K_V acts on s w/(s + w) P; so does the observer."""
+    corner = 800.0
+    found = respond(velocity=FilteredDifference(bandwidth=corner))
+    back = KP + KP * KI / s + KV * s * corner / (s + corner)
+    same(found.loop_gain, back * PLANT)
+    same(found.compliance, control.feedback(PLANT, back))
+
+
+def observer(**changed: float) -> DisturbanceObserver:
+    values = {"bandwidth": W_D, "filter_bandwidth": W_Z, "model_gain": MODEL_A, "model_damping": MODEL_B, **changed}
+    return DisturbanceObserver(**values)
+
+
+def test_loop_with_observer() -> None:
+    """d_hat = Q ((s w_z/(s + w_z) + b_hat) v/a_hat - u) beside the controller."""
+    found = respond(observer=observer())
+    q = W_D / (s + W_D)
+    seen = (s * W_Z / (s + W_Z) + MODEL_B) / MODEL_A
+    # Solved for the applied command: u (1 - Q) = C e - Q F v, so the loop is C G + Q (F s G - 1).
+    loop = PID * PLANT + q * (seen * s * PLANT - 1.0)
+    same(found.loop_gain, loop)
+    same(found.closed_loop, (PID + AHEAD) * PLANT / (1.0 + loop))
+    # A load is an input of the same unit here: it is not in u, so the observer counts it as disturbance.
+    same(found.compliance, PLANT * (1.0 - q) / (1.0 + loop))
+
+
+def test_stiffness_at_very_low_frequency() -> None:
+    """Integral and observer together: the compliance falls with the square of the frequency, without loss of digits."""
+    controller = AxisController(PositionController(velocity_gain=KV, position_gain=KP, integral_gain=KI), observer=observer())
+    low = np.array([1e-4, 1e-5])
+    found = axis_response(Axis("x", RigidAxis(gain=A, damping=B)), controller, 0.0, low).compliance
+    # s -> 0: G (1 - Q)/(1 + L) with 1 - Q = s/w_d and L = K_P K_I a/(b s^2).
+    assert np.abs(found / ((1j * low) ** 2 / (W_D * KP * KI)) - 1.0).max() < 1e-5
+
+
+def test_compensated_axis_is_eqs_10_to_13() -> None:
+    """V/U_c = a (s + w_z)(s + w_d)/(s^3 + (w_z + b) s^2 + ((w_z + b_hat) w_d a/a_hat + w_z b) s + w_d w_z b_hat a/a_hat)."""
+    below = S**3 + (W_Z + B) * S**2 + ((W_Z + MODEL_B) * W_D * A / MODEL_A + W_Z * B) * S + W_D * W_Z * MODEL_B * A / MODEL_A
+    found = respond(observer=observer(), velocity_gain=0.0, position_gain=0.0)
+    assert np.abs(found.compensated / (A * (S + W_Z) * (S + W_D) / below) - 1.0).max() < 1e-9
+    # With no controller V/D = a s (s + w_z)/(the same).
+    assert np.abs(S * found.compliance / (A * S * (S + W_Z) / below) - 1.0).max() < 1e-9
+    # The controller does not change what the observer makes of the axis.
+    assert np.abs(respond(observer=observer()).compensated / found.compensated - 1.0).max() < 1e-12
+
+
+positive = st.floats(0.1, 10.0)
+
+
+@settings(max_examples=50, deadline=None)
+@given(gain=positive, damping=positive, a_hat=positive, b_hat=positive, w_d=st.floats(20.0, 300.0), ratio=st.floats(2.0, 20.0))
+def test_observer_at_low_frequency(gain: float, damping: float, a_hat: float, b_hat: float, w_d: float, ratio: float) -> None:
+    """Whatever the plant: u_c to v is a_hat/b_hat, and a disturbance that grows at a unit rate gives v = a_hat/(b_hat w_d)."""
+    made = observer(bandwidth=w_d, filter_bandwidth=ratio * w_d, model_gain=a_hat, model_damping=b_hat)
+    free = AxisController(PositionController(), observer=made)
+    low = np.array([1e-7])
+    found = axis_response(Axis("x", RigidAxis(gain=gain, damping=damping)), free, 0.0, low)
+    assert found.compensated[0] == pytest.approx(a_hat / b_hat, rel=1e-3)
+    # Velocity per rate of the disturbance is position per disturbance.
+    assert found.compliance[0] == pytest.approx(a_hat / (b_hat * w_d), rel=1e-3)
+
+
+def test_hold_and_delay() -> None:
+    """The hold turns by half a period and weakens as a sine over its argument; the delay turns only."""
+    period, delay = 1e-3, 3.7e-3
+    held = respond(period=period).loop_gain / respond().loop_gain
+    x = 0.5 * W * period
+    assert np.abs(held - np.sin(x) / x * np.exp(-1j * x)).max() < 1e-12
+    late = respond(axis=Axis("x", RigidAxis(gain=A, damping=B), drive=DelayedSaturation(delay=delay))).loop_gain
+    assert np.abs(late / respond().loop_gain - np.exp(-S * delay)).max() < 1e-12
+
+
+def test_delay_takes_its_part_of_the_phase_margin() -> None:
+    fine = np.logspace(0, 3, 4000)
+    controller = AxisController(PositionController(velocity_gain=KV, position_gain=KP, integral_gain=KI))
+
+    def of(delay: float) -> Any:
+        axis = Axis("x", RigidAxis(gain=A, damping=B), drive=DelayedSaturation(delay=delay))
+        return margins(fine, axis_response(axis, controller, 0.0, fine).loop_gain)
+
+    none, late = of(0.0), of(2e-3)
+    assert late.crossover == pytest.approx(none.crossover, rel=1e-9)
+    assert late.phase == pytest.approx(none.phase - none.crossover * 2e-3, rel=1e-5)
+
+
+def test_plants_in_physical_units() -> None:
+    """m v' = K_f i - c v + F, and the ball screw with J (2 pi/l)^2 and 2 pi eta K_t/l."""
+    mass, damping, force = 25.0, 80.0, 60.0
+    free = AxisController(PositionController())
+    found = axis_response(Axis("x", MassDamper(mass=mass, damping=damping, force_constant=force)), free, 0.0, W)
+    same(found.compensated, force / (mass * s + damping))
+    same(found.compliance, 1.0 / (mass * s * s + damping * s))
+    screw = BallScrew(mass=20.0, inertia=2e-4, lead=0.01, torque_constant=0.5, efficiency=0.9, damping=100.0)
+    moved = 20.0 + 2e-4 * (2.0 * math.pi / 0.01) ** 2
+    found = axis_response(Axis("x", screw), free, 0.0, W)
+    same(found.compensated, 0.5 * 0.9 * 2.0 * math.pi / 0.01 / (moved * s + 100.0))
+    same(found.compliance, 1.0 / (moved * s * s + 100.0 * s))
+
+
+class TwoMasses(SingleMass):
+    """Motor and table on a spring: the command pushes the motor, the load the table; tachometer there, scale here."""
+
+    kind = "two-masses"
+
+    def linearize(self) -> LinearModel:
+        a = np.array([[0.0, 1.0, 0.0, 0.0], [-SPRING / MOTOR, 0.0, SPRING / MOTOR, 0.0], [0.0, 0.0, 0.0, 1.0]])
+        a = np.vstack([a, [SPRING / TABLE, 0.0, -SPRING / TABLE, -4.0]])
+        b = np.array([[0.0, 0.0], [1.0 / MOTOR, 0.0], [0.0, 0.0], [0.0, 1.0 / TABLE]])
+        c = np.array([[0.0, 0.0, 1.0, 0.0], [0.0, 1.0, 0.0, 0.0]])
+        return LinearModel(a, b, c, np.zeros((2, 2)), ("command", "load"), ("position", "velocity"))
+
+
+MOTOR, TABLE, SPRING = 2.0, 3.0, 4e4
+
+
+def test_load_that_acts_elsewhere_than_the_drive() -> None:
+    """Solved as one linear system at each frequency: both masses, the controller, and a unit load on the table."""
+    found = respond(axis=Axis("x", TwoMasses())).compliance
+    for w, value in zip(W, found, strict=True):
+        z = 1j * w
+        # Unknowns: position of the motor, of the table, command.
+        matrix = np.array(
+            [
+                [MOTOR * z * z + SPRING, -SPRING, -1.0],
+                [-SPRING, TABLE * (z * z + 4.0 * z) + SPRING, 0.0],
+                [KV * z, KP + KP * KI / z, 1.0],
+            ]
+        )
+        assert value == pytest.approx(np.linalg.solve(matrix, [0.0, 1.0, 0.0])[1], rel=1e-8)
+
+
+def test_mass_that_is_carried() -> None:
+    plant = MassDamper(mass=25.0, carried_mass=5.0, damping=80.0, force_constant=60.0)
+    found = axis_response(Axis("x", plant), AxisController(PositionController()), 0.0, W, carried_mass=15.0)
+    same(found.compensated, 60.0 / (45.0 * s + 80.0))
+
+
+@pytest.mark.parametrize("frequency", [[0.0], [-1.0], [1.0, math.nan], [math.inf]])
+def test_frequencies_that_are_none(frequency: list[float]) -> None:
+    axis, controller = Axis("x", RigidAxis(gain=A, damping=B)), AxisController(PositionController())
+    with pytest.raises(ParameterError, match="frequency"):
+        axis_response(axis, controller, 0.0, frequency)
+
+
+def test_a_component_without_a_linear_model_is_named() -> None:
+    class Bang(Component):
+        family = "controller"
+        kind = "bang"
+
+    with pytest.raises(ComponentError, match="controller bang has no linear model"):
+        axis_response(Axis("x", RigidAxis(gain=A, damping=B)), AxisController(Bang()), 0.0, W)

@@ -1,0 +1,322 @@
+"""Components with one fault each."""
+
+from __future__ import annotations
+
+import random
+import time
+from typing import Any
+
+import numpy as np
+
+from contourlab.components.contract import Component, LinearModel, Port, param, text_param
+from contourlab.components.coupling.modified_reference import ModifiedReference
+from contourlab.components.drive.saturation import Saturation
+from contourlab.components.friction.smooth_coulomb import SmoothCoulomb
+from contourlab.components.observer.disturbance_observer import DisturbanceObserver
+from contourlab.components.plant.mass_damper import MassDamper
+from contourlab.primitives import lookup
+
+
+class Amplifier(Component):
+    """A drive that passes its command on: sound, and the pattern of the faulty ones."""
+
+    family = "drive"
+    kind = "sound"
+    inputs = (Port("command"),)
+    outputs = (Port("applied"),)
+
+    @staticmethod
+    def step(par: Any, x: Any, inp: Any, clock: Any) -> Any:
+        return (), (inp.command,)
+
+
+class WallClock(Amplifier):
+    """Reads the time of day."""
+
+    @staticmethod
+    def step(par: Any, x: Any, inp: Any, clock: Any) -> Any:
+        return (), (inp.command + time.perf_counter(),)
+
+
+class Dice(Amplifier):
+    """Draws from a generator that keeps a state."""
+
+    @staticmethod
+    def step(par: Any, x: Any, inp: Any, clock: Any) -> Any:
+        return (), (inp.command + random.random(),)
+
+
+MEMORY = [0.0]
+
+
+class Hoarder(Amplifier):
+    """Remembers outside its states, and forgets at tick 0, so that two whole runs agree."""
+
+    @staticmethod
+    def step(par: Any, x: Any, inp: Any, clock: Any) -> Any:
+        MEMORY[0] = inp.command if clock.k == 0.0 else MEMORY[0] + inp.command
+        return (), (MEMORY[0],)
+
+
+class Scribbler(Amplifier):
+    """Writes into its table."""
+
+    tables = ("scratch",)
+
+    def table_values(self) -> dict[str, Any]:
+        return {"scratch": np.array([1.0, 2.0])}
+
+    @staticmethod
+    def step(par: Any, x: Any, inp: Any, clock: Any) -> Any:
+        par.scratch[0] = lookup(par.scratch, 0.0) + 1.0
+        return (), (inp.command * lookup(par.scratch, 0.0),)
+
+
+class Reassigner(Amplifier):
+    """Writes into its parameters."""
+
+    example = {"gain": 2.0}
+    gain: float = param(minimum=0.0, doc="g")
+
+    @staticmethod
+    def step(par: Any, x: Any, inp: Any, clock: Any) -> Any:
+        par.gain = 3.0
+        return (), (par.gain * inp.command,)
+
+
+class Counter(Amplifier):
+    """Takes its parameter for an int; parameters are floats, also where they were given as ints."""
+
+    example = {"stages": 3}
+    stages: int = param(minimum=0.0, whole=True, doc="n")
+
+    @staticmethod
+    def step(par: Any, x: Any, inp: Any, clock: Any) -> Any:
+        out = inp.command
+        for _ in range(par.stages):
+            out = 0.5 * out
+        return (), (out,)
+
+
+class Idle(Amplifier):
+    """Has a parameter that does nothing."""
+
+    example = {"gain": 2.0, "trim": 1.0}
+    gain: float = param(minimum=0.0, doc="g")
+    trim: float = param(minimum=0.0, doc="t")
+
+    @staticmethod
+    def step(par: Any, x: Any, inp: Any, clock: Any) -> Any:
+        return (), (par.gain * inp.command,)
+
+
+class IdleWord(Amplifier):
+    """Has a word that does nothing."""
+
+    rule: str = text_param("left", ("left", "right"), doc="r")
+
+
+class NotANumber(Amplifier):
+    """Gives inf - inf."""
+
+    @staticmethod
+    def step(par: Any, x: Any, inp: Any, clock: Any) -> Any:
+        huge = (1.0 + inp.command * inp.command) * 1e308 * 10.0
+        return (), (huge - huge,)
+
+
+class Overflowing(Amplifier):
+    """Gives infinity."""
+
+    @staticmethod
+    def step(par: Any, x: Any, inp: Any, clock: Any) -> Any:
+        return (), ((1.0 + inp.command * inp.command) * 1e308 * 10.0,)
+
+
+class RottenInside(Amplifier):
+    """Keeps a state that is no number, where no output shows it."""
+
+    states = (Port("hidden"),)
+
+    @staticmethod
+    def step(par: Any, x: Any, inp: Any, clock: Any) -> Any:
+        huge = (1.0 + inp.command * inp.command) * 1e308 * 10.0
+        return (huge - huge,), (inp.command,)
+
+
+class Divider(Amplifier):
+    """Divides by zero."""
+
+    @staticmethod
+    def step(par: Any, x: Any, inp: Any, clock: Any) -> Any:
+        return (), (1.0 / (inp.command - inp.command),)
+
+
+class Misspelt(Amplifier):
+    """Names what does not exist."""
+
+    @staticmethod
+    def step(par: Any, x: Any, inp: Any, clock: Any) -> Any:
+        return (), (nonsense(inp.command),)  # type: ignore[name-defined]  # noqa: F821
+
+
+class Talkative(Amplifier):
+    """Returns more than it declares."""
+
+    @staticmethod
+    def step(par: Any, x: Any, inp: Any, clock: Any) -> Any:
+        return (), (inp.command, 1.0)
+
+
+class Forgetful(Amplifier):
+    """Declares a state and returns none."""
+
+    states = (Port("last"),)
+
+
+class HalfVector(ModifiedReference):
+    """Returns one number for a vector of two: the other would stay as it was."""
+
+    kind = "half-vector"
+
+    @staticmethod
+    def step(par: Any, x: Any, inp: Any, clock: Any) -> Any:
+        return (), ((par.weight * inp.reference[0],),)
+
+
+class WideInteger(Amplifier):
+    """Counts with whole numbers that fit a Python int and no machine word."""
+
+    @staticmethod
+    def step(par: Any, x: Any, inp: Any, clock: Any) -> Any:
+        return (), (float(int(1e6 * inp.command) ** 5 % 1000),)
+
+
+class Uncompilable(Amplifier):
+    """Formats text, which plain Python can and machine code cannot."""
+
+    @staticmethod
+    def step(par: Any, x: Any, inp: Any, clock: Any) -> Any:
+        return (), (float(f"{inp.command:.12f}"),)
+
+
+class WrongInput(Amplifier):
+    """Wants what the slot of a drive does not offer."""
+
+    inputs = (Port("comand"),)
+
+
+class WrongOutput(Amplifier):
+    """Does not give what the slot of a drive wants."""
+
+    outputs = (Port("current"),)
+
+
+class Deaf(Amplifier):
+    """Does not take what the slot wires to it."""
+
+    inputs = ()
+
+
+class Boundless(Amplifier):
+    """Has a parameter without bounds, not said on purpose."""
+
+    example = {"gain": 1.0}
+    gain: float = param(doc="g")
+
+
+class Undocumented(Amplifier):
+    """Has a parameter that nobody explains."""
+
+    example = {"gain": 1.0}
+    gain: float = param(minimum=0.0, doc="")
+
+
+class Mute(Amplifier):
+    __doc__ = None
+
+
+class BadDefault(Amplifier):
+    """Has a default outside its own range."""
+
+    gain: float = param(default=-1.0, minimum=0.0, doc="g")
+
+
+class BadExample(Amplifier):
+    """Has an example outside its own range."""
+
+    example = {"gain": -1.0}
+    gain: float = param(minimum=0.0, doc="g")
+
+
+class NoExample(Amplifier):
+    """Has a parameter that has to be given, and an example without it."""
+
+    gain: float = param(minimum=0.0, doc="g")
+
+
+class ForgottenDerived(Amplifier):
+    """Names a derived constant and works none out."""
+
+    derived = ("half",)
+
+
+class Lawless(SmoothCoulomb):
+    """A friction of a law that no plant can integrate."""
+
+    kind = "lawless"
+    law = "magic"
+
+
+class Clash(SmoothCoulomb):
+    """A friction with a parameter of the same name as the plant's it is checked with."""
+
+    kind = "clash"
+    example = {**SmoothCoulomb.example, "mass": 1.0}
+    mass: float = param(minimum=0.0, doc="m")
+
+
+class LyingGain(Saturation):
+    """Says in its linear model that it doubles."""
+
+    kind = "lying-gain"
+
+    def linearize(self) -> LinearModel:
+        return LinearModel(np.zeros((0, 0)), np.zeros((0, 1)), np.zeros((1, 0)), 2.0 * np.ones((1, 1)), ("command",), ("applied",))
+
+
+class LyingName(Saturation):
+    """Names in its linear model a port that it has not."""
+
+    kind = "lying-name"
+
+    def linearize(self) -> LinearModel:
+        return LinearModel(np.zeros((0, 0)), np.zeros((0, 1)), np.zeros((1, 0)), np.ones((1, 1)), ("current",), ("applied",))
+
+
+class LyingShape(Saturation):
+    """Gives in its linear model matrices that do not fit each other."""
+
+    kind = "lying-shape"
+
+    def linearize(self) -> LinearModel:
+        return LinearModel(np.zeros((0, 0)), np.zeros((0, 2)), np.zeros((1, 0)), np.ones((1, 1)), ("command",), ("applied",))
+
+
+class LyingPole(MassDamper):
+    """Says in its linear model that it is damped 1 % less."""
+
+    kind = "lying-pole"
+
+    def linearize(self) -> LinearModel:
+        return MassDamper(**{**self.values(), "damping": 0.99 * self.damping}).linearize()
+
+
+class LyingSign(DisturbanceObserver):
+    """Has in its linear model the wrong sign for the command."""
+
+    kind = "lying-sign"
+
+    def linearize(self) -> LinearModel:
+        true = super().linearize()
+        return LinearModel(true.a, true.b * np.array([1.0, -1.0]), true.c, true.d, true.inputs, true.outputs)

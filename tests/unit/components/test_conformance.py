@@ -1,0 +1,41 @@
+"""Every component there is keeps the contract, compiled and in plain Python."""
+
+from __future__ import annotations
+
+import pytest
+
+from contourlab.components.conformance import SLOTS, check_component
+from contourlab.components.contract import FAMILIES, Component
+from contourlab.components.registry import components
+from contourlab.loop.machine import Axis, AxisController, Controller
+
+EVERY = [pytest.param(kind, id=f"{kind.family}/{kind.kind}") for kind in components()]
+
+
+@pytest.mark.parametrize("kind", EVERY)
+def test_a_component_keeps_the_contract(kind: type[Component]) -> None:
+    check_component(kind)
+
+
+def test_no_family_is_without_a_component() -> None:
+    assert {kind.family for kind in components()} == set(FAMILIES) == set(SLOTS)
+
+
+@pytest.mark.parametrize("kind", EVERY)
+def test_a_component_tells_where_it_comes_from(kind: type[Component]) -> None:
+    ideal = {("sensor", "ideal"), ("velocity", "true"), ("friction", "none"), ("disturbance", "constant"), ("disturbance", "sine")}
+    assert kind.reference or (kind.family, kind.kind) in ideal | {("disturbance", "table")}
+
+
+@pytest.mark.parametrize("kind", EVERY)
+def test_an_example_survives_a_round_through_its_values(kind: type[Component]) -> None:
+    part = kind(**kind.example)
+    again = kind(**part.values())
+    assert again == part and hash(again) == hash(part)
+    assert eval(repr(part), {kind.__name__: kind, "inf": float("inf")}) == part
+    assert part.replace() == part and part.replace() is not part
+
+
+def test_each_family_has_its_place_in_a_machine_or_its_controller() -> None:
+    slots = {name for holder in (Axis, AxisController, Controller) for name in holder.__dataclass_fields__}
+    assert set(FAMILIES) <= slots

@@ -1,0 +1,194 @@
+"""Parameters: bounds, units, defaults, words, lists, and what is said of a value that is refused."""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+import numpy as np
+import pytest
+from component_rig import make
+from hypothesis import given
+from hypothesis import strategies as st
+
+from contourlab.components.contract import Component, Parameter, param, text_param
+from contourlab.components.registry import components
+from contourlab.errors import ComponentError, ParameterError
+from contourlab.units import to_si
+
+
+class Sample(Component):
+    """One parameter of each sort."""
+
+    family = "drive"
+    kind = "sample"
+
+    plain: float = param(unit="N/A", minimum=0.0, maximum=10.0, display="N/A", doc="between two bounds")
+    positive: float = param(default=1.0, unit="m", minimum=0.0, exclusive=True, display="mm", doc="above zero")
+    count: float = param(default=2.0, minimum=1.0, maximum=8.0, whole=True, doc="a whole number")
+    limit: float = param(default=math.inf, unit="{command}", minimum=0.0, doc="none by default")
+    free: float = param(default=0.0, unit="{force}", doc="any")
+    series: tuple[float, ...] = param(default=(1.0,), unit="N", minimum=-1.0, vector=True, doc="a list")  # type: ignore[arg-type]
+    rule: str = text_param("left", ("left", "right"), doc="a word")
+
+
+NUMBERS = [
+    (kind, parameter) for kind in components() for parameter in kind.parameters.values() if not parameter.choices and not parameter.vector
+]
+NAMES = [f"{kind.family}/{kind.kind}.{parameter.name}" for kind, parameter in NUMBERS]
+
+
+def refused(kind: type[Component], **values: Any) -> ParameterError:
+    with pytest.raises(ParameterError) as caught:
+        kind(**{**kind.example, **values})
+    return caught.value
+
+
+# --- every parameter there is --------------------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize(("kind", "parameter"), NUMBERS, ids=NAMES)
+@pytest.mark.parametrize("value", [math.nan, math.inf, -math.inf])
+def test_numbers_that_are_not_finite_are_refused_by_name(kind: type[Component], parameter: Parameter, value: float) -> None:
+    if value == math.inf == parameter.default:
+        kind(**{**kind.example, parameter.name: value})
+        return
+    error = refused(kind, **{parameter.name: value})
+    assert (error.name, error.value) == (parameter.name, f"{value:g}")
+    assert "finite" in error.bound and parameter.bound in error.bound
+    assert f"{parameter.name} = {error.value}" in str(error)
+    assert "{" not in str(error)
+
+
+@pytest.mark.parametrize(("kind", "parameter"), NUMBERS, ids=NAMES)
+def test_the_bounds_hold_to_the_last_bit(kind: type[Component], parameter: Parameter) -> None:
+    for bound, beyond in ((parameter.minimum, -math.inf), (parameter.maximum, math.inf)):
+        if not math.isfinite(bound):
+            continue
+        outside = bound if bound == parameter.minimum and parameter.exclusive else math.nextafter(bound, beyond)
+        error = refused(kind, **{parameter.name: outside})
+        assert error.name == parameter.name and f"{bound:g}" in error.bound
+        inside = math.nextafter(bound, -beyond) if outside == bound else bound
+        if not parameter.whole or inside == round(inside):
+            assert getattr(kind(**{**kind.example, parameter.name: inside}), parameter.name) == inside
+
+
+@pytest.mark.parametrize(("kind", "parameter"), NUMBERS, ids=NAMES)
+def test_units_are_read_and_agree_with_those_shown(kind: type[Component], parameter: Parameter) -> None:
+    for command, force in (("A", "N"), ("full_scale", "full_scale")):
+        known = parameter.for_plant(command, force)
+        if known.unit:
+            # In SI already, and of one quantity with what people write: a metre too many would raise.
+            assert to_si(f"1 {known.unit}", known.unit) == 1.0
+            assert to_si(f"1 {known.display}", known.unit) > 0.0
+
+
+@pytest.mark.parametrize("kind", [pytest.param(k, id=f"{k.family}/{k.kind}") for k in components()])
+def test_what_has_no_default_is_asked_for(kind: type[Component]) -> None:
+    for name, parameter in kind.parameters.items():
+        if parameter.default is None:
+            given = {key: value for key, value in kind.example.items() if key != name}
+            with pytest.raises(ParameterError, match=rf"{kind.kind}\.{name} = not given: must be given"):
+                kind(**given)
+
+
+@pytest.mark.parametrize("kind", [pytest.param(k, id=f"{k.family}/{k.kind}") for k in components()])
+def test_unknown_names_are_answered_with_those_there_are(kind: type[Component]) -> None:
+    with pytest.raises(ComponentError, match=rf"{kind.kind}: no parameter 'colour'; there are: {next(iter(kind.parameters), 'none')}"):
+        kind(**{**kind.example, "colour": 1.0})
+
+
+# --- one of each sort ----------------------------------------------------------------------------------------------------------------
+
+
+def test_numbers_of_any_sort_become_floats() -> None:
+    for five in (5, 5.0, np.float32(5.0), np.int64(5), np.float64(5.0)):
+        value = Sample(plain=five).plain
+        assert type(value) is float and value == 5.0
+
+
+@pytest.mark.parametrize("value", [True, "5", None, [5.0], 5j, np.array([5.0]), {}])
+def test_what_is_no_number_is_refused(value: Any) -> None:
+    if value is None:
+        assert "must be given, >= 0 and <= 10 N/A" in str(refused(Sample, plain=value))
+    else:
+        error = refused(Sample, plain=value)
+        assert error.bound == "a number" and "N/A" in str(error)
+
+
+@pytest.mark.parametrize(
+    ("values", "said"),
+    [
+        ({"plain": -1.0}, "plain = -1 N/A: must be >= 0 and <= 10 N/A"),
+        ({"plain": 11.0}, "plain = 11 N/A: must be >= 0 and <= 10 N/A"),
+        ({"plain": 1.0, "positive": 0.0}, "positive = 0 m: must be > 0 m"),
+        ({"plain": 1.0, "count": 2.5}, "count = 2.5: must be a whole number that is >= 1 and <= 8"),
+        ({"plain": 1.0, "count": 9}, "count = 9: must be a whole number that is >= 1 and <= 8"),
+        ({"plain": 1.0, "limit": -1.0}, "limit = -1 command: must be >= 0 command"),
+        ({"plain": 1.0, "free": math.nan}, "free = nan force: must be finite force"),
+        ({"plain": 1.0, "limit": math.nan}, "limit = nan command: must be finite and >= 0 command"),
+        ({"plain": 10**400}, "plain = inf N/A: must be finite and >= 0 and <= 10 N/A"),
+        ({"plain": 1.0, "series": (0.0, -2.0)}, "series = -2 N: must be >= -1 N"),
+        ({"plain": 1.0, "series": ()}, "series = () N: must be a list of numbers N"),
+        ({"plain": 1.0, "series": "1 2"}, "series = '1 2' N: must be a list of numbers N"),
+        ({"plain": 1.0, "series": 3.0}, "series = 3.0 N: must be a list of numbers N"),
+        ({"plain": 1.0, "series": (1.0, math.inf)}, "series = inf N: must be finite and >= -1 N"),
+        ({"plain": 1.0, "rule": "up"}, "rule = 'up': must be one of left, right"),
+        ({"plain": 1.0, "rule": 1.0}, "rule = 1.0: must be one of left, right"),
+    ],
+)
+def test_a_refusal_says_name_value_and_bound(values: dict[str, Any], said: str) -> None:
+    assert str(refused(Sample, **values)) == said
+
+
+def test_defaults_stand_where_nothing_is_given() -> None:
+    assert Sample(plain=1.0).values() == {
+        "plain": 1.0,
+        "positive": 1.0,
+        "count": 2.0,
+        "limit": math.inf,
+        "free": 0.0,
+        "series": (1.0,),
+        "rule": "left",
+    }
+
+
+def test_numeric_rows_leave_out_words_and_lists() -> None:
+    assert Sample.numeric() == ("plain", "positive", "count", "limit", "free")
+
+
+@given(
+    value=st.one_of(st.floats(), st.integers(), st.booleans(), st.text(max_size=3), st.none(), st.lists(st.floats(), max_size=2)),
+    low=st.floats(-10.0, 10.0),
+    width=st.floats(0.0, 10.0),
+    exclusive=st.booleans(),
+    whole=st.booleans(),
+)
+def test_a_value_is_in_range_or_refused(value: Any, low: float, width: float, exclusive: bool, whole: bool) -> None:
+    made = param(unit="m", minimum=low, maximum=low + width, exclusive=exclusive, whole=whole, doc="d")
+    try:
+        found = made.check(value)
+    except ParameterError as error:
+        number = isinstance(value, float | int) and not isinstance(value, bool)
+        inside = number and low <= value <= low + width and not (exclusive and value == low) and not (whole and value % 1)
+        assert not inside
+        assert error.bound
+    else:
+        assert type(found) is float and math.isfinite(found) and found == value
+        assert low <= found <= low + width and not (exclusive and found == low) and not (whole and found % 1)
+
+
+def test_a_component_is_frozen_and_compares_by_value() -> None:
+    one, other = Sample(plain=1.0), Sample(plain=2.0)
+    assert one != other and one == Sample(plain=1) and hash(one) == hash(Sample(plain=1))
+    assert one.replace(plain=2.0) == other
+    with pytest.raises(AttributeError, match=r"frozen: make a new one with \.replace\(plain="):
+        one.plain = 2.0  # type: ignore[misc]
+    with pytest.raises(ParameterError):
+        one.replace(plain=-1.0)
+
+
+def test_a_table_of_forces_wants_two_values() -> None:
+    with pytest.raises(ParameterError, match="at least two"):
+        make("disturbance", "table", step_size=0.1, values_given=(1.0,))
+    assert make("disturbance", "table", step_size=0.1, values_given=[1, 2]).values_given == (1.0, 2.0)

@@ -1,0 +1,250 @@
+"""A number that is no number, planted into each slot of a running loop: the engine has to notice, and to say when and where."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+import pytest
+from component_rig import make
+
+import contourlab as cl
+from contourlab.components.contract import FAMILIES, Component
+from contourlab.components.controller.position import PositionController
+from contourlab.components.coupling.modified_reference import ModifiedReference
+from contourlab.components.disturbance.sine import SineLoad
+from contourlab.components.drive.saturation import Saturation
+from contourlab.components.estimator.newton import Newton
+from contourlab.components.friction.coulomb import Coulomb
+from contourlab.components.friction.lugre import LuGre
+from contourlab.components.friction.smooth_coulomb import SmoothCoulomb
+from contourlab.components.observer.disturbance_observer import DisturbanceObserver
+from contourlab.components.plant.rigid_axis import RigidAxis
+from contourlab.components.sensor.encoder import Encoder
+from contourlab.components.velocity.filtered_difference import FilteredDifference
+from contourlab.engine.step import Step
+from contourlab.primitives import exp, fabs, select
+
+PERIOD = 1e-3
+TICK = 57
+SPEED = 0.02
+INFINITY = math.inf
+
+
+def rotten(condition: bool) -> float:
+    """Return 0, or where the condition holds inf - inf."""
+    return select(condition, INFINITY - INFINITY, 0.0)
+
+
+observe, sense, differ = DisturbanceObserver.step, Encoder.step, FilteredDifference.step
+
+
+class RottenSensor(Encoder):
+    kind = "rotten"
+
+    @staticmethod
+    def step(par: Any, x: Any, inp: Any, clock: Any) -> Any:
+        _, out = sense(par, x, inp, clock)
+        return (), (out[0] + rotten(clock.k >= TICK),)
+
+
+class RottenVelocity(FilteredDifference):
+    kind = "rotten"
+
+    @staticmethod
+    def step(par: Any, x: Any, inp: Any, clock: Any) -> Any:
+        state, out = differ(par, x, inp, clock)
+        return state, (out[0] + rotten(clock.k >= TICK),)
+
+
+class RottenObserver(DisturbanceObserver):
+    """The fault passes after one tick; what it did to the loop does not."""
+
+    kind = "rotten"
+
+    @staticmethod
+    def step(par: Any, x: Any, inp: Any, clock: Any) -> Any:
+        state, out = observe(par, x, inp, clock)
+        return state, (out[0] + rotten(clock.k == TICK),)
+
+
+class RottenController(PositionController):
+    kind = "rotten"
+
+    def step_function(self) -> Any:
+        return RottenController.step
+
+    @staticmethod
+    def step(par: Any, x: Any, inp: Any, clock: Any) -> Any:
+        command = par.position_gain * (inp.reference - inp.position) + rotten(clock.k >= TICK)
+        return (0.0, 0.0, command), (command,)
+
+
+class RottenDrive(Saturation):
+    kind = "rotten"
+
+    @staticmethod
+    def step(par: Any, x: Any, inp: Any, clock: Any) -> Any:
+        return (), (inp.command + rotten(clock.k >= TICK),)
+
+
+class RottenLoad(SineLoad):
+    kind = "rotten"
+
+    @staticmethod
+    def step(par: Any, x: Any, inp: Any, clock: Any) -> Any:
+        return (), (rotten(clock.k >= TICK),)
+
+
+class RottenCoupling(ModifiedReference):
+    kind = "rotten"
+
+    @staticmethod
+    def step(par: Any, x: Any, inp: Any, clock: Any) -> Any:
+        return (), ((inp.reference[0] + rotten(clock.k >= TICK), inp.reference[1]),)
+
+
+class RottenEstimator(Newton):
+    kind = "rotten"
+
+    def path_step(self, view: Any, n_axis: int) -> Step:
+        sound = super().path_step(view, n_axis)
+        seek = sound.function
+
+        def function(par: Any, x: Any, inp: Any, clock: Any) -> Any:
+            state, out = seek(par, x, inp, clock)
+            bad = rotten(clock.k >= TICK)
+            return state, ((out[0][0] + bad, out[0][1]), out[1], out[2], out[3])
+
+        return replace(sound, function=function)
+
+
+class RottenPlant(RigidAxis):
+    kind = "rotten"
+
+    @staticmethod
+    def drive_force(par: Any, command: float) -> float:
+        return command + rotten(fabs(command) > 0.5)
+
+
+class RottenSmooth(SmoothCoulomb):
+    kind = "rotten-smooth"
+
+    @staticmethod
+    def force(par: Any, v: float) -> float:
+        return par.coulomb * v + rotten(fabs(v) > SPEED)
+
+
+class RottenSticking(Coulomb):
+    kind = "rotten-sticking"
+
+    @staticmethod
+    def sliding(par: Any, speed: float) -> float:
+        return par.coulomb + rotten(speed > SPEED)
+
+
+class RottenBristle(LuGre):
+    kind = "rotten-bristle"
+
+    @staticmethod
+    def level(par: Any, v: float) -> float:
+        return par.coulomb + 0.0 * exp(v) + rotten(fabs(v) > SPEED)
+
+
+LOAD, FRICTION = {"amplitude": 0.1, "frequency": 3.0}, {"coulomb": 0.05, "breakaway": 0.06}
+PLANTED = [
+    (RottenSensor(resolution=1e-7), 0),
+    (RottenVelocity(bandwidth=800.0), 0),
+    (RottenObserver(model_gain=1.0, model_damping=6.0), 0),
+    (RottenController(position_gain=100.0), 0),
+    (RottenEstimator(), 0),
+    (RottenCoupling(), 0),
+    # What stands behind the commands is seen by the controllers, and in the position, at the next tick.
+    (RottenDrive(), 1),
+    (RottenLoad(**LOAD), 1),
+    (RottenPlant(gain=1.0, damping=6.0), None),
+    (RottenSmooth(**FRICTION), None),
+    (RottenSticking(**FRICTION), None),
+    (RottenBristle(**FRICTION, stiffness=1e4), None),
+]
+NAMES = [type(part).__name__ for part, _ in PLANTED]
+
+
+def loop_with(planted: Component | None) -> tuple[cl.Machine, cl.Controller]:
+    """Return a machine with all slots filled, and one of those of axis x by the planted part."""
+    family = planted.family if planted is not None else ""
+
+    def axis(name: str) -> cl.Axis:
+        parts: dict[str, Any] = {
+            "plant": make("plant", "rigid-axis", gain=1.0, damping=6.0),
+            "friction": make("friction", "smooth-coulomb", **FRICTION),
+            "drive": make("drive", "saturation"),
+            "sensor": make("sensor", "encoder", resolution=1e-7),
+            "disturbance": make("disturbance", "sine", **LOAD),
+        }
+        return cl.Axis(name, **{**parts, **({family: planted} if name == "x" and family in parts else {})})
+
+    def servo(name: str) -> cl.AxisController:
+        parts = {
+            "controller": make("controller", "position", velocity_gain=70.0, position_gain=2800.0, integral_gain=12.0),
+            "velocity": make("velocity", "filtered-difference", bandwidth=800.0),
+            "observer": make("observer", "disturbance-observer", model_gain=1.0, model_damping=6.0),
+        }
+        return cl.AxisController(**{**parts, **({family: planted} if name == "x" and family in parts else {})})
+
+    contour = {"estimator": make("estimator", "newton"), "coupling": make("coupling", "modified-reference", weight=0.5)}
+    contour |= {family: planted} if family in contour else {}
+    return cl.Machine("stage", (axis("x"), axis("y")), PERIOD), cl.Controller({"x": servo("x"), "y": servo("y")}, **contour)
+
+
+@pytest.fixture(scope="module")
+def circle() -> cl.Reference:
+    return cl.uniform(cl.contour("circle", radius=0.02), 1.0, 1, PERIOD)
+
+
+def test_every_family_is_planted() -> None:
+    assert {part.family for part, _ in PLANTED} == set(FAMILIES)
+
+
+def test_without_a_plant_the_loop_is_sound(circle: cl.Reference) -> None:
+    result = cl.simulate(*loop_with(None), circle)
+    assert result.status.ok
+    assert all(np.isfinite(signal.data).all() for signal in result.signals.values())
+
+
+@pytest.mark.parametrize(("planted", "late"), PLANTED, ids=NAMES)
+def test_a_planted_number_ends_the_run_where_it_stands(planted: Component, late: int | None, circle: cl.Reference) -> None:
+    result = cl.simulate(*loop_with(planted), circle, on_failure="return")
+    assert not result.status.ok
+    assert "not finite" in result.status.reason
+    assert result.status.axis == "x"
+    if late is not None:
+        assert result.status.sample == TICK + late
+    before = result.status.sample - 1
+    assert result.n_sample == result.status.sample + 1
+    assert all(np.isfinite(signal.data[:before]).all() for signal in result.signals.values())
+    with pytest.raises(cl.DivergenceError, match="not finite"):
+        cl.simulate(*loop_with(planted), circle)
+
+
+@pytest.mark.parametrize("planted", [part for part, late in PLANTED if late is None], ids=NAMES[-4:])
+def test_a_force_that_breaks_ends_the_run_at_its_own_speed(planted: Component, circle: cl.Reference) -> None:
+    """What triggers these is a command or a speed; it must have been passed at the end, and not before."""
+    result = cl.simulate(*loop_with(planted), circle, on_failure="return")
+    signal, limit = ("applied_command", 0.5) if planted.family == "plant" else ("axis_velocity", SPEED)
+    seen = np.abs(result[signal][: result.status.sample, 0])
+    # The velocity may stop being a number a tick before the position that follows from it.
+    seen = seen[np.isfinite(seen)]
+    assert result.status.sample - 1 <= seen.size <= result.status.sample
+    assert not (seen[:-1] > limit).any()
+    assert seen[-1] > (limit if planted.family == "plant" else 0.8 * limit)
+
+
+@pytest.mark.parametrize("planted", [part for part, _ in PLANTED], ids=NAMES)
+def test_lanes_notice_it_too(planted: Component, circle: cl.Reference) -> None:
+    single = cl.simulate(*loop_with(planted), circle, on_failure="return").status
+    batch = cl.simulate_batch(*loop_with(planted), circle, {"axes.y.plant.gain": np.linspace(0.9, 1.1, 3)})
+    assert batch.failed_at.tolist() == [single.sample] * 3
+    assert np.isnan(batch.figures["contour_error_rms"]).all()

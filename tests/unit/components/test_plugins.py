@@ -1,0 +1,254 @@
+"""Components from outside: loose files and installed packages."""
+
+from __future__ import annotations
+
+import importlib.metadata
+import re
+import subprocess
+import sys
+from collections.abc import Iterator
+from pathlib import Path
+from types import ModuleType
+
+import pytest
+
+import contourlab as cl
+from contourlab.components import registry
+from contourlab.components.contract import Component
+from contourlab.errors import ComponentError
+
+ROOT = Path(__file__).parents[3]
+TEMPLATE = '''
+"""A plug-in."""
+from contourlab import Component, Port, param
+
+class {name}(Component):
+    """A force that is always there."""
+    family = "disturbance"
+    kind = "{kind}"
+    example = {{"force": 2.0}}
+    unbounded = ("force",)
+    inputs = (Port("position"),)
+    outputs = (Port("force"),)
+    force: float = param(default={default}, unit="{{force}}", doc="its size")
+
+    @staticmethod
+    def step(par, x, inp, clock):
+        return (), (par.force,)
+'''
+
+
+def source(kind: str, name: str = "Push", default: float = 1.0) -> str:
+    return TEMPLATE.format(kind=kind, name=name, default=default)
+
+
+@pytest.fixture(autouse=True)
+def fresh(monkeypatch: pytest.MonkeyPatch) -> Iterator[None]:
+    """Forget plug-ins and entry points at the end of each test."""
+    monkeypatch.setattr(registry, "_plugins", {})
+    yield
+    registry._built_in.cache_clear()
+    for name in [name for name in sys.modules if name.startswith("contourlab_plugin_")]:
+        del sys.modules[name]
+
+
+def write(folder: Path, text: str, name: str = "push.py") -> Path:
+    file = folder / name
+    file.write_text(text, encoding="utf-8")
+    return file
+
+
+# --- loose files ---------------------------------------------------------------------------------------------------------------------
+
+
+def test_a_loose_file_is_known_from_then_on(tmp_path: Path) -> None:
+    with pytest.raises(ComponentError, match="no disturbance 'push'"):
+        registry.component("disturbance", "push")
+    (kind,) = cl.load_plugin(write(tmp_path, source("push")))
+    assert registry.component("disturbance", "push") is kind
+    assert kind in registry.components("disturbance") and kind in registry.components()
+    cl.check_component(kind, jit=False)
+
+
+def test_its_imports_are_not_taken_for_its_own(tmp_path: Path) -> None:
+    text = "from contourlab.components.drive.saturation import Saturation\n" + source("push")
+    assert [kind.kind for kind in cl.load_plugin(write(tmp_path, text))] == ["push"]
+
+
+def test_a_file_that_was_edited_takes_its_own_place(tmp_path: Path) -> None:
+    file = write(tmp_path, source("push"))
+    (old,) = cl.load_plugin(file)
+    write(tmp_path, source("push", default=3.0) + source("pull", "Pull"))
+    kinds = cl.load_plugin(str(file))
+    assert {kind.kind for kind in kinds} == {"push", "pull"}
+    found = registry.component("disturbance", "push")
+    assert found is not old and found().force == 3.0  # type: ignore[attr-defined]
+    write(tmp_path, source("pull", "Pull"))
+    cl.load_plugin(file)
+    assert "push" not in {kind.kind for kind in registry.components()}
+
+
+@pytest.mark.parametrize(
+    ("text", "said"),
+    [
+        ("class Push(\n", r"cannot be imported: SyntaxError: .*line 1"),
+        ("import no_such_package\n", "cannot be imported: ModuleNotFoundError: No module named 'no_such_package'"),
+        ("raise KeyError('x')\n", "cannot be imported: KeyError"),
+        ("x = 1\n", r"defines no component \(a subclass of Component with family and kind\)"),
+        ("from contourlab.components.drive.saturation import Saturation\n", "defines no component"),
+        (source("push").replace('kind = "push"', ""), "defines no component"),
+        (source("push").replace('"disturbance"', '"gearbox"'), "family 'gearbox' is none of plant, friction"),
+        (source("constant"), "a disturbance named 'constant' already .*give this one another kind"),
+        (source("push") + source("push", "Second"), "a disturbance named 'push' already .*give this one another kind"),
+        ("", "defines no component"),
+    ],
+)
+def test_a_bad_file_is_refused_with_what_would_mend_it(tmp_path: Path, text: str, said: str) -> None:
+    file = write(tmp_path, text)
+    before = registry.components()
+    with pytest.raises(ComponentError, match=said) as caught:
+        cl.load_plugin(file)
+    assert str(file) in str(caught.value)
+    assert registry.components() == before
+
+
+def test_of_a_bad_file_nothing_is_kept(tmp_path: Path) -> None:
+    with pytest.raises(ComponentError, match="'constant' already"):
+        cl.load_plugin(write(tmp_path, source("push") + source("constant", "Second")))
+    assert "push" not in {kind.kind for kind in registry.components()}
+    cl.load_plugin(write(tmp_path, source("push"), "other.py"))
+
+
+def test_two_files_of_one_kind_are_refused(tmp_path: Path) -> None:
+    cl.load_plugin(write(tmp_path, source("push")))
+    with pytest.raises(ComponentError, match="'push' already"):
+        cl.load_plugin(write(tmp_path, source("push"), "other.py"))
+
+
+def test_two_files_of_one_name_live_side_by_side(tmp_path: Path) -> None:
+    for kind in ("push", "pull"):
+        (tmp_path / kind).mkdir()
+        cl.load_plugin(write(tmp_path / kind, source(kind)))
+    assert {"push", "pull"} <= {kind.kind for kind in registry.components("disturbance")}
+
+
+@pytest.mark.parametrize("name", ["none.py", ".", "notes.txt", "no/such/folder/drag.py"])
+def test_what_is_no_python_file_is_refused(tmp_path: Path, name: str) -> None:
+    (tmp_path / "notes.txt").write_text(source("push"))
+    with pytest.raises(ComponentError, match="no Python file to load components from"):
+        cl.load_plugin(tmp_path / name)
+
+
+# --- the example of the guide --------------------------------------------------------------------------------------------------------
+
+
+def blocks(language: str) -> list[str]:
+    guide = (ROOT / "CONTRIBUTING.md").read_text(encoding="utf-8")
+    return re.findall(rf"```{language}\n(.*?)```", guide, re.DOTALL)
+
+
+@pytest.fixture
+def drag(tmp_path: Path) -> Path:
+    return write(tmp_path, next(block for block in blocks("python") if "class Drag(Component)" in block), "drag.py")
+
+
+def test_the_command_of_the_guide_works_as_it_stands(drag: Path) -> None:
+    line = next(line for block in blocks("sh") for line in block.splitlines() if "--plugin" in line)
+    program, *arguments = line.split()
+    assert program == "contourlab"
+    command = [sys.executable, "-m", "contourlab.cli.main", *arguments]
+    if (script := Path(sys.executable).with_name("contourlab")).is_file():
+        command = [str(script), *arguments]
+    done = subprocess.run(command, cwd=drag.parent, capture_output=True, text=True, timeout=60)
+    assert done.returncode == 0, done.stderr
+    assert "friction/drag" in done.stdout and "Resistance of air" in done.stdout and "coefficient" in done.stdout
+
+
+def test_the_lines_of_the_guide_work_as_they_stand(drag: Path) -> None:
+    lines = next(block for block in blocks("python") if "load_plugin" in block)
+    done = subprocess.run([sys.executable, "-c", lines], cwd=drag.parent, capture_output=True, text=True, timeout=60)
+    assert done.returncode == 0, done.stderr
+
+
+def test_the_drag_of_the_guide_slows_an_axis_as_the_closed_form_says(drag: Path) -> None:
+    """m v' = -c v^2 has the solution v = v0/(1 + c v0 t/m)."""
+    from component_rig import make, run_alone
+
+    (kind,) = cl.load_plugin(drag)
+    mass, c, v0, n = 8.0, 40.0, 0.5, 400
+    plant = make("plant", "mass-damper", mass=mass, force_constant=1.0)
+    out = run_alone(plant, {"command": [0.0] * n}, friction=kind(coefficient=c), initial={"velocity": v0})
+    t = 1e-3 * n
+    assert out["velocity"][-1] == pytest.approx(v0 / (1.0 + c * v0 * t / mass), rel=1e-11)
+
+
+# --- entry points --------------------------------------------------------------------------------------------------------------------
+
+
+def offer(monkeypatch: pytest.MonkeyPatch, **values: object) -> None:
+    """Make installed packages out of objects: one entry point a name; an exception is raised on loading."""
+
+    class Entry:
+        def __init__(self, name: str, thing: object) -> None:
+            self.name, self.value, self.thing = name, f"stranger.{name}", thing
+
+        def load(self) -> object:
+            if isinstance(self.thing, Exception):
+                raise self.thing
+            return self.thing
+
+    entries = [Entry(name, thing) for name, thing in values.items()]
+    monkeypatch.setattr(importlib.metadata, "entry_points", lambda *, group: entries if group == "contourlab.components" else [])
+    registry._built_in.cache_clear()
+
+
+def strangers() -> type[Component]:
+    scope: dict[str, object] = {"__name__": "stranger"}
+    exec(source("strange-push"), scope)
+    return scope["Push"]  # type: ignore[return-value]
+
+
+def test_a_class_of_an_entry_point_is_known(monkeypatch: pytest.MonkeyPatch) -> None:
+    kind = strangers()
+    offer(monkeypatch, push=kind)
+    assert registry.component("disturbance", "strange-push") is kind
+    assert registry.component("plant", "rigid-axis").kind == "rigid-axis"
+
+
+def test_a_module_of_an_entry_point_brings_all_its_components(monkeypatch: pytest.MonkeyPatch) -> None:
+    module = ModuleType("stranger")
+    module.Push = strangers()  # type: ignore[attr-defined]
+    module.Component = Component  # type: ignore[attr-defined]
+    offer(monkeypatch, push=module)
+    assert registry.component("disturbance", "strange-push") is module.Push  # type: ignore[attr-defined]
+
+
+@pytest.mark.parametrize(
+    ("thing", "said"),
+    [
+        (ImportError("no such wheel"), r"entry point push = stranger\.push cannot be loaded: no such wheel"),
+        (RuntimeError("boom"), "cannot be loaded: boom"),
+        (3, "entry point push: 3 is no component: a class with family and kind is wanted"),
+        (Component, "is no component: a class with family and kind is wanted"),
+        (ModuleType("empty"), "entry point push: defines no component"),
+    ],
+)
+def test_an_entry_point_that_gives_no_component_is_never_skipped(monkeypatch: pytest.MonkeyPatch, thing: object, said: str) -> None:
+    offer(monkeypatch, push=thing)
+    with pytest.raises(ComponentError, match=said):
+        registry.components()
+
+
+def test_an_entry_point_cannot_take_the_place_of_ours(monkeypatch: pytest.MonkeyPatch) -> None:
+    scope: dict[str, object] = {"__name__": "stranger"}
+    exec(source("constant"), scope)
+    offer(monkeypatch, push=scope["Push"])
+    with pytest.raises(ComponentError, match="entry point push: there is a disturbance named 'constant' already"):
+        registry.components()
+
+
+def test_unknown_families_and_kinds_are_answered_with_those_there_are() -> None:
+    with pytest.raises(ComponentError, match="no family 'gearbox'; there are: plant, friction"):
+        registry.components("gearbox")
+    with pytest.raises(ComponentError, match="no plant 'rigid axis'; there are: ball-screw, mass-damper, rigid-axis"):
+        registry.component("plant", "rigid axis")

@@ -1,0 +1,120 @@
+"""The contours by name: their shapes, their parameters, and what is said of a wrong name."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+import pytest
+from scipy.special import ellipe
+
+from contourlab.errors import GeometryError
+from contourlab.geometry import contour, contour_names, contour_parameters
+
+
+def area(name: str, **parameters: float) -> float:
+    """Area enclosed, by Green's theorem over the path: the integral of (x dy - y dx) / 2."""
+    path = contour(name, **parameters)
+    n = 4000
+    # A midpoint rule over a period is exact to rounding for a smooth closed curve, and over whole lines.
+    s = (np.arange(n) + 0.5) / n * path.length
+    r, t = path.derivatives(s, 1)
+    return float(np.mean(r[:, 0] * t[:, 1] - r[:, 1] * t[:, 0]) * path.length / 2.0)
+
+
+def test_all_names_are_there_with_defaults_and_units() -> None:
+    assert contour_names() == ("circle", "ellipse", "lemniscate", "diamond", "star", "butterfly", "line-line-circle")
+    for name in contour_names():
+        defaults = {key: value for key, (value, _) in contour_parameters(name).items()}
+        assert contour(name, **defaults).digest == contour(name).digest
+        assert contour(name).closed == (name != "line-line-circle")
+        assert contour(name).is_planar
+    assert contour_parameters("circle") == {"radius": (0.02, "m"), "start_angle": (0.0, "rad"), "clockwise": (0.0, "")}
+    assert contour_parameters("star") == {"radius": (0.03, "m"), "lobes": (5.0, ""), "depth": (0.3, "")}
+
+
+def test_sizes_are_what_they_say() -> None:
+    assert contour("circle", radius=0.025).length == pytest.approx(2.0 * math.pi * 0.025, rel=1e-15)
+    assert contour("ellipse", a=0.04, b=0.02).length == pytest.approx(0.16 * ellipe(0.75), rel=1e-13)
+    assert contour("diamond", side=0.05).length == pytest.approx(0.2, rel=1e-15)
+    assert contour("butterfly", scale=0.5).length == pytest.approx(0.5 * contour("butterfly").length, rel=1e-13)
+    assert contour("lemniscate", a=0.08).length == pytest.approx(2.0 * contour("lemniscate").length, rel=1e-13)
+    assert contour("line-line-circle").length == pytest.approx(0.05 + 0.02 + 0.06 * math.pi, rel=1e-15)
+
+
+def test_areas_are_what_they_say() -> None:
+    assert area("circle", radius=0.02) == pytest.approx(math.pi * 0.02**2, rel=1e-13)
+    assert area("circle", radius=0.02, clockwise=1) == pytest.approx(-math.pi * 0.02**2, rel=1e-13)
+    assert area("ellipse", a=0.04, b=0.02) == pytest.approx(math.pi * 0.04 * 0.02, rel=1e-12)
+    assert area("diamond", side=0.04) == pytest.approx(0.04**2, rel=1e-13)
+    # r = R (1 + d cos n u) holds pi R^2 (1 + d^2 / 2); the two lobes of the eight cancel.
+    assert area("star", radius=0.03, lobes=5, depth=0.3) == pytest.approx(math.pi * 0.03**2 * (1.0 + 0.045), rel=1e-11)
+    assert area("lemniscate", a=0.04) == pytest.approx(0.0, abs=1e-16)
+
+
+def test_starts_and_senses() -> None:
+    np.testing.assert_allclose(contour("circle", start_angle=math.pi / 2).position(0.0), [(0.0, 0.02)], atol=1e-17)
+    np.testing.assert_allclose(contour("circle", clockwise=1).tangent(0.0), [(0.0, -1.0)], atol=1e-15)
+    np.testing.assert_allclose(contour("ellipse").tangent(0.0), [(0.0, 1.0)], atol=1e-12)
+    np.testing.assert_allclose(contour("lemniscate").tangent(0.0), [(math.sqrt(0.5),) * 2], atol=1e-12)
+
+
+def test_the_diamond_has_four_right_corners_on_the_axes() -> None:
+    path = contour("diamond", side=0.04)
+    half = 0.04 / math.sqrt(2.0)
+    np.testing.assert_allclose(path.position(path.corners), [(half, 0.0), (0.0, half), (-half, 0.0), (0.0, -half)], atol=1e-16)
+    legs = path.tangent((path.breaks[:-1] + path.breaks[1:]) / 2)
+    np.testing.assert_allclose(np.einsum("ij,ij->i", legs, np.roll(legs, 1, axis=0)), 0.0, atol=1e-15)
+
+
+@pytest.mark.parametrize(("lobes", "depth"), [(5, 0.3), (3, 0.1), (8, 0.0)])
+def test_the_star_has_its_lobes(lobes: int, depth: float) -> None:
+    path = contour("star", radius=0.03, lobes=lobes, depth=depth)
+    part = path.length / lobes
+    s = np.linspace(0.0, part, 50)
+    turn = 2.0 * math.pi / lobes
+    rotation = np.array([(math.cos(turn), math.sin(turn)), (-math.sin(turn), math.cos(turn))])
+    np.testing.assert_allclose(path.position(s + part), path.position(s) @ rotation, rtol=0, atol=1e-14)
+    radius = np.linalg.norm(path.position(np.array([0.0, 0.5]) * part), axis=1)
+    np.testing.assert_allclose(radius, [0.03 * (1 + depth), 0.03 * (1 - depth)], rtol=1e-12)
+
+
+def test_the_line_line_circle_of_the_course() -> None:
+    path = contour("line-line-circle")
+    np.testing.assert_allclose(path.breaks, [0.0, 0.05, 0.07, 0.07 + 0.06 * math.pi], rtol=1e-15)
+    np.testing.assert_allclose(path.position(path.breaks), [(0, 0), (0.04, 0.03), (0.06, 0.03), (0.06, 0.03)], atol=1e-16)
+    np.testing.assert_allclose(path.position(0.07 + 0.015 * math.pi), [(0.09, 0.0)], atol=1e-16)
+    np.testing.assert_allclose(path.corners, [0.05, 0.07], rtol=1e-15)
+
+
+def test_a_wrong_name_is_told_the_right_ones() -> None:
+    with pytest.raises(
+        GeometryError, match="no contour 'circel'; there are: circle, ellipse, lemniscate, diamond, star, butterfly, line-line-circle"
+    ):
+        contour("circel")
+    with pytest.raises(GeometryError, match="contour circle has no parameter 'diameter'; there are: radius, start_angle, clockwise"):
+        contour("circle", diameter=0.04)
+    with pytest.raises(GeometryError, match="no contour"):
+        contour_parameters("")
+
+
+@pytest.mark.parametrize(
+    ("name", "parameters", "message"),
+    [
+        ("circle", {"radius": 0.0}, "radius = 0.0: must be > 0"),
+        ("circle", {"radius": math.nan}, "radius = nan"),
+        ("circle", {"start_angle": math.nan}, "start_angle = nan"),
+        ("ellipse", {"b": -0.02}, "b = -0.02: must be > 0"),
+        ("lemniscate", {"a": math.inf}, "a = inf: must be > 0"),
+        ("diamond", {"side": -1.0}, "side = -1.0: must be > 0"),
+        ("star", {"lobes": 5.5}, "5.5 lobes.*whole number"),
+        ("star", {"lobes": 1}, "whole number >= 2"),
+        ("star", {"depth": 1.0}, "depth from 0 to below 1"),
+        ("star", {"radius": 0.0}, "radius = 0.0"),
+        ("butterfly", {"scale": 0.0}, "scale = 0.0: must be > 0"),
+        ("line-line-circle", {"scale": math.nan}, "scale = nan: must be > 0"),
+    ],
+)
+def test_a_value_out_of_range_is_refused(name: str, parameters: dict[str, float], message: str) -> None:
+    with pytest.raises(GeometryError, match=message):
+        contour(name, **parameters)

@@ -1,0 +1,127 @@
+"""The judge of a batch against the exact judge, on positions made by hand."""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+import numpy as np
+import pytest
+from made_runs import PERIOD, Array, made_run, samples_on
+
+from contourlab.engine.runner import make_group
+from contourlab.engine.schedule import Node, Schedule
+from contourlab.engine.step import Port
+from contourlab.geometry import Arc, Line, Path, contour
+from contourlab.geometry.view import view_of
+from contourlab.metrics import judge
+from contourlab.metrics.streaming import SUMS, judge_step
+
+WINDOW = 2e-2
+TABLE = 1e-11
+"""Largest distance [m] of the path's table from the path, where there is no closed form."""
+
+
+def streamed(path: Path, along: Array, tool: Array, counted: tuple[int, int] | None = None, analytic: bool = True) -> Any:
+    """Return the sums of the streaming judge by name, its contour error (n_sample,), and at which samples it was unsure."""
+    view = view_of(path, tolerance=TABLE, analytic=analytic)
+    n = path.n_axis
+    first, stop = counted or (0, len(along))
+    parameters = {"window": WINDOW, "first": float(first), "last": float(stop - 1), **view.parameters}
+    wires = {"position": "in.position", "reference": "in.reference", "arc_length": "in.arc_length"}
+    node = Node("judge", judge_step(view, n), wires, parameters, view.tables, {"foot": float(along[0])})
+    ports = (Port("position", n), Port("reference", n), Port("arc_length"))
+    group = make_group(Schedule((node,), ports, PERIOD, 1), 1, slice(0, 1), False)
+    row, error, doubts = group.schedule.row("judge.contour_error"), [], []
+    for fed in np.column_stack([tool, path.position(along), along]):
+        error.append(group.run(fed[None, :], [row])[0, 0, 0])
+        doubts.append(group.state_of("judge")[1 + SUMS.index("unsure"), 0])
+    return dict(zip(SUMS, group.state_of("judge")[1:, 0], strict=True)), np.array(error), np.diff(doubts, prepend=0.0) > 0.0
+
+
+def wobble(n: int, size: float) -> Array:
+    """Return a smooth position error (n, 2)."""
+    u = 2.0 * np.pi * np.arange(n) / n
+    return size * np.column_stack([np.sin(3.0 * u) + 0.4 * np.cos(7.0 * u), np.cos(2.0 * u) - 0.3 * np.sin(5.0 * u)])
+
+
+CASES = [("circle", {}), ("ellipse", {"a": 0.03, "b": 0.015}), ("lemniscate", {}), ("star", {"lobes": 4, "depth": 0.2})]
+
+
+@pytest.mark.parametrize(("name", "parameters"), CASES)
+@pytest.mark.parametrize("size", [1e-5, 3e-4])
+def test_agrees_with_the_exact_judge(name: str, parameters: dict[str, float], size: float) -> None:
+    """Sample by sample to the tolerance of the path's table; doubt is for errors that are not small beside the path's radii."""
+    path = contour(name, **parameters)
+    along = np.linspace(0.0, 1.2 * path.length, 500)
+    tool = path.position(along - 2.0 * size) + wobble(500, size)
+    exact = judge(made_run(samples_on(path, along), tool), samples_on(path, along))["contour_error"]
+    sums, error, _ = streamed(path, along, tool)
+    assert np.abs(error - exact).max() < TABLE
+    assert sums["unsure"] == 0.0 or size > 1e-4
+
+
+@pytest.mark.parametrize("analytic", [True, False])
+def test_sums(analytic: bool) -> None:
+    """Every sum is that of the errors that count."""
+    path = contour("circle")
+    along = np.linspace(0.0, path.length, 300)
+    tool = path.position(along) + wobble(300, 5e-5)
+    exact = judge(made_run(samples_on(path, along), tool), samples_on(path, along))
+    start, stop = 100, 220
+    sums, _, _ = streamed(path, along, tool, (start, stop), analytic)
+    e, t = exact["contour_error"][start:stop], np.linalg.norm(exact["tracking_error"][start:stop], axis=1)
+    assert sums["count"] == stop - start
+    assert sums["sum_magnitude"] == pytest.approx(np.abs(e).sum(), abs=120e-10)
+    assert sums["sum_square"] == pytest.approx((e**2).sum(), abs=1e-4 * 120e-10)
+    assert sums["sum_signed"] == pytest.approx(e.sum(), abs=120e-10)
+    assert sums["largest"] == pytest.approx(np.abs(e).max(), abs=1e-10)
+    assert sums["largest_at"] == start + int(np.argmax(np.abs(e)))
+    assert sums["sum_tracking"] == pytest.approx((t**2).sum(), rel=1e-12)
+    assert sums["largest_tracking"] == pytest.approx((t**2).max(), rel=1e-12)
+
+
+def test_side_of_a_clockwise_circle() -> None:
+    path = contour("circle", clockwise=1.0)
+    along = np.linspace(0.0, path.length, 100)
+    _, error, _ = streamed(path, along, 1.001 * path.position(along))
+    assert np.abs(error - 2e-5).max() < 1e-14
+
+
+def test_branch_at_the_self_intersection() -> None:
+    path = contour("lemniscate")
+    along = 0.5 * path.length + np.linspace(-4e-3, 4e-3, 200)
+    tool = path.position(along - 1e-3) + 2e-4 * path.normal(along - 1e-3)
+    sums, error, _ = streamed(path, along, tool)
+    assert np.abs(error - 2e-4).max() < 1e-10
+    assert sums["unsure"] == 0.0
+
+
+def test_in_space_it_is_a_distance() -> None:
+    path = Path([Arc((0.0, 0.0, 0.0), 0.02, 0.0, 2.0 * math.pi, rise=(0.0, 0.0, 0.01))])
+    along = np.linspace(0.05 * path.length, 0.95 * path.length, 200)
+    binormal = np.cross(path.tangent(along), path.normal(along))
+    sums, error, _ = streamed(path, along, path.position(along) + 4e-5 * binormal)
+    assert np.abs(error - 4e-5).max() < 1e-9
+    assert sums["sum_signed"] == pytest.approx(sums["sum_magnitude"], rel=1e-15)
+
+
+def test_doubt_is_told() -> None:
+    """Jumps as large as the path's radii, which Newton's method does not follow: what it got wrong it was not sure of."""
+    path = contour("star", lobes=5, depth=0.4)
+    along = np.linspace(0.0, path.length, 500)
+    tool = path.position(along) + np.random.default_rng(0).normal(0.0, 2e-3, (500, 2))
+    exact = judge(made_run(samples_on(path, along), tool), samples_on(path, along))["contour_error"]
+    sums, error, doubt = streamed(path, along, tool)
+    wrong = np.abs(np.abs(error) - np.abs(exact)) > 1e-9
+    assert wrong.any()
+    assert not np.any(wrong & ~doubt)
+    assert sums["unsure"] == np.count_nonzero(doubt) < 500
+
+
+def test_at_rest_nothing_happens() -> None:
+    path = Path([Line((0.0, 0.0), (0.1, 0.0))])
+    along = np.zeros(20)
+    sums, error, _ = streamed(path, along, path.position(along))
+    assert not error.any()
+    assert sums["unsure"] == 0.0
