@@ -219,6 +219,8 @@ def _check_running(kind: type[Component], part: Component, scale: float, jit: bo
             fast = _run(part, scale, True, width)
         except EngineError as error:
             raise _fault(kind, str(error)) from error
+        except Exception as error:  # the compiler has exceptions of its own, which the engine alone knows
+            raise _fault(kind, f"its step cannot be compiled: {error}") from error
         gap = _gap(fast, plain)
         if not gap <= AGREEMENT:
             raise _fault(kind, f"{name} and plain Python differ by {gap:.3g}")

@@ -133,7 +133,7 @@ class Parametric(Curve):
         return np.append(begin[order], self.length), rows[order]
 
     def parameter(self, s: ArrayLike) -> Array:
-        """Return the parameters (n,) of arc lengths (n,), good to 1e-14 of the length."""
+        """Return the parameters (n,) of arc lengths (n,), good to 1e-13 of the length."""
         along = np.clip(np.atleast_1d(np.asarray(s, dtype=float)), 0.0, self.length)
         begin, rows = self._inverse
         i = np.clip(np.searchsorted(begin, along, side="right") - 1, 0, len(rows) - 1)

@@ -230,11 +230,13 @@ def _pass(result: Result, reference: Reference, low: float, high: float) -> NDAr
 def _run_of(result: Result, samples: NDArray[np.int64], curve: Arc, n_axis: int) -> CircleFigures:
     frame = np.array([curve.u, curve.v])
     flat = (result["tool_position"][samples] - curve.centre) @ frame.T
-    letters = "XYZ"
-    plane = "".join(letters[int(np.argmax(np.abs(axis)))] if n_axis <= 3 else "?" for axis in frame)
+    main = [int(np.argmax(np.abs(axis))) for axis in frame]
+    plane = "".join("XYZ"[i] if n_axis <= 3 else "?" for i in main)
     # In the plane the sense is that of the first two axes, whichever way round the arc's own frame is.
     turn = curve.sweep * float(np.linalg.det(frame)) if n_axis == 2 else curve.sweep
-    name = f"{plane}, radius {curve.radius * 1e3:.6g} mm"
+    middle = [round(1e3 * float(curve.centre[i]), 6) for i in main]
+    place = f" at ({middle[0]:.6g}, {middle[1]:.6g}) mm" if any(middle) else ""
+    name = f"{plane}, radius {curve.radius * 1e3:.6g} mm{place}"
     return circle_figures(flat, np.zeros(2), curve.radius, turn < 0.0, name)
 
 

@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 from made_runs import PERIOD, Array, circle_laps, made_run, samples_on
 
+import contourlab as cl
 from contourlab.errors import ResultError
 from contourlab.feed import Reference
 from contourlab.geometry import Arc, Line, Path
@@ -252,3 +253,16 @@ def test_circle_in_a_plane_of_space() -> None:
     (found,) = circles_of(made_run(reference, tool), reference)
     assert (found.name, found.clockwise) == ("ZX, radius 20 mm", True)
     assert found.mean_radial == pytest.approx(2e-6, rel=1e-9)
+
+
+def test_circles_of_one_size_at_two_places_are_not_one() -> None:
+    """Each is run once, in senses of its own: neither has a figure of both ways."""
+    here, there = (Arc((x, 0.0), 0.01, 0.0, turn) for x, turn in ((0.0, 2.0 * math.pi), (0.02, -2.0 * math.pi)))
+    path = cl.Path([here, Line((0.01, 0.0), (0.03, 0.0)), there])
+    reference = cl.plan(cl.route_from_path(path, 0.05), cl.AxisLimits(0.2, 1.0, 20.0), 1e-3)
+    samples = reference.block(0, reference.n_sample)
+    two = ("sample", "axis")
+    signals = {"tool_position": cl.Signal(samples.position, two, "m"), "arc_length": cl.Signal(samples.arc_length, ("sample",), "m")}
+    found = cl.circles_of(cl.Result("base", ("x", "y"), 1e-3, signals), reference)
+    assert [circle.name for circle in found] == ["XY, radius 10 mm", "XY, radius 10 mm at (20, 0) mm"]
+    assert pairs(found) == {}
