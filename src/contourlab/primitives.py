@@ -105,12 +105,12 @@ def fabs(x: float) -> float:
 
 def floor(x: float) -> float:
     """Return the largest whole number that is not above x."""
-    return float(math.floor(x))
+    return float(math.floor(x)) if math.isfinite(x) else x
 
 
 def rint(x: float) -> float:
     """Return the nearest whole number; halves go to the even one."""
-    return float(round(x))
+    return float(round(x)) if math.isfinite(x) else x
 
 
 def copysign(x: float, y: float) -> float:
@@ -130,7 +130,7 @@ def maximum(a: float, b: float) -> float:
 
 def clip(x: float, low: float, high: float) -> float:
     """Return x held between two bounds."""
-    return min(max(x, low), high)
+    return minimum(maximum(x, low), high)
 
 
 def select(condition: bool, a: float, b: float) -> float:

@@ -15,7 +15,7 @@ from functools import cache
 from typing import Any
 
 from numba import cfunc, njit, types
-from numba.core.errors import NumbaError
+from numba.core.errors import NumbaError, UnsupportedBytecodeError
 
 from contourlab import primitives
 from contourlab.engine import intrinsics, memory, store, tuples
@@ -175,12 +175,16 @@ def _compile(step: Step, width: int) -> Any:
     )
     exec(compile(wrapper_source(step, width), f"<{step.name}>", "exec"), scope)
     try:
-        return cfunc(STEP_SIGNATURE, **OPTIONS)(scope["component"])
-    except NumbaError as error:
+        compiled = cfunc(STEP_SIGNATURE, **OPTIONS)(scope["component"])
+    except (NumbaError, UnsupportedBytecodeError, NotImplementedError) as error:
         raise EngineError(f"{step.name} cannot be compiled: {_first_words(error)}") from error
+    if "NRT_" in compiled._library.get_llvm_str():
+        # Code that asks for memory would also crash when it is loaded from the cache into a process that has no memory manager yet.
+        raise EngineError(f"{step.name} makes a list, a dict or an array: a step works on numbers and tuples of numbers")
+    return compiled
 
 
-def _first_words(error: NumbaError) -> str:
+def _first_words(error: Exception) -> str:
     """Return the line of a compiler's message that says what is wrong; those before it say where it was at the time."""
     lines = [line.strip() for line in str(error).splitlines() if line.strip()]
     return next((line for line in lines if not line.startswith(("Failed in ", "During:", "File "))), type(error).__name__)

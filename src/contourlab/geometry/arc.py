@@ -95,6 +95,12 @@ class Arc(Curve):
             Turn with its sign; adjusted by what the moved centre needs.
         u, v : array_like (n_axis,), optional
             Axes of the plane.
+
+        Raises
+        ------
+        GeometryError
+            If there is no such arc; or if the arc nearly closes on itself, with radii that differ, so that the centre would have to move by
+            more than ten times that difference.
         """
         a, b, c = vector(start, "start"), vector(end, "end"), vector(centre, "centre")
         e1 = vector(u, "u") if u is not None else np.eye(a.size)[0]
@@ -105,7 +111,15 @@ class Arc(Curve):
         square = float(chord @ chord)
         if square > 0.0:
             # Move the centre along the chord until both ends are equally far.
-            pc = pc - chord * (float((pc - 0.5 * (pa + pb)) @ chord) / square)
+            move = float((pc - 0.5 * (pa + pb)) @ chord) / math.sqrt(square)
+            gap = abs(float(np.linalg.norm(pa - pc)) - float(np.linalg.norm(pb - pc)))
+            if abs(sweep) > math.pi and abs(move) > 10.0 * gap + 1e-9:
+                raise GeometryError(
+                    f"an arc of {math.degrees(sweep):.6g} degrees from {a.tolist()} to {b.tolist()}: its ends are "
+                    f"{math.sqrt(square):.3g} m apart and their radii differ by {gap:.3g} m, so that no circle near the centre joins them: "
+                    "end a full circle where it starts"
+                )
+            pc = pc - chord * (move / math.sqrt(square))
         radius = float(np.linalg.norm(pa - pc))
         first = math.atan2(pa[1] - pc[1], pa[0] - pc[0])
         last = math.atan2(pb[1] - pc[1], pb[0] - pc[0])

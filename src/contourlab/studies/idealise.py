@@ -8,6 +8,7 @@ from __future__ import annotations
 import math
 from dataclasses import replace
 
+from contourlab.components.contract import Component
 from contourlab.components.friction.none import NoFriction
 from contourlab.components.sensor.ideal import IdealSensor
 from contourlab.loop.machine import AxisError, Controller, Machine
@@ -40,7 +41,16 @@ def unlimited(machine: Machine) -> Machine:
     """Return the machine with drives that have no limit."""
     if all(getattr(a.drive, "limit", math.inf) == math.inf for a in machine.axes):
         return machine
-    return replace(machine, axes=tuple(replace(a, drive=a.drive.replace(limit=math.inf)) for a in machine.axes))
+    return replace(machine, axes=tuple(replace(a, drive=_without_limit(a.drive)) for a in machine.axes))
+
+
+def _without_limit(drive: Component) -> Component:
+    known = drive.parameters.get("limit")
+    if known is None:
+        return drive
+    # Infinity is a value only where it is the default.
+    free: Component = drive.replace(limit=math.inf if known.default == math.inf else min(known.maximum, 1e300))
+    return free
 
 
 def same_axes(machine: Machine, controller: Controller, name: str) -> tuple[Machine, Controller]:

@@ -302,3 +302,35 @@ def test_time_is_the_index_times_the_period():
     log = group.run(np.zeros((1, 1)), [group.schedule.row("s.t")])
     assert log[0, 0, 0] == 100_000 * 1e-3
     assert Clock(1.0, 2.0, 3.0).dt == 3.0
+
+
+def growing_step(par, x, inp, clock):
+    values = [1.0, 2.0]
+    values.append(inp.u)
+    return (), (values[2],)
+
+
+def undefined_step(par, x, inp, clock):
+    return (), (inp.missing,)
+
+
+def global_step(par, x, inp, clock):
+    global LAST
+    LAST = inp.u
+    return (), (LAST,)
+
+
+@pytest.mark.parametrize(("function", "said"), [(growing_step, "numbers and tuples"), (undefined_step, "missing"), (global_step, "odd")])
+def test_what_cannot_be_compiled_is_said_in_a_line(function, said):
+    step = Step("odd", function, inputs=(Port("u"),), outputs=(Port("y"),))
+    with pytest.raises(EngineError, match=said) as caught:
+        compiler.compile_step(step, 1)
+    assert "\n" not in str(caught.value)
+
+
+@pytest.mark.parametrize("value", [math.nan, math.inf, -math.inf])
+def test_primitives_raise_for_no_number(value):
+    """What is not finite passes through plain Python as through compiled code, and is found by whoever watches the loop."""
+    for function in (primitives.floor, primitives.rint):
+        assert function(value) == value or math.isnan(value)
+    assert primitives.clip(math.nan, -1.0, 2.0) == -1.0

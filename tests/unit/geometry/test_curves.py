@@ -162,6 +162,18 @@ def test_a_full_circle_and_a_helix_through_points() -> None:
     np.testing.assert_allclose(helix.position([0.0, helix.length]), [(0.03, 0.0, 0.001), (0.03, 0.0, 0.005)], atol=1e-15)
 
 
+@pytest.mark.parametrize("end", [(0.0200004, 0.0), (0.0200004, 1e-7), (0.0199, -1e-5)])
+def test_a_circle_that_misses_its_start_is_refused_not_made_into_another(end: tuple[float, float]) -> None:
+    # The only circles through both ends have their centres far from the one that was given.
+    with pytest.raises(GeometryError, match=r"no circle near the centre joins them: end a full circle where it starts"):
+        Arc.through((0.02, 0.0), end, (0.01, 0.0), -2.0 * math.pi)
+    # Ends a little apart along the circle are fine: their radii are the same.
+    angle = 1e-5
+    near = (0.01 + 0.01 * math.cos(angle), 0.01 * math.sin(angle))
+    arc = Arc.through((0.02, 0.0), near, (0.01, 0.0), -2.0 * math.pi)
+    assert arc.length == pytest.approx(0.01 * (2.0 * math.pi - angle), rel=1e-9)
+
+
 @pytest.mark.parametrize(("a", "b"), [(0.04, 0.02), (0.02, 0.04), (1.0, 1.0), (1.0, 1e-3), (3e-6, 1e-6), (40.0, 7.0)])
 def test_an_ellipse_against_the_elliptic_integral(a: float, b: float) -> None:
     ellipse, big = Ellipse(a, b), max(a, b)
