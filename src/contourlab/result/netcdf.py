@@ -40,6 +40,8 @@ class ResultWriter:
     header : mapping
         As `Result.header` gives it; `finish` can replace parts of it at the end.
     axes : tuple of str
+    n_sample : int, optional
+        How many samples there will be, where that is known: the file is laid out at once, which is faster than letting it grow.
 
     Examples
     --------
@@ -54,8 +56,10 @@ class ResultWriter:
     >>> folder.cleanup()
     """
 
-    def __init__(self, file: str | Path, header: Mapping[str, str | int | float], axes: tuple[str, ...]) -> None:
-        self.file, self.header, self.axes = Path(file), dict(header), axes
+    def __init__(
+        self, file: str | Path, header: Mapping[str, str | int | float], axes: tuple[str, ...], n_sample: int | None = None
+    ) -> None:
+        self.file, self.header, self.axes, self.n_sample = Path(file), dict(header), axes, n_sample
         self._stack = contextlib.ExitStack()
         self._spool: Any = None
         self._data: Any = None
@@ -69,7 +73,7 @@ class ResultWriter:
             temporary = stack.enter_context(replacing(self.file))
             self._spool = stack.enter_context(Spool(temporary, "w+"))
             self._data = stack.enter_context(h5netcdf.File(self._spool, "w"))
-            self._data.dimensions = {"sample": None, "axis": len(self.axes)}
+            self._data.dimensions = {"sample": self.n_sample or None, "axis": len(self.axes)}
             names = self._data.create_variable("axis", ("axis",), dtype=_text_type())
             names[:] = np.array(self.axes, dtype=object)
             # What was opened closes in `__exit__`; before this line it closes here.
@@ -101,10 +105,13 @@ class ResultWriter:
         self._names = set(signals)
         stop = self._length + count
         # Chunks are stored whole: a short run would otherwise be padded to the full chunk.
-        rows = max(min(count, _CHUNK), 1)
+        rows = max(min(self.n_sample or count, _CHUNK), 1)
         if "time" not in self._data.variables:
             self._data.create_variable("time", ("sample",), float, chunks=(rows,)).attrs["units"] = "s"
-        self._data.resize_dimension("sample", stop)
+        if not self.n_sample:
+            self._data.resize_dimension("sample", stop)
+        elif stop > self.n_sample:
+            raise ResultError(f"{stop} samples for a file of {self.n_sample}")
         for name, signal in signals.items():
             if name not in self._data.variables:
                 chunks = (rows,) if signal.data.ndim == 1 else (rows, len(self.axes))
@@ -129,6 +136,8 @@ class ResultWriter:
             self._stack.__exit__(kind, error, trace)
             return
         with self._stack:
+            if self.n_sample and self._length < self.n_sample:
+                raise ResultError(f"{self._length} samples for a file of {self.n_sample}")
             for name, value in self.header.items():
                 self._note(name, value)
             self._data.close()

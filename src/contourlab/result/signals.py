@@ -157,7 +157,7 @@ class Result:
         """
         from contourlab.result.netcdf import ResultWriter
 
-        with ResultWriter(file, self.header(), self.axes) as writer:
+        with ResultWriter(file, self.header(), self.axes, self.n_sample) as writer:
             writer.append(self.signals)
 
     @staticmethod

@@ -57,7 +57,7 @@ def simulate_to_file(
     wanted = tuple(dict.fromkeys((*_JUDGED, *signals))) if signals else None
     empty = result_of(machine, reference, {}, Status(), scheme=scheme, seed=seed)
     start = 0
-    with ResultWriter(file, empty.header(), empty.axes) as writer:
+    with ResultWriter(file, empty.header(), empty.axes, reference.n_sample) as writer:
         for found, status in simulate_blocks(machine, controller, reference, seed=seed, signals=wanted, block=block):
             if not status.ok:
                 raise DivergenceError(status.reason, sample=status.sample, time=status.sample * machine.servo_period, axis=status.axis)

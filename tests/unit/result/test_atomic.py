@@ -154,7 +154,7 @@ LIMITED = """
     for limit in [0, 1, 100, 5000, *np.linspace(10000, size - 1, 25).astype(int).tolist()]:
         resource.setrlimit(resource.RLIMIT_FSIZE, (limit, resource.RLIM_INFINITY))
         try:
-            with ResultWriter(file, result.header(), result.axes) as writer:
+            with ResultWriter(file, result.header(), result.axes, 6000) as writer:
                 for start in range(0, 6000, 1000):
                     writer.append(result.window(start, start + 1000).signals)
         except OutputError as error:

@@ -234,3 +234,19 @@ def test_a_byte_turned_over_in_the_head(tmp_path: Path) -> None:
     assert refused > 0
     file.write_bytes(content)
     assert_identical(Result.load(file), plain(20))
+
+
+@pytest.mark.parametrize("blocks", [1, 3])
+def test_a_file_of_known_length_wants_just_so_many_samples(tmp_path: Path, blocks: int) -> None:
+    result = Result("base", ("x",), 1e-3, {"position": Signal(np.arange(4.0)[:, None], ("sample", "axis"), "m")})
+    with (
+        pytest.raises(ResultError, match=f"{4 * blocks} samples for a file of 8"),
+        ResultWriter(tmp_path / "r.nc", result.header(), ("x",), 8) as writer,
+    ):
+        for _ in range(blocks):
+            writer.append(result.signals)
+    assert list(tmp_path.iterdir()) == []
+    with ResultWriter(tmp_path / "r.nc", result.header(), ("x",), 8) as writer:
+        writer.append(result.signals)
+        writer.append(result.signals)
+    assert Result.load(tmp_path / "r.nc")["position"][:, 0].tolist() == [0.0, 1.0, 2.0, 3.0] * 2
