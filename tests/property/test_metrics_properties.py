@@ -83,7 +83,9 @@ def test_moved_and_turned(angle: float, shift: tuple[float, float], seed: int) -
     other, figures_there = judged(there, along, tool @ turned(angle).T + shift)
     # Positions of half a metre are rounded to 1e-16 m, and foot points taken from them to some of these.
     assert np.abs(one["contour_error"] - other["contour_error"]).max() < 5e-15
-    assert figures.contour_error.worst.sample == figures_there.contour_error.worst.sample or figures.contour_error.max < 1e-9
+    # Where two samples are equally bad, either may be named.
+    worst = figures_there.contour_error.worst.sample
+    assert abs(abs(one["contour_error"][worst]) - figures.contour_error.max) < 5e-15
     for name, value in numbers(figures).items():
         assert abs(value - numbers(figures_there)[name]) < 5e-15
 

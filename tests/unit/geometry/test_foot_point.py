@@ -203,6 +203,27 @@ def test_an_arc_of_several_turns_keeps_the_turn_of_the_progress() -> None:
     assert path.foot_point(behind, [path.length], 0.01).arc_length[0] == path.length
 
 
+def test_an_arc_in_a_wide_window_is_seen_as_a_whole() -> None:
+    # From its start the foot at six tenths of a turn is nearer backwards, where the arc is not.
+    path = Path([Arc((0.0, 0.0), 0.02, 0.0, 1.5 * math.pi)])
+    s = np.array([0.8, 0.1]) * path.length
+    found = path.foot_point(0.9 * path.position(s), [0.0, path.length], path.length)
+    np.testing.assert_allclose(found.arc_length, s, rtol=1e-13)
+    np.testing.assert_allclose(found.signed, 0.002, rtol=1e-12)
+
+
+def test_a_corner_at_the_end_of_a_spline_does_not_hide_the_points_before_it() -> None:
+    # The last cell of the spline ends where the next curve already runs another way.
+    spline = BSpline(3, [(0.0, 0.0), (0.01, 0.02), (0.02, 0.0), (0.03, 0.01)], [0, 0, 0, 0, 1, 1, 1, 1])
+    path = Path([Line((-0.001, 0.03), (0.0, 0.0)), spline, Line((0.03, 0.01), (0.0, 0.02))])
+    joints = path.breaks[1:3]
+    for window in np.geomspace(2e-4, 2e-2, 25):
+        s = np.concatenate([joints[0] + np.linspace(1e-4, 2e-3, 30), joints[1] - np.linspace(1e-4, 2e-3, 30)])
+        points = path.position(s) + 2e-5 * path.normal(s)
+        found = path.foot_point(points, s + 0.9 * window * np.sin(np.arange(60.0)), window)
+        np.testing.assert_allclose(found.arc_length, s, rtol=0, atol=1e-12 * path.length)
+
+
 def test_from_the_centre_of_a_circle_the_foot_is_the_progress() -> None:
     for path in (contour("circle"), Path([Arc((0.3, 0.1), 0.02, 0.2, 3.0)])):
         centre = path.curves[0].centre  # type: ignore[attr-defined]
