@@ -131,7 +131,7 @@ def from_mapping(values: Mapping[str, Any], file: str, key: str = "", depth: int
     Raises
     ------
     ScenarioError
-        If it is nested deeper than any scenario is.
+        If it is nested deeper than any scenario is, or holds None, which no file can.
     """
     if depth > MAX_DEPTH:
         raise ScenarioError(f"tables are nested more than {MAX_DEPTH} deep", file=file, key=key[:80])
@@ -140,6 +140,8 @@ def from_mapping(values: Mapping[str, Any], file: str, key: str = "", depth: int
         place = dotted(key, name)
         if isinstance(value, Mapping):
             entries[name] = from_mapping(value, file, place, depth + 1)
+        elif value is None:
+            raise ScenarioError("holds None: leave the key out", file=file, key=place)
         else:
             entries[name] = Leaf(value, file, place)
     return Table(entries, file, key)
