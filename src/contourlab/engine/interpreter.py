@@ -26,7 +26,7 @@ class InterpretedGroup(Group):
     def __init__(self, schedule: Schedule, width: int, lanes: slice) -> None:
         super().__init__(schedule, width, lanes)
         self._sources = schedule.sources
-        self._first = [schedule.row(f"{n.name}.{n.step.outputs[0].name}") if n.step.outputs else 0 for n in schedule.nodes]
+        self._first = schedule.first_row
         self._types = [(record(tuple(p.name for p in n.step.states)), record(tuple(p.name for p in n.step.inputs))) for n in schedule.nodes]
         self._par = [[self._par_of(n, i) for i in range(width)] for n in range(len(schedule.nodes))]
 

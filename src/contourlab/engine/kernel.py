@@ -18,7 +18,7 @@ __all__ = ["NODE_FIELDS", "kernel"]
 
 NODE_FIELDS = ("function", "parameters", "tables", "state", "inputs", "outputs", "every", "phase", "repeat")
 _FIELDS = len(NODE_FIELDS)
-_WORDS = 11
+_WORDS = 13
 _SIGNATURE = types.void(*(types.int64,) * _WORDS, types.float64)
 _C_TYPE = ctypes.CFUNCTYPE(None, *(ctypes.c_int64,) * _WORDS, ctypes.c_double)
 
@@ -27,12 +27,14 @@ def _source(width: int) -> Any:
     w = width
     fields = _FIELDS
 
-    def run(nodes, n_node, record_point, external, n_external, signals, log, log_rows, n_log, first, n_tick, period):  # type: ignore[no-untyped-def]
+    def run(  # type: ignore[no-untyped-def]
+        nodes, n_node, record_point, external, n_external, tick_stride, signal_stride, signals, log, log_rows, n_log, first, n_tick, period
+    ):
         for step in range(n_tick):
             k = first + step
             t = k * period
             for j in range(n_external):
-                value = load(external, step * n_external + j)
+                value = load(external, step * tick_stride + j * signal_stride)
                 for i in range(w):
                     store(signals, j * w + i, value)
             for n in range(n_node + 1):
@@ -67,8 +69,8 @@ def _source(width: int) -> Any:
 def kernel(width: int) -> Any:
     """Return the tick loop over `width` lanes as a C function that releases the interpreter lock.
 
-    Its arguments: address and number of node records (NODE_FIELDS), record point; address (n_tick, n_external) and number of external
-    signals; address of the signal table; address of the log (n_tick, n_log, width), of its row addresses, and their number; first tick,
+    Its arguments: address and number of node records (NODE_FIELDS), record point; address and number of external signals, and
+    how many numbers lie between two ticks and between two signals; address of the signal table; address of the log (n_tick, n_log, width), of its row addresses, and their number; first tick,
     number of ticks; period [s].
     """
     words = (

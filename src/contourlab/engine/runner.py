@@ -2,21 +2,28 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+from itertools import accumulate, pairwise
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from contourlab.engine.schedule import Schedule
-from contourlab.engine.step import Port, rows
+from contourlab.engine.step import Port
 
 __all__ = ["Group", "make_group"]
 
 Array = NDArray[np.float64]
+_NUMBER = (float, int)
+_CACHE_LINE = 64
 
 
 class Group:
     """The memory of `width` variants and the tick loop over it.
+
+    One array holds, row by row, the signals, the states, the parameters, the constants on wires and the rings of all nodes: rows of whole
+    cache lines lie on their borders, and all that changes is copied in one piece.
 
     Parameters
     ----------
@@ -31,56 +38,59 @@ class Group:
     def __init__(self, schedule: Schedule, width: int, lanes: slice) -> None:
         self.schedule, self.width, self.lanes = schedule, width, lanes
         self.tick = 0
-        self.signals = np.zeros((schedule.n_row, width))
-        self.parameters, self.state, self.rings = [], [], []
-        for node in schedule.nodes:
-            step = node.step
-            block = np.empty((len(step.parameters), width))
-            for i, name in enumerate(step.parameters):
-                block[i] = self._lane_values(node.parameters[name])
-            self.parameters.append(block)
-            self.state.append(self._fill(step.states, node.initial))
-            length = 1 << max(node.ring_length - 1, 0).bit_length()
-            self.rings.append(np.zeros((length, width)) if step.ring else np.zeros((0, width)))
-            for port in step.outputs:
-                first = schedule.row(f"{node.name}.{port.name}")
-                self.signals[first : first + port.rows] = self._fill((port,), node.start)
+        nodes = schedule.nodes
+        values = list(self._signal_values())
+        sizes = [len(values)]
+        for node in nodes:
+            values += _rows_of(node.step.states, node.initial)
+            sizes.append(node.step.n_state)
+        self._n_live = len(values)
+        for node in nodes:
+            values += [node.parameters[name] for name in node.step.parameters]
+            sizes.append(len(node.step.parameters))
+        constants = [source for sources in schedule.sources for source in sources if isinstance(source, float)]
+        sizes += [len(constants), *(1 << max(node.ring_length - 1, 0).bit_length() if node.step.ring else 0 for node in nodes)]
+        self.memory = self._filled(values + constants, sum(sizes))
+        self.borders = list(accumulate(sizes, initial=0))
+        parts = [self.memory[a:b] for a, b in pairwise(self.borders)]
+        n = len(nodes)
+        self.signals, self.state, self.parameters, self.rings = parts[0], parts[1 : n + 1], parts[n + 1 : 2 * n + 1], parts[2 * n + 2 :]
 
-    def _lane_values(self, value: Any) -> float | Array:
-        lanes = np.asarray(value, dtype=float)
-        if lanes.ndim == 0:
-            return float(lanes)
-        part = lanes[self.lanes]
+    def _signal_values(self) -> Iterator[Any]:
+        yield from _rows_of(self.schedule.externals, {})
+        for node in self.schedule.nodes:
+            yield from _rows_of(node.step.outputs, node.start)
+
+    def _filled(self, values: list[Any], n_row: int) -> Array:
+        """Return memory (n_row, width) whose first rows hold `values`, one for all lanes or one for each variant."""
+        spare = _CACHE_LINE // 8
+        raw = np.zeros(n_row * self.width + spare)
+        first = -raw.ctypes.data % _CACHE_LINE // 8
+        memory = raw[first : first + n_row * self.width].reshape(n_row, self.width)
+        memory[: len(values)] = np.array([value if isinstance(value, _NUMBER) else 0.0 for value in values])[:, None]
+        for row, value in enumerate(values):
+            if not isinstance(value, _NUMBER):
+                memory[row] = self._lane_values(np.asarray(value, dtype=float))
+        return memory
+
+    def _lane_values(self, value: Array) -> Array:
+        if value.ndim == 0:
+            return value
+        part = value[self.lanes]
         return np.concatenate([part, np.repeat(part[-1:], self.width - part.size)])
 
-    def _fill(self, ports: tuple[Port, ...], values: Any) -> Array:
-        block = np.zeros((rows(ports), self.width))
-        row = 0
-        for port in ports:
-            value = values.get(port.name)
-            if value is not None:
-                for i, item in enumerate(value if port.size else (value,)):
-                    block[row + i] = self._lane_values(item)
-            row += port.rows
-        return block
-
-    def snapshot(self) -> tuple[Any, ...]:
+    def snapshot(self) -> tuple[int, Array]:
         """Return all that changes while ticks run."""
-        return (self.tick, self.signals.copy(), [x.copy() for x in self.state], [r.copy() for r in self.rings])
+        return self.tick, self.memory.copy()
 
-    def restore(self, saved: tuple[Any, ...]) -> None:
+    def restore(self, saved: tuple[int, Array]) -> None:
         """Go back to a snapshot."""
         self.tick = saved[0]
-        self.signals[:] = saved[1]
-        for mine, theirs in zip([*self.state, *self.rings], [*saved[2], *saved[3]], strict=True):
-            mine[:] = theirs
+        self.memory[:] = saved[1]
 
     def finite(self) -> NDArray[np.bool_]:
         """Tell for each lane whether all its states and signals are finite."""
-        good = np.isfinite(self.signals).all(axis=0)
-        for x in self.state:
-            good &= np.isfinite(x).all(axis=0)
-        return np.asarray(good)
+        return np.asarray(np.isfinite(self.memory[: self._n_live]).all(axis=0))
 
     def state_of(self, node: str) -> Array:
         """Return the states of a node (n_state, width): a view that changes as ticks run."""
@@ -101,69 +111,89 @@ class Group:
         raise NotImplementedError
 
 
+def _rows_of(ports: tuple[Port, ...], values: Any) -> Iterator[Any]:
+    """Return the value of each row of some ports; zero where none is given."""
+    for port in ports:
+        value = values.get(port.name)
+        if value is None:
+            yield from (0.0,) * port.rows
+        elif port.size:
+            yield from value
+        else:
+            yield value
+
+
 class CompiledGroup(Group):
     """A group whose steps are machine code."""
 
     def __init__(self, schedule: Schedule, width: int, lanes: slice) -> None:
         from contourlab.engine.compiler import compile_step
-        from contourlab.engine.kernel import NODE_FIELDS, kernel
+        from contourlab.engine.kernel import kernel
 
         super().__init__(schedule, width, lanes)
         self._kernel = kernel(width)
-        self._signal_table = self.signals.ctypes.data
-        self._kept: list[Any] = []
-        self._records = np.zeros((len(schedule.nodes), len(NODE_FIELDS)), dtype=np.int64)
-        for n, node in enumerate(schedule.nodes):
-            outputs = node.step.outputs
-            first = schedule.row(f"{node.name}.{outputs[0].name}") if outputs else 0
-            self._records[n] = (
-                compile_step(node.step, width),
-                self.parameters[n].ctypes.data,
-                self._table_words(n).ctypes.data,
-                self.state[n].ctypes.data,
-                self._input_words(n).ctypes.data,
-                self._row_address(first),
-                node.every,
-                node.phase,
-                node.repeat,
-            )
+        self._base = self.memory.ctypes.data
+        self._tables: list[Array] = []
+        n = len(schedule.nodes)
+        constant = self.borders[2 * n + 1]
+        words: list[int] = []
+        places: list[tuple[int, int]] = []
+        for i, sources in enumerate(schedule.sources):
+            tables = len(words)
+            words += self._table_words(i)
+            places.append((tables, len(words)))
+            for source in sources:
+                row, constant = (constant, constant + 1) if isinstance(source, float) else (source, constant)
+                words.append(self._row_address(row))
+        self._words = np.array(words, dtype=np.int64)
+        first = self._words.ctypes.data
+        self._records = np.array(
+            [
+                (
+                    compile_step(node.step, width),
+                    self._row_address(self.borders[n + 1 + i]),
+                    first + 8 * places[i][0],
+                    self._row_address(self.borders[1 + i]),
+                    first + 8 * places[i][1],
+                    self._row_address(schedule.first_row[i]),
+                    node.every,
+                    node.phase,
+                    node.repeat,
+                )
+                for i, node in enumerate(schedule.nodes)
+            ],
+            dtype=np.int64,
+        )
 
     def _row_address(self, row: int) -> int:
-        return self._signal_table + 8 * self.width * row
+        return self._base + 8 * self.width * row
 
-    def _keep(self, array: NDArray[Any]) -> NDArray[Any]:
-        self._kept.append(array)
-        return array
-
-    def _table_words(self, n: int) -> NDArray[np.int64]:
-        node = self.schedule.nodes[n]
-        words = [self._keep(np.ascontiguousarray(node.tables[name], dtype=float)).ctypes.data for name in node.step.tables]
+    def _table_words(self, i: int) -> list[int]:
+        """Return the addresses of a node's tables, and of its ring with the mask of its index."""
+        node = self.schedule.nodes[i]
+        tables = [np.ascontiguousarray(node.tables[name], dtype=float) for name in node.step.tables]
+        self._tables += tables  # the machine code knows addresses only: keep what stands there
+        words = [table.ctypes.data for table in tables]
         if node.step.ring:
-            words += [self.rings[n].ctypes.data, len(self.rings[n]) - 1]
-        return self._keep(np.array(words or [0], dtype=np.int64))
-
-    def _input_words(self, n: int) -> NDArray[np.int64]:
-        words = []
-        for source in self.schedule.sources[n]:
-            if isinstance(source, float):
-                words.append(self._keep(np.full(self.width, source)).ctypes.data)
-            else:
-                words.append(self._row_address(source))
-        return self._keep(np.array(words or [0], dtype=np.int64))
+            words += [self._row_address(self.borders[2 * len(self.schedule.nodes) + 2 + i]), len(self.rings[i]) - 1]
+        return words
 
     def run(self, external: Array, log_rows: list[int], out: Array | None = None) -> Array:
-        external = np.ascontiguousarray(external, dtype=float)
+        external = np.asarray(external, dtype=float)
         n_tick = len(external)
+        tick_stride, signal_stride = (stride // external.itemsize for stride in external.strides)
         log = np.empty((n_tick, len(log_rows), self.width)) if out is None else out
         assert log.flags.c_contiguous  # the tick loop knows no strides
-        addresses = np.array([self._row_address(row) for row in log_rows] or [0], dtype=np.int64)
+        addresses = np.array([self._row_address(row) for row in log_rows], dtype=np.int64)
         self._kernel(
             self._records.ctypes.data,
             len(self._records),
             self.schedule.record_point,
             external.ctypes.data,
             external.shape[1],
-            self._signal_table,
+            tick_stride,
+            signal_stride,
+            self._base,
             log.ctypes.data,
             addresses.ctypes.data,
             len(log_rows),

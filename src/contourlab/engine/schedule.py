@@ -20,6 +20,7 @@ from contourlab.errors import EngineError
 __all__ = ["Late", "Node", "Schedule"]
 
 Array = NDArray[np.float64]
+_NUMBER = (float, int)
 
 
 @dataclass(frozen=True, slots=True)
@@ -107,6 +108,8 @@ class Schedule:
     record_point: int
     row_of: dict[str, int] = field(init=False, repr=False, compare=False)
     n_row: int = field(init=False, repr=False, compare=False)
+    first_row: tuple[int, ...] = field(init=False, repr=False, compare=False)
+    """For each node, the row of its first output."""
     sources: tuple[tuple[int | float, ...], ...] = field(init=False, repr=False, compare=False)
     """For each node, and each row of its inputs, the signal row (int) or the constant (float) that it takes."""
 
@@ -116,7 +119,9 @@ class Schedule:
             raise EngineError(f"two nodes share a name: {sorted({n for n in names if names.count(n) > 1})}")
         table: dict[str, int] = {}
         owners: list[int] = []
+        first_row: list[int] = []
         for n, (owner, ports) in enumerate([("in", self.externals), *((node.name, node.step.outputs) for node in self.nodes)]):
+            first_row.append(len(owners))
             for port in ports:
                 row = len(owners)
                 table[f"{owner}.{port.name}"] = row
@@ -125,6 +130,7 @@ class Schedule:
                 owners += [n - 1] * port.rows
         object.__setattr__(self, "row_of", table)
         object.__setattr__(self, "n_row", len(owners))
+        object.__setattr__(self, "first_row", tuple(first_row[1:]))
         object.__setattr__(self, "sources", tuple(self._sources(n, node, owners) for n, node in enumerate(self.nodes)))
 
     def row(self, signal: str) -> int:
@@ -146,7 +152,7 @@ class Schedule:
             if len(wires) != port.rows:
                 raise EngineError(f"node {node.name}: input {port.name} takes {port.rows} wires, {len(wires)} given")
             for wire in wires:
-                if isinstance(wire, float | int):
+                if isinstance(wire, _NUMBER):
                     found.append(float(wire))
                     continue
                 signal = wire.signal if isinstance(wire, Late) else wire
@@ -165,7 +171,7 @@ def _spread(wire: Wire | tuple[Wire, ...], port: Port) -> tuple[Wire, ...]:
         return wire
     if not port.size:
         return (wire,)
-    if isinstance(wire, float | int):
+    if isinstance(wire, _NUMBER):
         return (float(wire),) * port.size
     late = isinstance(wire, Late)
     signal = wire.signal if isinstance(wire, Late) else wire

@@ -23,7 +23,7 @@ class Port:
     @property
     def rows(self) -> int:
         """Number of rows of the signal table that it takes."""
-        return max(self.size, 1)
+        return self.size if self.size > 0 else 1
 
 
 @dataclass(frozen=True)
@@ -55,10 +55,12 @@ class Step:
     inputs: tuple[Port, ...] = ()
     outputs: tuple[Port, ...] = ()
     par_type: Any = field(init=False, repr=False, compare=False)
+    n_state: int = field(init=False, repr=False, compare=False)
 
     def __post_init__(self) -> None:
         fields = (*self.parameters, *self.tables, *(("ring",) if self.ring else ()))
         object.__setattr__(self, "par_type", record(fields))
+        object.__setattr__(self, "n_state", rows(self.states))
 
     @property
     def layout(self) -> tuple[Any, ...]:

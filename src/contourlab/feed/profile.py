@@ -68,8 +68,9 @@ class Profile:
         Motion
             Four arrays (n,).
         """
-        clamped = np.clip(time, 0.0, self.duration)
-        span = np.searchsorted(self.t0, clamped, side="right") - 1
+        clamped = np.minimum(np.maximum(time, 0.0), self.duration)
+        # A single span is broadcast, not gathered.
+        span = np.searchsorted(self.t0, clamped, side="right") - 1 if self.n_span > 1 else np.zeros(1, dtype=np.int64)
         dt = clamped - self.t0[span]
         start_speed, start_acceleration, jerk = self.v0[span], self.a0[span], self.j[span]
         progress = dt * (start_speed + dt * (start_acceleration / 2.0 + dt * jerk / 6.0))
@@ -77,7 +78,7 @@ class Profile:
         ends = np.append(self.s0[1:], self.length)[span]
         arc_length = np.minimum(self.s0[span] + progress, ends)
         speed = np.maximum(start_speed + dt * (start_acceleration + dt * jerk / 2.0), 0.0)
-        acceleration, jerk = start_acceleration + dt * jerk, jerk.copy()
+        acceleration, jerk = start_acceleration + dt * jerk, jerk + 0.0 * dt
         still = (time < 0.0) | (time >= self.duration)
         if np.any(still):
             arc_length[time >= self.duration] = self.length

@@ -17,6 +17,8 @@ from contourlab.geometry import Path
 __all__ = ["Reference", "ReferenceBlock", "lap_ranges", "whole_samples"]
 
 Array = NDArray[np.float64]
+CHUNK = 4096
+"""How many samples are worked out at once."""
 KEPT_BLOCKS = 4
 """How many blocks a reference keeps for the next run along it: a study runs the same ones many times."""
 
@@ -30,7 +32,7 @@ class ReferenceBlock(NamedTuple):
     feedrate : ndarray (n,) [m/s]
         Speed along the path.
     table : ndarray (n, 3 n_axis + 2)
-        All of these side by side, in this order; the others are views of it.
+        All of these side by side, in this order; the others are views of it. Each signal is one row of memory.
     """
 
     position: Array
@@ -154,22 +156,31 @@ class Reference:
 
     def _sampled(self, start: int, stop: int) -> ReferenceBlock:
         n = self.n_axis
-        table = np.empty((stop - start, 3 * n + 2))
+        rows = np.empty((3 * n + 2, stop - start))
+        # A part that stays in the processor's cache from the first pass to the last.
+        for first in range(start, stop, CHUNK):
+            last = min(first + CHUNK, stop)
+            self._sample(first, last, rows[:, first - start : last - start])
+        rows.flags.writeable = False
+        return ReferenceBlock(rows[:n].T, rows[n : 2 * n].T, rows[2 * n : 3 * n].T, rows[-2], rows[-1], rows.T)
+
+    def _sample(self, start: int, stop: int, rows: Array) -> None:
+        """Fill rows (3 n_axis + 2, stop - start): position, velocity and acceleration of each axis, arc length, feedrate."""
+        n = self.n_axis
+        position, velocity, acceleration = rows[:n], rows[n : 2 * n], rows[2 * n : 3 * n]
         if self.recorded is not None:
-            velocity, acceleration = _differences(self.recorded.position, self.servo_period, start, stop)
-            position, progress = (part[start:stop] for part in self.recorded)
-            table[:, :n], table[:, n : 2 * n], table[:, 2 * n : 3 * n] = position, velocity, acceleration
-            table[:, -2], table[:, -1] = progress, np.linalg.norm(velocity, axis=1)
-        else:
-            assert self.profile is not None  # a reference is either planned or recorded
-            motion = self.profile.motion(np.arange(start, stop, dtype=np.float64) * self.servo_period)
-            position, first, second = self.path.derivatives(motion.arc_length, 2)
-            speed = motion.speed[:, None]
-            table[:, :n], table[:, n : 2 * n] = position, first * speed
-            table[:, 2 * n : 3 * n] = second * speed**2 + first * motion.acceleration[:, None]
-            table[:, -2], table[:, -1] = motion.arc_length, motion.speed
-        table.flags.writeable = False
-        return ReferenceBlock(table[:, :n], table[:, n : 2 * n], table[:, 2 * n : 3 * n], table[:, -2], table[:, -1], table)
+            moving = _differences(self.recorded.position, self.servo_period, start, stop)
+            position[:], rows[-2] = self.recorded.position[start:stop].T, self.recorded.arc_length[start:stop]
+            velocity[:], acceleration[:] = (part.T for part in moving)
+            rows[-1] = np.sqrt((velocity**2).sum(axis=0))
+            return
+        assert self.profile is not None  # a reference is either planned or recorded
+        motion = self.profile.motion(np.arange(start, stop, dtype=np.float64) * self.servo_period)
+        here, first, second = self.path.derivatives(motion.arc_length, 2).transpose(0, 2, 1)
+        position[:], rows[-2], rows[-1] = here, motion.arc_length, motion.speed
+        np.multiply(first, motion.speed, out=velocity)
+        np.multiply(second, motion.speed**2, out=acceleration)
+        acceleration += first * motion.acceleration
 
     def source_line(self, arc_length: ArrayLike) -> NDArray[np.int64]:
         """Return the line of the program at some progress.

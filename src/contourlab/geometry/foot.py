@@ -85,7 +85,7 @@ def _chunk(path: Path, points: Array, around: Array, window: float) -> FootPoint
     kinds = path._kind[curve]
     flat = kinds == 1
     if flat.any():
-        flat[flat] = ~np.any(path._arc["rise"][path._slot[curve[flat]]] != 0.0, axis=1)
+        flat[flat] = ~np.any(path._arc["rise"].T[path._slot[curve[flat]]] != 0.0, axis=1)
     middle = np.clip(around[sample] - lap * path.length - path.breaks[curve], low, high)
     on = np.flatnonzero(kinds == 0)
     if on.size:
@@ -131,13 +131,13 @@ def _in_reach(path: Path, around: Array, window: float) -> tuple[Index, Index, A
 
 
 def _on_lines(path: Path, points: Array, slot: Index, low: Array, high: Array) -> Array:
-    start, direction = path._line["start"][slot], path._line["direction"][slot]
+    start, direction = path._line["start"].T[slot], path._line["direction"].T[slot]
     return np.asarray(np.clip(np.einsum("ij,ij->i", points - start, direction), low, high))
 
 
 def _on_arcs(path: Path, points: Array, slot: Index, low: Array, high: Array, middle: Array) -> Array:
     """The spoke through the point, in the turn nearest to the progress; else the nearer end."""
-    arc = {name: path._arc[name][slot] for name in ("centre", "u", "v", "radius", "start_angle", "rate")}
+    arc = {name: path._arc[name].T[slot] for name in ("centre", "u", "v", "radius", "start_angle", "rate")}
     out = points - arc["centre"]
     angle = np.arctan2(np.einsum("ij,ij->i", out, arc["v"]), np.einsum("ij,ij->i", out, arc["u"]))
     turn = 2.0 * math.pi / np.abs(arc["rate"])

@@ -82,9 +82,10 @@ class Path:
         lines: list[Any] = [c for c in self.curves if type(c) is Line]
         arcs: list[Any] = [c for c in self.curves if type(c) is Arc]
         self._others = [c for c in self.curves if type(c) not in (Line, Arc)]
-        self._line = {name: np.array([getattr(c, name) for c in lines]) for name in ("start", "direction")}
+        # Coordinates first, so that each is one contiguous row: evaluation is then a few passes over plain arrays.
+        self._line = {name: np.array([getattr(c, name) for c in lines]).T for name in ("start", "direction")}
         names = ("centre", "u", "v", "rise", "radius", "start_angle", "rate", "length")
-        self._arc = {name: np.array([getattr(c, name) for c in arcs]) for name in names}
+        self._arc = {name: np.array([getattr(c, name) for c in arcs]).T for name in names}
 
     def _check_joints(self) -> None:
         gap = np.linalg.norm(self._ends[0][:-1] - self._starts[0][1:], axis=1)
@@ -123,37 +124,49 @@ class Path:
         return self._at(index, along, order)
 
     def _at(self, index: NDArray[np.int64], along: Array, order: int) -> Array:
-        found = np.zeros((order + 1, along.size, self.n_axis))
+        """Evaluate at places `along` the curves `index`: a view (order + 1, n, n_axis) of memory that holds each coordinate in one row."""
+        evaluate = (self._on_lines, self._on_arcs, self._on_others)
+        first = int(self._kind[0])
+        if np.all(self._kind == first):
+            return evaluate[first](self._slot[index], along, order).transpose(0, 2, 1)
+        found = np.zeros((order + 1, self.n_axis, along.size))
         kind, slot = self._kind[index], self._slot[index]
-        on = np.flatnonzero(kind == 0)
-        if on.size:
-            start, direction = self._line["start"][slot[on]], self._line["direction"][slot[on]]
-            found[0, on] = start + along[on, None] * direction
+        for k in range(len(evaluate)):
+            on = np.flatnonzero(kind == k)
+            if on.size:
+                found[:, :, on] = evaluate[k](slot[on], along[on], order)
+        return found.transpose(0, 2, 1)
+
+    def _on_lines(self, slot: NDArray[np.int64], along: Array, order: int) -> Array:
+        found = np.zeros((order + 1, self.n_axis, along.size))
+        for j, (start, direction) in enumerate(zip(*_of_each(self._line, slot, "start", "direction"), strict=True)):
+            found[0, j] = start + along * direction
             if order:
-                found[1, on] = direction
-        on = np.flatnonzero(kind == 1)
-        if on.size:
-            found[:, on] = self._on_arcs(slot[on], along[on], order)
-        on = np.flatnonzero(kind == 2)
-        for i in np.unique(slot[on]):
-            mine = on[slot[on] == i]
-            found[:, mine] = self._others[i].derivatives(along[mine], order)
+                found[1, j] = direction
         return found
 
     def _on_arcs(self, slot: NDArray[np.int64], along: Array, order: int) -> Array:
-        # One arc is broadcast, not gathered: the papers' circles are evaluated often.
-        one = {name: values if len(values) == 1 else values[slot] for name, values in self._arc.items()}
-        angle = one["start_angle"] + one["rate"] * along
-        c, d = np.cos(angle)[:, None], np.sin(angle)[:, None]
-        spoke, swing = c * one["u"] + d * one["v"], c * one["v"] - d * one["u"]
-        found = np.empty((order + 1, along.size, self.n_axis))
-        factor = one["radius"]
-        for k, turn in enumerate((spoke, swing, -spoke, -swing)[: order + 1]):
-            found[k] = factor[:, None] * turn
-            factor = factor * one["rate"]
-        found[0] += one["centre"] + (along / one["length"])[:, None] * one["rise"]
-        if order:
-            found[1] += one["rise"] / one["length"][:, None]
+        radius, angle, rate, length = _of_each(self._arc, slot, "radius", "start_angle", "rate", "length")
+        angle = angle + rate * along
+        c, d = radius * np.cos(angle), radius * np.sin(angle)
+        found = np.empty((order + 1, self.n_axis, along.size))
+        for j, (centre, u, v, rise) in enumerate(zip(*_of_each(self._arc, slot, "centre", "u", "v", "rise"), strict=True)):
+            spoke = c * u + d * v
+            found[0, j] = spoke + (centre + along / length * rise)
+            if order:
+                swing = rate * (c * v - d * u)
+                found[1, j] = swing + rise / length
+            if order > 1:
+                found[2, j] = -(rate**2) * spoke
+            if order > 2:
+                found[3, j] = -(rate**2) * swing
+        return found
+
+    def _on_others(self, slot: NDArray[np.int64], along: Array, order: int) -> Array:
+        found = np.empty((order + 1, self.n_axis, along.size))
+        for i in np.unique(slot):
+            mine = slot == i
+            found[:, :, mine] = self._others[i].derivatives(along[mine], order).transpose(0, 2, 1)
         return found
 
     def position(self, s: ArrayLike) -> Array:
@@ -210,3 +223,8 @@ class Path:
             for item in curve.describe():
                 sha.update(struct.pack("<d", item) if isinstance(item, float | int) else str(item).encode())
         return sha.hexdigest()
+
+
+def _of_each(curves: dict[str, Array], slot: NDArray[np.int64], *names: str) -> list[Array]:
+    """Return numbers of the curves in `slot`; those of a single curve are broadcast, not gathered: the papers' circles are evaluated often."""
+    return [values if values.shape[-1] == 1 else values[..., slot] for values in (curves[name] for name in names)]
