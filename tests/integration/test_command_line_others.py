@@ -7,7 +7,7 @@ import os
 from pathlib import Path
 
 import pytest
-from typed_commands import Run, contents, invoke
+from typed_commands import Finished, Run, contents, invoke
 
 import contourlab as package
 
@@ -162,18 +162,44 @@ def test_answers_that_end_early_are_2_and_write_nothing(contourlab: Run, tmp_pat
     assert not any(tmp_path.iterdir())
 
 
-def test_the_papers_integrals_come_out_by_name(tmp_path: Path) -> None:
+@pytest.fixture(scope="module")
+def ghaffari(tmp_path_factory: pytest.TempPathFactory) -> Finished:
+    """What `contourlab reproduce ghaffari --json` says."""
+    folder = tmp_path_factory.mktemp("ghaffari")
+    return Finished(folder, invoke(folder, "reproduce", "ghaffari", "--json"))
+
+
+def test_the_papers_integrals_come_out_by_name(ghaffari: Finished) -> None:
     """Fig 9 of Ghaffari & Ulsoy: 18.37 and 18.46 um s, within 3 % of each other under one controller."""
-    said = invoke(tmp_path, "reproduce", "ghaffari", "--json")
-    assert (said.code, said.err) == (0, "")
-    rows = json.loads(said.out)
-    assert all(set(row) == {"name", "case", "paper", "here", "unit", "tolerance", "pass", "note"} for row in rows)
+    assert (ghaffari.said.code, ghaffari.said.err) == (0, "")
+    rows = json.loads(ghaffari.said.out)
+    keys = {"name", "case", "paper", "here", "unit", "tolerance", "pass", "note", "source", "verdict"}
+    assert all(set(row) == keys for row in rows)
     found = {row["name"]: row for row in rows if row["name"] in ("contour error integral A3-A1", "contour error integral A3-A2")}
     assert [row["paper"] for row in found.values()] == [18.37, 18.46]
     first, second = (row["here"] for row in found.values())
-    assert (first, second) == (pytest.approx(18.3, abs=0.1), pytest.approx(18.5, abs=0.1))
+    assert (first, second) == (pytest.approx(18.31, abs=0.05), pytest.approx(18.54, abs=0.05))
     assert second == pytest.approx(first, rel=0.03)
     for row in rows:
         if row["pass"] is not None:
             assert row["pass"] == (abs(row["here"] - row["paper"]) <= row["tolerance"])
-    assert not any(tmp_path.iterdir())
+    assert not any(ghaffari.folder.iterdir())
+
+
+def test_the_last_line_counts_printed_derived_and_differing_figures_apart(contourlab: Run, ghaffari: Finished) -> None:
+    rows = json.loads(ghaffari.said.out)
+    said = contourlab("reproduce", "ghaffari")
+    assert (said.code, said.err) == (0, "")
+    parts = []
+    for source, words in (("printed", "printed in the paper"), ("derived", "derived from its equations")):
+        verdicts = [row["verdict"] for row in rows if row["source"] == source]
+        agree, differ = (verdicts.count(word) for word in ("agrees", "differs"))
+        assert agree + differ == len(verdicts)
+        parts.append(f"{agree} of {len(verdicts)} figures {words} agree, {differ} differ for the reason beside them")
+    told = " ".join(said.out.split())
+    assert told.endswith("; ".join(parts) + f". {sum(row['source'] == 'ours' for row in rows)} are ours alone.")
+    # A figure that differs stands with its reason: 1695/10.1 and 873/19.7.
+    block = said.out.split("fitted a' [mm/s^2/full_scale]\n")[1].split("\n\n")[0]
+    (line,) = (line for line in block.splitlines() if line.startswith("  axis 1, Table II"))
+    assert line.split()[4:9] == ["873", "1699.44", "+826", "printed", "differs"]
+    assert "a_hat/b_hat = 168 mm/s, the printed a'/b' is 44" in " ".join(block.split())

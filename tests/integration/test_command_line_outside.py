@@ -5,9 +5,11 @@ from __future__ import annotations
 import json
 import os
 import re
+import select
 import shutil
 import signal
 import subprocess
+import time
 from collections.abc import Callable
 from pathlib import Path
 
@@ -28,10 +30,15 @@ def used(circle: Finished, tmp_path: Path) -> Path:
     return folder
 
 
-def read_until_closed(handle: int, at_first: Callable[[], None]) -> str:
-    """Return what comes out of a terminal; do something when it begins."""
+def read_until_closed(handle: int, knock: Callable[[], None], patience: float = 60.0) -> str:
+    """Return what comes out of a terminal; knock when it begins, and again where nothing happens, as a person would."""
     parts: list[bytes] = []
-    while True:
+    begun = time.monotonic()
+    while time.monotonic() < begun + patience:
+        if not select.select([handle], [], [], 2.0)[0]:
+            if parts:
+                knock()
+            continue
         try:
             part = os.read(handle, 65536)
         except OSError:  # Linux says so when the other side has closed
@@ -39,8 +46,9 @@ def read_until_closed(handle: int, at_first: Callable[[], None]) -> str:
         if not part:
             return b"".join(parts).decode()
         if not parts:
-            at_first()
+            knock()
         parts.append(part)
+    raise TimeoutError(b"".join(parts).decode())
 
 
 def on_terminal(folder: Path, *words: str, width: int = 80, interrupted: bool = False, **changes: str) -> tuple[int, str]:

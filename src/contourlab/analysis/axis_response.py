@@ -1,74 +1,25 @@
-"""Frequency response of one axis in closed loop, from the linear models that its components give of themselves.
+"""Frequency response of one axis in closed loop: sampled, from the steps that run, or in continuous time.
 
-The blocks are joined at each frequency, so that transport delay and the hold of the servo period are exact, not approximated by a
-rational function.
+In continuous time the linear models that components give of themselves are joined at each frequency, so that a transport delay is exact,
+not approximated by a rational function. That is what a design on paper is held against; what runs is the sampled loop.
 """
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from contourlab.analysis.response import AxisResponse
+from contourlab.analysis.sampled_loop import sampled_loop
 from contourlab.components.contract import Component, LinearModel
 from contourlab.components.velocity.true import TrueVelocity
 from contourlab.errors import ComponentError, ParameterError
 from contourlab.loop.machine import Axis, AxisController
 
-__all__ = ["AxisResponse", "Margins", "axis_response", "margins", "transfer"]
+__all__ = ["axis_response", "transfer"]
 
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
-
-
-@dataclass(frozen=True)
-class AxisResponse:
-    """Complex responses (n_frequency,) of one axis.
-
-    Attributes
-    ----------
-    frequency : ndarray [rad/s]
-    closed_loop : ndarray
-        Position over reference, feedforward included.
-    modified : ndarray
-        Position over modified reference alone: what acts on position and integral, without feedforward of its derivatives.
-    loop_gain : ndarray
-        The loop opened at the drive, sign such that -1 is the critical point.
-    compliance : ndarray [m per force unit]
-        Position over load.
-    compensated : ndarray [m/s per command unit]
-        Velocity over the command ahead of the observer: what the position loop sees.
-    """
-
-    frequency: Array
-    closed_loop: Complex
-    modified: Complex
-    loop_gain: Complex
-    compliance: Complex
-    compensated: Complex
-
-
-@dataclass(frozen=True)
-class Margins:
-    """Stability margins of a loop gain.
-
-    Attributes
-    ----------
-    gain : float
-        Smallest factor > 1 at which the loop would reach -1; infinite if none in the range looked at.
-    phase : float [rad]
-        Smallest phase lag at a gain of 1 that would reach -1.
-    crossover : float [rad/s]
-        Frequency of that phase margin.
-    modulus : float
-        Smallest distance of the loop gain from -1.
-    """
-
-    gain: float
-    phase: float
-    crossover: float
-    modulus: float
 
 
 def transfer(model: LinearModel, s: ArrayLike) -> Complex:
@@ -98,22 +49,29 @@ def axis_response(
     axis : Axis
     controller : AxisController
     servo_period : float [s], >= 0
-        Of the hold; 0 for continuous time.
+        Of the sampled loop; 0 for continuous time.
     frequency : array_like (n,) [rad/s], > 0
+        Of a sampled loop up to the Nyquist frequency.
     carried_mass : float [kg]
         What other axes put on this one.
 
     Raises
     ------
     ComponentError
-        If a component has no linear model.
+        If a component has no linear model, or its step is not linear.
     ParameterError
-        If a frequency is not positive.
+        If a frequency is out of range.
     """
     w = np.atleast_1d(np.asarray(frequency, dtype=float))
     if not (np.isfinite(w).all() and (w > 0.0).all()):
         raise ParameterError("frequency", "an array", "> 0 and finite", "rad/s")
-    s = 1j * w
+    if servo_period > 0.0:
+        return sampled_loop(axis, controller, servo_period, carried_mass).response(w)
+    return _continuous(axis, controller, w, carried_mass)
+
+
+def _continuous(axis: Axis, controller: AxisController, w: Array, carried_mass: float) -> AxisResponse:
+    s = np.asarray(1j * w, dtype=np.complex128)
     plant = axis.plant
     if carried_mass and "carried_mass" in plant.parameters:
         plant = plant.replace(carried_mass=plant.carried_mass + carried_mass)  # type: ignore[attr-defined]
@@ -124,7 +82,7 @@ def axis_response(
     measured_load = velocity_load if seen is None else seen * position_load
     of_velocity, of_applied = _observer_rows(controller, s)
     gains = {name: transfer(_model(controller.controller), s)[:, 0, i] for i, name in enumerate(_model(controller.controller).inputs)}
-    drive = _drive(axis.drive, s, servo_period)
+    drive = np.exp(-s * float(getattr(axis.drive, "delay", 0.0)))
 
     # Command per applied command with the reference at rest.
     estimate = of_velocity * measured + of_applied
@@ -156,43 +114,3 @@ def _observer_rows(controller: AxisController, s: Complex) -> tuple[Complex, Com
         return np.zeros_like(s), np.zeros_like(s)
     rows = transfer(_model(controller.observer), s)
     return rows[:, 0, 0], rows[:, 0, 1]
-
-
-def _drive(drive: Component, s: Complex, period: float) -> Complex:
-    """Hold over the servo period, and the drive's own delay."""
-    late = np.exp(-s * float(getattr(drive, "delay", 0.0)))
-    if period <= 0.0:
-        return np.asarray(late)
-    return np.asarray(late * (1.0 - np.exp(-s * period)) / (s * period))
-
-
-def margins(frequency: ArrayLike, loop_gain: ArrayLike) -> Margins:
-    """Return the margins of a loop gain sampled over rising frequencies, crossings interpolated linearly in log frequency.
-
-    Parameters
-    ----------
-    frequency : array_like (n,) [rad/s]
-    loop_gain : array_like (n,)
-    """
-    w, gain = np.asarray(frequency, dtype=float), np.asarray(loop_gain, dtype=complex)
-    size, phase = np.log(np.abs(gain)), np.unwrap(np.angle(gain))
-    log_w = np.log(w)
-    unity = _crossings(size, 0.0)
-    phases = [(float(np.angle(-np.exp(1j * _at(phase, i, u)))), float(np.exp(_at(log_w, i, u)))) for i, u in unity]
-    worst = min(phases, key=lambda item: abs(item[0]), default=(np.inf, np.nan))
-    turns = []
-    low, high = np.floor(phase.min() / (2 * np.pi)) - 1, np.ceil(phase.max() / (2 * np.pi)) + 1
-    for n in np.arange(low, high + 1):
-        turns += [float(np.exp(-_at(size, i, u))) for i, u in _crossings(phase, (2 * n + 1) * np.pi)]
-    larger = [factor for factor in turns if factor > 1.0]
-    return Margins(min(larger, default=np.inf), worst[0], worst[1], float(np.abs(1.0 + gain).min()))
-
-
-def _crossings(values: Array, level: float) -> list[tuple[int, float]]:
-    above = values > level
-    found = np.flatnonzero(above[1:] != above[:-1])
-    return [(int(i), float((level - values[i]) / (values[i + 1] - values[i]))) for i in found]
-
-
-def _at(values: Array, i: int, u: float) -> float:
-    return float(values[i] + u * (values[i + 1] - values[i]))

@@ -350,6 +350,13 @@ class Component:
             outputs,
         )
 
+    def constants(self) -> Any:
+        """Return the parameters as a step sees them, derived ones included."""
+        from contourlab.engine.step import record
+
+        block = self.block(1.0)
+        return record(tuple(block))(*block.values())
+
     def block(self, dt: float, overrides: Mapping[str, NDArray[np.float64]] | None = None) -> dict[str, Any]:
         """Return the value of every parameter row, derived ones included; overrides are arrays (n_variant,)."""
         rows: dict[str, Any] = {**{name: getattr(self, name) for name in self.numeric()}, **(overrides or {})}

@@ -69,9 +69,9 @@ def _source(width: int) -> Any:
 def kernel(width: int) -> Any:
     """Return the tick loop over `width` lanes as a C function that releases the interpreter lock.
 
-    Its arguments: address and number of node records (NODE_FIELDS), record point; address and number of external signals, and
-    how many numbers lie between two ticks and between two signals; address of the signal table; address of the log (n_tick, n_log, width), of its row addresses, and their number; first tick,
-    number of ticks; period [s].
+    Its arguments: address and number of node records (NODE_FIELDS), record point; address and number of external signals, and how many
+    numbers lie between two ticks and between two signals; address of the signal table; address of the log (n_tick, n_log, width), of its
+    row addresses, and their number; first tick, number of ticks; period [s].
     """
     words = (
         inspect.getsource(_source),

@@ -226,5 +226,5 @@ class Path:
 
 
 def _of_each(curves: dict[str, Array], slot: NDArray[np.int64], *names: str) -> list[Array]:
-    """Return numbers of the curves in `slot`; those of a single curve are broadcast, not gathered: the papers' circles are evaluated often."""
+    """Return numbers of the curves in `slot`; those of a single curve are broadcast, not gathered: circles are evaluated often."""
     return [values if values.shape[-1] == 1 else values[..., slot] for values in (curves[name] for name in names)]

@@ -82,8 +82,9 @@ class AxisError:
 class Axis:
     """One axis: what moves, what rubs, what drives it and what measures it.
 
-    `stage_mass` [kg] is the whole module that another axis carries when this one is `mounted_on` it; `alignment` is the cosine of the angle
-    between the two directions of motion: 0 for crossed axes, which exchange no reaction force.
+    `stage_mass` [kg] is the whole module that another axis carries when this one is `mounted_on` it, what it moves included; `alignment` is
+    the cosine of the angle between the two directions of motion: 0 for crossed axes. Otherwise either feels the other's acceleration, one
+    tick late: the mass that the upper one moves, times that acceleration and the cosine. Positions stay those along each axis' own guide.
     """
 
     name: str
@@ -131,9 +132,45 @@ class Machine:
                     axis.mounted_on,
                     "another axis of the machine, without going in a circle",
                 )
+            self._check_masses(axis)
+            self._check_step(axis)
         for pair in self.squareness:
             if len(pair) != 2 or pair[0] == pair[1] or not set(pair) <= set(names):
                 raise ParameterError("squareness", "-".join(pair), "two different axes of the machine")
+
+    def _check_masses(self, axis: Axis) -> None:
+        """A plant that is known by its response only cannot be given more mass, nor tell what it moves."""
+        carried = self.carried_mass(axis.name)
+        if carried and "carried_mass" not in axis.plant.parameters:
+            raise ParameterError(
+                f"axes.{axis.name}.plant",
+                f'"{axis.plant.kind}"',
+                f"a plant that knows its mass, as it carries {carried:g} kg: leave stage_mass out where the response was measured with it",
+            )
+        below = self.axis(axis.mounted_on).plant if axis.mounted_on and axis.alignment else axis.plant
+        for plant in (axis.plant, below):
+            if axis.alignment and "carried_mass" not in plant.parameters:
+                raise ParameterError(
+                    f"axes.{axis.name}.alignment",
+                    f"{axis.alignment:g}",
+                    f'0 on a "{plant.kind}" plant, which does not know what mass it moves',
+                )
+
+    def _check_step(self, axis: Axis) -> None:
+        """The classical Runge-Kutta step follows a decay of at most 2.78 in a step."""
+        steepest = getattr(type(axis.friction), "steepest", None)
+        if steepest is None:
+            return
+        plant = self.loaded_plant(axis.name)
+        mobility = type(plant).mobility(plant.constants())
+        decay = mobility * steepest(axis.friction.constants()) * self.servo_period
+        wanted = math.ceil(decay / 2.5)
+        if decay / axis.substeps > 2.78:
+            raise ParameterError(
+                f"axes.{axis.name}.substeps",
+                f"{axis.substeps}",
+                f"at least {wanted} for a {axis.friction.kind} friction as steep near rest as this; or take a softer or a sticking one",
+            )
 
     @property
     def axis_names(self) -> tuple[str, ...]:
@@ -156,6 +193,12 @@ class Machine:
     def carried_mass(self, name: str) -> float:
         """Return the mass [kg] of all the modules that stand on an axis."""
         return sum(axis.stage_mass for axis in self.axes if name in self.carriers(axis.name))
+
+    def loaded_plant(self, name: str) -> SingleMass:
+        """Return the plant of an axis with all that stands on it: what its drive and its controller feel."""
+        plant, carried = self.axis(name).plant, self.carried_mass(name)
+        own: float = plant.values().get("carried_mass", 0.0)
+        return plant.replace(carried_mass=own + carried) if carried else plant
 
     def swapped(self, name: str, other: Axis) -> Machine:
         """Return the machine with one axis exchanged for another module, which takes its name and place."""

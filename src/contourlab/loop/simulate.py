@@ -124,7 +124,8 @@ def result_of(
     start: int = 0,
 ) -> Result:
     """Return the arrays of a run, or of a block that begins at sample `start`, as a labelled result."""
-    command_unit = machine.axes[0].plant.command_unit
+    units = [axis.plant.command_unit for axis in machine.axes]
+    command_unit = units[0] if len(set(units)) == 1 else ", ".join(units)
     return Result(
         scheme=scheme,
         axes=machine.axis_names,

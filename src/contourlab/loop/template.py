@@ -19,6 +19,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import cache
+from types import SimpleNamespace
 from typing import Any
 
 import numpy as np
@@ -33,7 +34,7 @@ from contourlab.engine.step import Port, Step
 from contourlab.errors import ParameterError
 from contourlab.geometry import Path
 from contourlab.geometry.view import PathView, view_of
-from contourlab.loop.machine import Controller, Machine
+from contourlab.loop.machine import Axis, Controller, Machine
 from contourlab.loop.tool import stream_of
 from contourlab.loop.watch import watch_node
 
@@ -175,27 +176,35 @@ class _Builder:
                 wires = {"position": Late(f"{name}.plant.position")}
                 self.add(f"{name}.disturbance", axis.disturbance, f"{prefix}.disturbance", wires)
                 load = f"{name}.disturbance.force"
-            riders = [a for a in self.machine.axes if a.mounted_on == name and a.alignment]
-            if riders:
-                load = self.reaction(name, load, riders)
-            plant, friction = axis.plant, axis.friction
-            values = plant.block(self.period, self.changed(f"{prefix}.plant"))
-            carried = self.machine.carried_mass(name)
-            if carried and "carried_mass" in plant.parameters:
-                carrying = plant.replace(carried_mass=plant.carried_mass + carried)  # type: ignore[attr-defined]
-                values = carrying.block(self.period, self.changed(f"{prefix}.plant"))
-            values |= friction.block(self.period, self.changed(f"{prefix}.friction"))
-            initial, start = plant.at_rest(float(at))
+            # Two modules that move along each other push on each other with the mass that the upper one moves.
+            partners = {a.name: a.alignment * self.moved_mass(a) for a in self.machine.axes if a.mounted_on == name and a.alignment}
+            if axis.mounted_on and axis.alignment:
+                partners[axis.mounted_on] = axis.alignment * self.moved_mass(axis)
+            if partners:
+                load = self.reaction(name, load, partners)
+            values = self.carrying(axis) | axis.friction.block(self.period, self.changed(f"{prefix}.friction"))
+            initial, start = axis.plant.at_rest(float(at))
             pushed: dict[str, Any] = {"command": f"{name}.drive.applied", "load": load}
-            self.nodes.append(Node(f"{name}.plant", link(plant, friction), pushed, values, {}, initial, start, repeat=axis.substeps))
+            step = link(axis.plant, axis.friction)
+            self.nodes.append(Node(f"{name}.plant", step, pushed, values, {}, initial, start, repeat=axis.substeps))
 
-    def reaction(self, name: str, load: Any, riders: list[Any]) -> str:
-        """Add the node that sums what acts on an axis: its disturbance, and the reaction to the axes that move along it on top."""
-        step = _reaction_step(tuple(a.name for a in riders))
-        forces: dict[str, Any] = {f"acceleration_{a.name}": Late(f"{a.name}.plant.acceleration") for a in riders}
-        self.nodes.append(
-            Node(f"{name}.load", step, {"load": load, **forces}, {f"reaction_{a.name}": a.alignment / mobility_of(a) for a in riders})
-        )
+    def carrying(self, axis: Axis) -> dict[str, Any]:
+        """Return the parameters of an axis' plant, with the modules that stand on it."""
+        changed, carried = self.changed(f"axes.{axis.name}.plant"), self.machine.carried_mass(axis.name)
+        if carried:
+            own = np.asarray(axis.plant.values()["carried_mass"])
+            changed["carried_mass"] = changed.get("carried_mass", own) + carried
+        return axis.plant.block(self.period, changed)
+
+    def moved_mass(self, axis: Axis) -> Any:
+        """Return the mass [kg] that an axis moves in a straight line: a number, or one for each variant."""
+        return type(axis.plant).moved_mass(SimpleNamespace(**self.carrying(axis)))
+
+    def reaction(self, name: str, load: Any, partners: Mapping[str, Any]) -> str:
+        """Add the node that sums what acts on an axis: its disturbance, and the inertia of those that move along it."""
+        step = _reaction_step(tuple(partners))
+        forces: dict[str, Any] = {f"acceleration_{other}": Late(f"{other}.plant.acceleration") for other in partners}
+        self.nodes.append(Node(f"{name}.load", step, {"load": load, **forces}, {f"mass_{other}": mass for other, mass in partners.items()}))
         return f"{name}.load.force"
 
     def signals(self) -> dict[str, tuple[str, ...]]:
@@ -219,18 +228,13 @@ class _Builder:
         return found
 
 
-def mobility_of(axis: Any) -> float:
-    """Return the acceleration per force of an axis' plant: its inverse is what the reaction is counted with."""
-    return float(type(axis.plant).mobility(axis.plant.constants()))
-
-
 @cache
-def _reaction_step(riders: tuple[str, ...]) -> Step:
-    ports = (Port("load"), *(Port(f"acceleration_{name}") for name in riders))
-    terms = "".join(f" - par.reaction_{name} * inp.acceleration_{name}" for name in riders)
+def _reaction_step(partners: tuple[str, ...]) -> Step:
+    ports = (Port("load"), *(Port(f"acceleration_{name}") for name in partners))
+    terms = "".join(f" - par.mass_{name} * inp.acceleration_{name}" for name in partners)
     scope: dict[str, Any] = {"__name__": __name__}
     exec(f"def step(par, x, inp, clock):\n    return (), (inp.load{terms},)\n", scope)
-    return Step("load", scope["step"], tuple(f"reaction_{name}" for name in riders), (), "", (), ports, (Port("force"),))
+    return Step("load", scope["step"], tuple(f"mass_{name}" for name in partners), (), "", (), ports, (Port("force"),))
 
 
 def build(

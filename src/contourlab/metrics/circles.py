@@ -176,7 +176,8 @@ def bidirectional(one: CircleFigures, other: CircleFigures) -> Bidirectional:
     Raises
     ------
     ResultError
-        If they run in the same sense, or around different circles.
+        If they run in the same sense, or around circles of different radii. Deviations are counted from the nominal centre; that it is one
+        centre is for the caller to see, as `pairs` does.
     """
     if one.clockwise == other.clockwise or abs(one.radius - other.radius) > 1e-9:
         raise ResultError("two runs around one circle in opposite senses are wanted")

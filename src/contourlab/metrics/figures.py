@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 
 from contourlab.errors import ResultError
 from contourlab.feed import Reference
+from contourlab.metrics.coverage import left_out
 from contourlab.result import Result
 
 __all__ = ["AxisFigures", "ErrorFigures", "Metrics", "Place", "evaluation_window", "summarise"]
@@ -79,6 +80,8 @@ class Metrics:
         One for each axis.
     saturation : tuple of float
         Part of the samples, 0 to 1, at which the drive held a command back, for each axis.
+    left_out : float [m]
+        Longest piece of the programmed path that the tool never came to; see `contourlab.metrics.coverage`.
     feedrate_mean : float [m/s]
         Mean speed of the tool along its path.
     feedrate_ripple : float
@@ -94,6 +97,7 @@ class Metrics:
     planning_deviation: ErrorFigures
     tracking_error: tuple[AxisFigures, ...]
     saturation: tuple[float, ...]
+    left_out: float
     feedrate_mean: float
     feedrate_ripple: float
     cycle_time: float
@@ -160,6 +164,7 @@ def summarise(result: Result, reference: Reference, window: tuple[int, int] | No
         error("planning_deviation"),
         axes,
         held,
+        left_out(result, reference, chosen),
         mean,
         ripple,
         cycle,

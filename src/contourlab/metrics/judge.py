@@ -52,21 +52,24 @@ def judge(result: Result, reference: Reference) -> Result:
 
     Notes
     -----
-    Signals ``contour_error``, ``part_error``, ``planning_deviation``, ``foot_arc_length`` (on the programmed path) and ``tracking_error``.
+    Signals ``contour_error``, ``part_error``, ``planning_deviation``, ``foot_arc_length`` (on the programmed path) and ``tracking_error``:
+    the reference less the axes' true positions, or less the tool's where these were not kept.
     """
     tool, wanted, along = result["tool_position"], result["reference"], result["arc_length"]
     for name in ("tool_position", "reference", "arc_length"):
         _check_finite(result, name)
     if tool.shape[1] != reference.n_axis:
         raise ResultError(f"a result of axes {', '.join(result.axes)} for a path of {reference.n_axis} coordinates")
-    tracking = wanted - tool
+    off = wanted - tool
     planned, programmed = reference.path, reference.programmed
-    contour, foot = _errors(planned, tool, along, reach(planned, tracking))
+    contour, foot = _errors(planned, tool, along, reach(planned, off))
     if programmed is planned:
         part, planning, part_foot = contour, np.zeros_like(contour), foot
     else:
         planning, at = _errors(programmed, wanted, along * (programmed.length / planned.length), 0.02 * programmed.length)
-        part, part_foot = _errors(programmed, tool, at, reach(programmed, tracking) + float(np.abs(planning).max(initial=0.0)))
+        part, part_foot = _errors(programmed, tool, at, reach(programmed, off) + float(np.abs(planning).max(initial=0.0)))
+    # The servo's error is that of the axes; where they are the tool may still be off by the machine's error map.
+    tracking = wanted - result["axis_position"] if "axis_position" in result.signals else off
     one = ("sample",)
     return result.with_signals(
         contour_error=Signal(contour, one, "m"),

@@ -81,8 +81,8 @@ def compare(data: ReportData) -> Comparison:
     Returns
     -------
     Comparison
-        Rows: the verdict where there is a tolerance, the errors, the axes, the drives, the time. A figure that no
-        scheme has is left out.
+        Rows: the verdict where there is a tolerance, the loops where one is unstable, the errors, the axes, the drives,
+        the time. A figure that no scheme has is left out.
     """
     count = len(data.schemes)
     heads = tuple(Head(scheme.name, scheme_style(i, count)[0]) for i, scheme in enumerate(data.schemes))
@@ -90,7 +90,7 @@ def compare(data: ReportData) -> Comparison:
     keys = dict.fromkeys(key for column in columns for key in column)
     rows = [_row([column.get(key) for column in columns]) for key in keys]
     rows = [row for row in rows if any(cell.text != number(math.nan) for cell in row.cells)]
-    rows = [*_verdict_row(data), *rows]
+    rows = [*_verdict_row(data), *_loop_row(data), *rows]
     tolerance = "" if data.tolerance is None else nominal(data.tolerance, "µm", 1e6)
     return Comparison(heads, tuple(rows), tolerance, _note(data))
 
@@ -105,6 +105,18 @@ def _verdict_row(data: ReportData) -> list[Row]:
     if tolerance is None:
         tolerance = next(scheme.verdict.tolerance for scheme in data.schemes if scheme.verdict is not None)
     return [Row(f"tolerance {nominal(tolerance, 'µm', 1e6)}", "", cells, strong=True)]
+
+
+def _loop_row(data: ReportData) -> list[Row]:
+    """Say which loops are unstable; nothing where none is."""
+    shaky = [", ".join(axis for axis, answer in scheme.bode.items() if not answer.stable) for scheme in data.schemes]
+    if not any(shaky):
+        return []
+    cells = (
+        Cell(f"unstable: {axes}", "poor") if axes else Cell("stable" if scheme.bode else "–")
+        for axes, scheme in zip(shaky, data.schemes, strict=True)
+    )
+    return [Row("servo loops", "", tuple(cells))]
 
 
 def _passed(scheme: SchemeReport, tolerance: float | None) -> bool | None:

@@ -128,6 +128,14 @@ class Verdict(Protocol):
     def advice(self) -> str:
         """One sentence."""
 
+    @property
+    def untold(self) -> Sequence[str]:
+        """Names of causes that could not be told apart."""
+
+    @property
+    def left_out(self) -> float:
+        """Longest piece of the path that the tool never came to [m], where that is why it failed; else 0."""
+
 
 @dataclass(frozen=True, eq=False)
 class AxisBounds:
@@ -169,11 +177,14 @@ class FrequencyResponse:
         Position over reference, 1 when the axis follows exactly.
     notes : mapping of str to str
         Figures to print beside it, for example ``{"bandwidth": "42 Hz", "phase margin": "61 deg"}``.
+    stable : bool
+        Whether the loop is stable.
     """
 
     frequency: Array
     response: NDArray[np.complex128]
     notes: Mapping[str, str] = field(default_factory=dict)
+    stable: bool = True
 
     def __post_init__(self) -> None:
         frequency = np.asarray(self.frequency, dtype=np.float64)

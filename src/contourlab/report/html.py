@@ -150,6 +150,8 @@ def _verdict(scheme: Any, index: int, count: int) -> dict[str, Any] | None:
             }
             for cause in verdict.causes
         ],
+        "left_out": f"{verdict.left_out * 1e3:.3g} mm" if verdict.left_out else "",
+        "untold": ", ".join(verdict.untold),
         "advice": verdict.advice[:1].upper() + verdict.advice[1:],
     }
 

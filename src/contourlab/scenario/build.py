@@ -10,7 +10,6 @@ from typing import Any
 import numpy as np
 
 from contourlab.components.contract import Component
-from contourlab.components.plant.single_mass import SingleMass
 from contourlab.loop import Axis, AxisController, AxisError, Controller, Limits, Machine
 from contourlab.scenario.components import find_kind, located, read_component, read_values
 from contourlab.scenario.files import EVERY
@@ -199,11 +198,7 @@ def _model(machine: Machine, axis: Axis, observer: Component | None) -> _Model:
     if observer is not None and {"model_gain", "model_damping"} <= set(observer.parameters):
         values = observer.values()
         return _Model(values["model_gain"], values["model_damping"])
-    plant: SingleMass = axis.plant
-    carried = machine.carried_mass(axis.name)
-    if carried and "carried_mass" in plant.parameters:
-        plant = plant.replace(carried_mass=plant.values()["carried_mass"] + carried)
-    linear = plant.linearize()
+    linear = machine.loaded_plant(axis.name).linearize()
     return _Model(float(linear.b[1, 0]), float(-linear.a[1, 1]))
 
 

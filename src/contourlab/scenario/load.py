@@ -11,7 +11,7 @@ from contourlab.components.registry import load_plugin
 from contourlab.errors import ScenarioError
 from contourlab.loop import Axis, Controller, Machine
 from contourlab.scenario.build import build_axis, build_controller, build_machine
-from contourlab.scenario.files import BUILTIN, Reader, builtin_file, join, listed
+from contourlab.scenario.files import BUILTIN, EVERY, Reader, builtin_file, join, listed
 from contourlab.scenario.motion import read_feed, read_motion, read_run
 from contourlab.scenario.tables import ScenarioTable, read_table
 from contourlab.scenario.tree import Leaf, Node, Table, from_mapping, hint, merge, parse_tree, settle
@@ -281,10 +281,23 @@ def _over(reader: Reader, base: _Layers, scheme: Table) -> _Layers:
     if "controller" in scheme.entries:
         reader = replace(reader, names=listed(machine))
         over = reader.controller(scheme.entries["controller"])
+        _check_axes(scheme.entries["controller"], reader.names, controller)
         fresh = isinstance(over, Leaf) or isinstance(controller, Leaf) or over.afresh
         controller = over if fresh else join(controller, over, reader.names)  # type: ignore[arg-type]
     feed, run = (merge(getattr(base, name), scheme.table(name)) for name in ("feed", "run"))
     return _Layers(machine, controller, feed, run)
+
+
+def _check_axes(over: Node, names: tuple[str, ...], base: Table | Leaf) -> None:
+    """Refuse what a scheme says of an axis that neither the machine nor the base's controller has; a file may serve further machines."""
+    axes = over.entries.get("axes") if isinstance(over, Table) else None
+    if not isinstance(axes, Table):
+        return
+    shared = base.entries.get("axes") if isinstance(base, Table) else None
+    known = {*names, EVERY, *(shared.entries if isinstance(shared, Table) else ())}
+    for name in axes.entries:
+        if name not in known:
+            raise axes.error(f"the machine has no axis {name!r}: {hint(name, names)}", name)
 
 
 def _case(name: str, layers: _Layers, motion: Motion, place: Table) -> Case:

@@ -15,6 +15,7 @@ from contourlab.feed import AxisLimits, Reference, Route, plan, route_from_path,
 from contourlab.geometry import Path, contour
 from contourlab.loop import Controller, Machine
 from contourlab.program import Program
+from contourlab.scenario.motion_check import check_motion
 
 __all__ = ["Case", "Contour", "FeedSettings", "Motion", "Overrides", "PartProgram", "RunSettings", "Scenario"]
 
@@ -184,33 +185,18 @@ class Case:
         Raises
         ------
         FeedError
-            If the motion cannot be planned within the limits of the axes.
+            If the motion cannot be planned within the limits of the axes, leaves their travel, or takes too many samples.
         ProgramError
-            If the program moves an axis that the machine lacks.
+            If the program moves an axis that the machine lacks, or beyond its travel.
         """
         found = self._sampled(self.feed.override * feed_scale)
-        self._check_travel(found)
+        check_motion(found, self.machine, self._fault, bounded=self.feed.law != "uniform")
         return replace(found, laps=()) if self.run.evaluate == "whole" else found
 
-    def _check_travel(self, reference: Reference) -> None:
-        """Refuse a motion that leaves the travel of an axis."""
-        if not any(np.isfinite(axis.limits.travel).any() for axis in self.machine.axes):
-            return
-        for start in range(0, reference.n_sample, 1 << 16):
-            block = reference.block(start, min(start + (1 << 16), reference.n_sample))
-            for axis, position in zip(self.machine.axes, block.position.T, strict=True):
-                low, high = axis.limits.travel
-                away = np.maximum(position - high, low - position)
-                k = int(np.argmax(away))
-                if away[k] > 1e-9:
-                    line = int(reference.source_line(block.arc_length[k : k + 1])[0])
-                    message = (
-                        f"axis {axis.name} is sent to {position[k] * 1e3:.6g} mm, its travel is {low * 1e3:g} to {high * 1e3:g} mm: "
-                        "move the part, or correct limits.travel"
-                    )
-                    if isinstance(self.motion, PartProgram):
-                        raise ProgramError(message, file=self.motion.file, line=line)
-                    raise FeedError(f"{self.motion.name}: {message}")
+    def _fault(self, message: str, line: int) -> FeedError | ProgramError:
+        if isinstance(self.motion, PartProgram):
+            return ProgramError(message, file=self.motion.file, line=line)
+        return FeedError(f"{self.motion.name}: {message}")
 
     def _sampled(self, factor: float) -> Reference:
         period = self.machine.servo_period

@@ -64,13 +64,16 @@ def _scheme(outcome: Outcome) -> SchemeReport:
 
 def _response(bode: AxisBode) -> FrequencyResponse:
     hertz = bode.response.frequency / (2.0 * math.pi)
+    m = bode.margins
+    if not m.stable:
+        said = {"loop": "unstable, so it has no margins; the curve is no response of a run"}
+        return FrequencyResponse(hertz, bode.response.closed_loop, said, stable=False)
     size = np.abs(bode.response.closed_loop)
     below = np.flatnonzero(size < math.sqrt(0.5))
     notes = {"bandwidth (-3 dB)": f"{hertz[below[0]]:.3g} Hz" if below.size else f"above {hertz[-1]:.3g} Hz"}
-    m = bode.margins
     if math.isfinite(m.phase):
         notes["phase margin"] = f"{math.degrees(m.phase):.3g} deg at {m.crossover / (2.0 * math.pi):.3g} Hz"
     if math.isfinite(m.gain):
-        notes["gain margin"] = f"{20.0 * math.log10(m.gain):.3g} dB"
+        notes["gain margin"] = f"{20.0 * math.log10(m.gain):.3g} dB at {m.phase_crossover / (2.0 * math.pi):.3g} Hz"
     notes["modulus margin"] = f"{m.modulus:.3g}"
     return FrequencyResponse(hertz, bode.response.closed_loop, notes)

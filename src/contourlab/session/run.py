@@ -75,7 +75,8 @@ def run_scenario(
     if shipped or path.suffix.lower() == ".toml":
         for option, value in parts.items():
             if value is not None:
-                raise ScenarioError(f"a scenario says this itself: leave {option} out", file=path)
+                key = "tolerance under [run]" if option == "--tolerance" else option.removeprefix("--")
+                raise ScenarioError(f"a scenario names its own: write {key} in the file, and leave {option} out", file=path)
         scenario = load_scenario(path, plugins=plugins)
     else:
         if machine is None or controller is None:
@@ -199,9 +200,15 @@ def verdict_lines(outcomes: Sequence[Outcome]) -> list[str]:
             f"{outcome.name}: {'PASS' if found.passed else 'FAIL'}, largest part error {worst.value * 1e6:.3g} um against "
             f"{found.tolerance * 1e6:.3g} um, at {where}, t = {worst.time:.3f} s"
         )
+        if found.left_out:
+            lines.append(
+                f"    the tool never came to a piece of the path {found.left_out * 1e3:.3g} mm long: see where its drives saturate"
+            )
         if found.causes:
             main = [f"{c.name} {c.contribution * 1e6:+.3g} um" for c in found.causes if c.share >= 0.02]
             lines.append(f"    causes there: {', '.join(main)}; {found.advice}")
+        if found.untold:
+            lines.append(f"    not told apart, as the loop runs away without it: {', '.join(found.untold)}")
     return lines
 
 

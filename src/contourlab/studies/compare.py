@@ -6,10 +6,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Protocol
 
-import numpy as np
-from numpy.typing import NDArray
-
-from contourlab.analysis import AxisResponse, Margins, axis_response, margins
+from contourlab.analysis import AxisResponse, Margins, sampled_loop
 from contourlab.errors import ComponentError
 from contourlab.feed import Reference
 from contourlab.loop import Controller, Machine, simulate
@@ -18,9 +15,6 @@ from contourlab.result import Result
 from contourlab.studies.verdict import Verdict, verdict
 
 __all__ = ["AxisBode", "Case", "Outcome", "run_case"]
-
-Array = NDArray[np.float64]
-FREQUENCIES = 2.0 * np.pi * np.logspace(-1.0, 2.7, 300)
 
 
 class Case(Protocol):
@@ -60,7 +54,7 @@ class Case(Protocol):
 
 @dataclass(frozen=True, eq=False)
 class AxisBode:
-    """Closed loop and margins of one axis."""
+    """Closed loop and margins of one axis, sampled as it runs."""
 
     response: AxisResponse
     margins: Margins
@@ -127,12 +121,12 @@ def run_case(case: Case, *, explain: bool = True, progress: Callable[[int, int],
 
 
 def bode_of(machine: Machine, controller: Controller) -> dict[str, AxisBode]:
-    """Return the closed loop of each axis whose components have linear models."""
+    """Return the closed loop of each axis whose components are linear but for friction, counts and limits."""
     found = {}
     for axis in machine.axes:
         try:
-            response = axis_response(axis, controller.axes[axis.name], machine.servo_period, FREQUENCIES, machine.carried_mass(axis.name))
+            loop = sampled_loop(axis, controller.axes[axis.name], machine.servo_period, machine.carried_mass(axis.name))
         except ComponentError:
             continue
-        found[axis.name] = AxisBode(response, margins(response.frequency, response.loop_gain))
+        found[axis.name] = AxisBode(loop.response(loop.frequencies()), loop.margins())
     return found

@@ -13,7 +13,7 @@ from contourlab.components.friction.none import NoFriction
 from contourlab.components.sensor.ideal import IdealSensor
 from contourlab.loop.machine import AxisError, Controller, Machine
 
-__all__ = ["perfect_geometry", "perfect_sensing", "same_axes", "unlimited", "without_friction"]
+__all__ = ["perfect_geometry", "perfect_sensing", "same_axes", "undisturbed", "unlimited", "without_friction"]
 
 
 def perfect_geometry(machine: Machine) -> Machine:
@@ -30,11 +30,18 @@ def perfect_sensing(machine: Machine) -> Machine:
     return replace(machine, axes=tuple(replace(a, sensor=IdealSensor()) for a in machine.axes))
 
 
-def without_friction(machine: Machine) -> Machine:
-    """Return the machine without friction and without disturbances."""
-    if all(isinstance(a.friction, NoFriction) and a.disturbance is None for a in machine.axes):
+def undisturbed(machine: Machine) -> Machine:
+    """Return the machine without loads from outside."""
+    if all(a.disturbance is None for a in machine.axes):
         return machine
-    return replace(machine, axes=tuple(replace(a, friction=NoFriction(), disturbance=None) for a in machine.axes))
+    return replace(machine, axes=tuple(replace(a, disturbance=None) for a in machine.axes))
+
+
+def without_friction(machine: Machine) -> Machine:
+    """Return the machine without friction."""
+    if all(isinstance(a.friction, NoFriction) for a in machine.axes):
+        return machine
+    return replace(machine, axes=tuple(replace(a, friction=NoFriction()) for a in machine.axes))
 
 
 def unlimited(machine: Machine) -> Machine:
@@ -56,9 +63,6 @@ def _without_limit(drive: Component) -> Component:
 def same_axes(machine: Machine, controller: Controller, name: str) -> tuple[Machine, Controller]:
     """Return machine and controller with every axis replaced by a copy of one of them, carried mass included."""
     model, mine = machine.axis(name), controller.axes[name]
-    carried = machine.carried_mass(name)
-    plant = model.plant
-    if carried and "carried_mass" in plant.parameters:
-        plant = plant.replace(carried_mass=plant.carried_mass + carried)  # type: ignore[attr-defined]
-    axes = tuple(replace(model, name=a.name, plant=plant, mounted_on="", stage_mass=0.0, limits=a.limits) for a in machine.axes)
+    alone = replace(model, plant=machine.loaded_plant(name), mounted_on="", alignment=0.0, stage_mass=0.0)
+    axes = tuple(replace(alone, name=a.name, limits=a.limits) for a in machine.axes)
     return replace(machine, axes=axes), replace(controller, axes={a.name: mine for a in machine.axes})

@@ -1,4 +1,4 @@
-"""The frequency response of an axis against transfer functions written down by hand and joined by python-control."""
+"""The frequency response of an axis in continuous time against transfer functions written down by hand and joined by python-control."""
 
 from __future__ import annotations
 
@@ -39,13 +39,12 @@ def respond(
     structure: str = "feedforward",
     observer: Component | None = None,
     velocity: Component | None = None,
-    period: float = 0.0,
     axis: Axis | None = None,
     **changed: float,
 ) -> AxisResponse:
     gains = {"velocity_gain": KV, "position_gain": KP, "integral_gain": KI, "model_gain": MODEL_A, "model_damping": MODEL_B, **changed}
     controller = AxisController(PositionController(structure=structure, **gains), velocity or TrueVelocity(), observer)
-    return axis_response(axis or Axis("x", RigidAxis(gain=A, damping=B)), controller, period, W)
+    return axis_response(axis or Axis("x", RigidAxis(gain=A, damping=B)), controller, 0.0, W)
 
 
 def same(found: Any, law: Any, rel: float = 1e-9) -> None:
@@ -139,27 +138,23 @@ def test_observer_at_low_frequency(gain: float, damping: float, a_hat: float, b_
     assert found.compliance[0] == pytest.approx(a_hat / (b_hat * w_d), rel=1e-3)
 
 
-def test_hold_and_delay() -> None:
-    """The hold turns by half a period and weakens as a sine over its argument; the delay turns only."""
-    period, delay = 1e-3, 3.7e-3
-    held = respond(period=period).loop_gain / respond().loop_gain
-    x = 0.5 * W * period
-    assert np.abs(held - np.sin(x) / x * np.exp(-1j * x)).max() < 1e-12
+def test_delay_turns_the_phase_only() -> None:
+    delay = 3.7e-3
     late = respond(axis=Axis("x", RigidAxis(gain=A, damping=B), drive=DelayedSaturation(delay=delay))).loop_gain
     assert np.abs(late / respond().loop_gain - np.exp(-S * delay)).max() < 1e-12
 
 
 def test_delay_takes_its_part_of_the_phase_margin() -> None:
-    fine = np.logspace(0, 3, 4000)
+    fine = np.logspace(0, 3, 200)
     controller = AxisController(PositionController(velocity_gain=KV, position_gain=KP, integral_gain=KI))
 
     def of(delay: float) -> Any:
         axis = Axis("x", RigidAxis(gain=A, damping=B), drive=DelayedSaturation(delay=delay))
-        return margins(fine, axis_response(axis, controller, 0.0, fine).loop_gain)
+        return margins(lambda w: axis_response(axis, controller, 0.0, w).loop_gain, fine, stable=True)
 
     none, late = of(0.0), of(2e-3)
     assert late.crossover == pytest.approx(none.crossover, rel=1e-9)
-    assert late.phase == pytest.approx(none.phase - none.crossover * 2e-3, rel=1e-5)
+    assert late.phase == pytest.approx(none.phase - none.crossover * 2e-3, rel=1e-9)
 
 
 def test_plants_in_physical_units() -> None:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 import warnings
+from collections.abc import Callable
 
 import control
 import numpy as np
@@ -12,51 +13,86 @@ import pytest
 from contourlab.analysis import margins, transfer
 from contourlab.components.contract import LinearModel
 
-W = np.logspace(-3, 3, 6001)
-S = 1j * W
-# Crossings are interpolated on the grid: second order in its step, ln(10)/1000.
-GRID = 1e-5
+W = np.logspace(-3, 3, 601)
+# Crossings are found to rounding, wherever they lie between the points of the grid.
+EXACT = 1e-9
+Loop = Callable[[np.ndarray], np.ndarray]
 
 
-def test_third_order_loop() -> None:
+def third_order(gain: float) -> Loop:
+    return lambda w: gain / (1j * w * (1j * w + 1.0) * (1j * w + 2.0))
+
+
+@pytest.mark.parametrize("gain", [0.5, 2.0, 5.0])
+def test_third_order_loop(gain: float) -> None:
     """L = K/(s (s + 1) (s + 2)): the phase is -180 deg at sqrt 2, where |L| = K/6."""
-    for gain in (0.5, 2.0, 5.0):
-        found = margins(W, gain / (S * (S + 1.0) * (S + 2.0)))
-        assert found.gain == pytest.approx(6.0 / gain, rel=GRID)
-        w = found.crossover
-        assert gain == pytest.approx(w * math.hypot(w, 1.0) * math.hypot(w, 2.0), rel=GRID)
-        assert found.phase == pytest.approx(math.pi / 2 - math.atan(w) - math.atan(w / 2.0), rel=GRID)
+    found = margins(third_order(gain), W, stable=True)
+    assert found.stable
+    assert found.gain == pytest.approx(6.0 / gain, rel=EXACT)
+    assert found.phase_crossover == pytest.approx(math.sqrt(2.0), rel=EXACT)
+    w = found.crossover
+    assert gain == pytest.approx(w * math.hypot(w, 1.0) * math.hypot(w, 2.0), rel=EXACT)
+    assert found.phase == pytest.approx(math.pi / 2 - math.atan(w) - math.atan(w / 2.0), rel=EXACT)
 
 
-def test_past_the_limit_the_phase_margin_is_negative() -> None:
-    found = margins(W, 12.0 / (S * (S + 1.0) * (S + 2.0)))
-    assert found.phase < 0.0
-    assert found.gain == math.inf  # no larger gain brings it to -1
+def test_an_unstable_loop_has_no_margins() -> None:
+    """Its curve has crossings all the same: K = 12 is twice what the loop bears."""
+    found = margins(third_order(12.0), W, stable=False)
+    assert not found.stable
+    assert all(math.isnan(value) for value in (found.gain, found.phase, found.crossover, found.modulus, found.phase_crossover))
+
+
+def test_a_lead_that_would_reach_the_limit_is_negative() -> None:
+    """A resonance turned past -180 deg by a delay: where its peak comes down to 1 the phase is -325 deg, a lag of 145 or a lead of 215."""
+
+    def loop(w: np.ndarray) -> np.ndarray:
+        s = 1j * w
+        return np.asarray(2.0 * np.exp(-0.5 * s * math.pi) / (s * s + 0.4 * s + 4.0))
+
+    found = margins(loop, W, stable=True)
+    at = 1j * found.crossover
+    value = complex(loop(np.array([found.crossover]))[0])
+    assert abs(value) == pytest.approx(1.0, rel=EXACT)
+    # Turned by the margin, a lag if it is positive, the loop stands at -1.
+    assert value * np.exp(-1j * found.phase) == pytest.approx(-1.0, abs=1e-8), at
 
 
 def test_integrator_with_delay() -> None:
     """L = w_c e^(-s T)/s: phase margin pi/2 - w_c T at w_c, gain margin pi/(2 w_c T)."""
     for crossover, delay in ((10.0, 0.02), (50.0, 0.01), (3.0, 0.1)):
-        found = margins(W, crossover * np.exp(-S * delay) / S)
-        assert found.crossover == pytest.approx(crossover, rel=GRID)
-        assert found.phase == pytest.approx(math.pi / 2 - crossover * delay, rel=1e-4)
-        assert found.gain == pytest.approx(math.pi / (2.0 * crossover * delay), rel=1e-4)
+        grid = np.linspace(0.01, 20.0 / delay, 2000)
+        found = margins(lambda w, c=crossover, d=delay: c * np.exp(-1j * w * d) / (1j * w), grid, stable=True)
+        assert found.crossover == pytest.approx(crossover, rel=EXACT)
+        assert found.phase == pytest.approx(math.pi / 2 - crossover * delay, rel=EXACT)
+        assert found.gain == pytest.approx(math.pi / (2.0 * crossover * delay), rel=EXACT)
 
 
 def test_second_order_phase_margin() -> None:
     """w_n^2/(s (s + 2 zeta w_n)): PM = atan(2 zeta/sqrt(sqrt(1 + 4 zeta^4) - 2 zeta^2)), and an infinite gain margin."""
     for zeta in (0.2, 0.5, 0.7, 1.0):
-        found = margins(W, 1.0 / (S * (S + 2.0 * zeta)))
+        found = margins(lambda w, z=zeta: 1.0 / (1j * w * (1j * w + 2.0 * z)), W, stable=True)
         law = math.atan(2.0 * zeta / math.sqrt(math.sqrt(1.0 + 4.0 * zeta**4) - 2.0 * zeta**2))
-        assert found.phase == pytest.approx(law, rel=GRID)
+        assert found.phase == pytest.approx(law, rel=EXACT)
         assert found.gain == math.inf
+        assert math.isnan(found.phase_crossover)
 
 
 def test_modulus_margin() -> None:
     """1/s keeps a distance of 1 from -1, met at infinite frequency; another loop as python-control finds it."""
-    assert margins(W, 1.0 / S).modulus == pytest.approx(1.0, abs=1e-6)
+    assert margins(lambda w: 1.0 / (1j * w), W, stable=True).modulus == pytest.approx(1.0, abs=1e-6)
     loop = control.tf([4.0], [1.0, 3.0, 2.0, 0.0])
-    assert margins(W, loop(S)).modulus == pytest.approx(control.stability_margins(loop)[2], rel=1e-5)
+    assert margins(lambda w: loop(1j * w), W, stable=True).modulus == pytest.approx(control.stability_margins(loop)[2], rel=1e-5)
+
+
+def test_modulus_between_the_points_of_the_grid() -> None:
+    """|1 + L|^2 = (1 - K w^-2)^2 + w^2 c^2 of L = -K/w^2 + j c w: a grid of 40 points a decade misses its least value."""
+    k, c = 4.0, 0.05
+    w = np.linspace(1.5, 2.5, 2_000_001)
+    least = np.sqrt((1.0 - k / w**2) ** 2 + (c * w) ** 2).min()
+    grid = np.logspace(-1, 1, 80)
+    assert np.sqrt((1.0 - k / grid**2) ** 2 + (c * grid) ** 2).min() > 1.01 * least
+    found = margins(lambda w: -k / w**2 + 1j * c * w, grid, stable=True)
+    assert found.modulus == pytest.approx(least, rel=1e-9)
 
 
 @pytest.mark.parametrize(
@@ -74,29 +110,47 @@ def test_modulus_margin() -> None:
 )
 def test_as_python_control(numerator: list[float], denominator: list[float]) -> None:
     loop = control.tf(numerator, denominator)
-    found = margins(W, loop(S))
-    factors, phases, _, _, crossovers, _ = control.stability_margins(loop, returnall=True)
-    larger = [float(g) for g in factors if g > 1.0]
-    assert found.gain == pytest.approx(min(larger, default=math.inf), rel=1e-4)
+    found = margins(lambda w: loop(1j * w), W, stable=True)
+    factors, phases, _, turns, crossovers, _ = control.stability_margins(loop, returnall=True)
+    larger = [(float(g), float(w)) for g, w in zip(factors, turns, strict=True) if g > 1.0]
+    assert found.gain == pytest.approx(min(larger, default=(math.inf, math.nan))[0], rel=1e-6)
+    if larger:
+        assert found.phase_crossover == pytest.approx(min(larger)[1], rel=1e-6)
     least = int(np.argmin(np.abs(phases)))
-    assert found.phase == pytest.approx(math.radians(phases[least]), rel=1e-4)
-    assert found.crossover == pytest.approx(float(crossovers[least]), rel=1e-4)
+    assert found.phase == pytest.approx(math.radians(phases[least]), rel=1e-6)
+    assert found.crossover == pytest.approx(float(crossovers[least]), rel=1e-6)
 
 
 def test_margins_mean_what_they_say() -> None:
-    """A delay of exactly the phase margin, or a gain of exactly the gain margin, puts a pole on the axis: 1 + L = 0 somewhere."""
-    loop = 200.0 / (S * (S + 10.0) * (S + 25.0))
-    found = margins(W, loop)
-    late = loop * np.exp(-S * found.phase / found.crossover)
-    # From one frequency of the grid to the next the loop changes by its slope, less than 3 decades a decade, times the step.
-    step = math.log(10.0) / 1000.0
-    assert np.abs(1.0 + late).min() < 3.0 * step
-    assert np.abs(1.0 + found.gain * loop).min() < 3.0 * step
-    assert np.abs(1.0 + loop).min() > 30.0 * step
+    """A delay of exactly the phase margin, or a gain of exactly the gain margin, brings the loop to -1."""
+
+    def loop(w: np.ndarray) -> np.ndarray:
+        return np.asarray(200.0 / (1j * w * (1j * w + 10.0) * (1j * w + 25.0)))
+
+    found = margins(loop, W, stable=True)
+    late = loop(np.array([found.crossover]))[0] * np.exp(-1j * found.phase)
+    assert late == pytest.approx(-1.0, abs=1e-9)
+    assert found.gain * loop(np.array([found.phase_crossover]))[0] == pytest.approx(-1.0, abs=1e-9)
+
+
+def test_the_positive_axis_is_no_limit() -> None:
+    """0.8 e^(j (1 - w))/(1 + w/10): real and positive at 1, negative first at 1 + pi."""
+    found = margins(lambda w: 0.8 * np.exp(1j * (1.0 - w)) / (1.0 + w / 10.0), np.linspace(0.1, 30.0, 400), stable=True)
+    assert found.phase_crossover == pytest.approx(1.0 + math.pi, rel=EXACT)
+    assert found.gain == pytest.approx((1.0 + (1.0 + math.pi) / 10.0) / 0.8, rel=EXACT)
+
+
+def test_the_end_of_the_grid_counts_where_the_loop_is_real() -> None:
+    """At half of the sampling frequency a sampled loop is real: it meets the axis there and crosses it nowhere else."""
+    grid = np.linspace(0.01, math.pi, 300)
+    # 0.4/(z - 0.2): at z = -1 it is -1/3, so that three times the gain puts the pole 0.2 - 1.2 on -1.
+    found = margins(lambda w: 0.4 / (np.exp(1j * w) - 0.2), grid, stable=True)
+    assert found.gain == pytest.approx(3.0, rel=EXACT)
+    assert found.phase_crossover == pytest.approx(math.pi)
 
 
 def test_a_loop_that_never_reaches_one() -> None:
-    found = margins(W, 0.01 / (S + 1.0))
+    found = margins(lambda w: 0.01 / (1j * w + 1.0), W, stable=True)
     assert (found.gain, found.phase) == (math.inf, math.inf)
     assert math.isnan(found.crossover)
 
@@ -105,7 +159,7 @@ def test_transfer_against_python_control() -> None:
     rng = np.random.default_rng(2)
     a, b, c, d = rng.normal(size=(5, 5)) - 3.0 * np.eye(5), rng.normal(size=(5, 2)), rng.normal(size=(3, 5)), rng.normal(size=(3, 2))
     model = LinearModel(a, b, c, d, ("u", "w"), ("x", "y", "z"))
-    points = S[::500]
+    points = 1j * W[::50]
     with warnings.catch_warnings():
         warnings.simplefilter("ignore")
         theirs = np.moveaxis(control.ss(a, b, c, d)(points), 2, 0)

@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-import math
 from typing import Any
 
 import numpy as np
 import pytest
 from scipy.signal import cont2discrete
 
-from contourlab.analysis import axis_response, transfer
+from contourlab.analysis import transfer
 from contourlab.components.contract import Component
 from contourlab.components.controller.position import PositionController
 from contourlab.components.friction.none import NoFriction
@@ -21,10 +20,6 @@ from contourlab.components.plant.rigid_axis import RigidAxis
 from contourlab.components.plant.single_mass import SingleMass
 from contourlab.components.velocity.filtered_difference import FilteredDifference
 from contourlab.engine.step import Step, record
-from contourlab.feed import Reference
-from contourlab.geometry import Line, Path
-from contourlab.loop import simulate
-from contourlab.loop.machine import Axis, AxisController, Controller, Machine
 from contourlab.primitives import Clock
 
 Matrices = tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]
@@ -103,39 +98,3 @@ def test_sampled_part_tends_to_its_model(part: Component) -> None:
         assert gaps[1] < 1e-2
         # 1e-9 is rounding: differences over 10 us, and a pole close to 1.
         assert gaps[1] < 1e-9 or gaps[0] / gaps[1] > 1.9
-
-
-def answer(period: float, frequency: float, structure: str) -> complex:
-    """Return the gain of a simulated axis at one frequency: a sine of 0.1 mm, its last periods taken apart."""
-    made = PositionController(
-        velocity_gain=60.0, position_gain=2200.0, integral_gain=12.0, model_gain=0.8, model_damping=15.0, structure=structure
-    )
-    w = 2.0 * math.pi * frequency
-    settle, count = math.ceil(1.5 * frequency) / frequency, round(3.0 / (frequency * period))
-    n = round(settle / period) + count
-    time = np.arange(n) * period
-    wave = 1e-4 * np.sin(w * time)
-    reference = Reference.from_samples(wave[:, None], period, Path([Line((-1.0,), (1.0,))]), arc_length=1.0 + wave)
-    machine = Machine("one", (Axis("x", RigidAxis(gain=0.9, damping=20.0)),), period)
-    run = simulate(machine, Controller({"x": AxisController(made)}), reference, jit=False, signals=["position"])
-    turn = np.exp(-1j * w * time[-count:])
-    return complex((run["position"][-count:, 0] @ turn) / (wave[-count:] @ turn))
-
-
-@pytest.mark.parametrize("structure", ["feedforward", "ipv"])
-def test_closed_loop_as_simulated(structure: str) -> None:
-    """The whole loop at two periods: the model has the hold but sums continuously, so that it is off by a part w T, to first order."""
-    axis = Axis("x", RigidAxis(gain=0.9, damping=20.0))
-    made = AxisController(
-        PositionController(
-            velocity_gain=60.0, position_gain=2200.0, integral_gain=12.0, model_gain=0.8, model_damping=15.0, structure=structure
-        )
-    )
-    for frequency in (2.0, 8.0):
-        w, gaps = 2.0 * math.pi * frequency, []
-        for period in (1e-3, 5e-4):
-            model = axis_response(axis, made, period, [w]).closed_loop[0]
-            gaps.append(abs(answer(period, frequency, structure) / model - 1.0))
-        assert gaps[1] < 5e-4 * w
-        # The order as measured: with feedforward the second-order part still shows at these periods.
-        assert math.log2(gaps[0] / gaps[1]) > 0.8

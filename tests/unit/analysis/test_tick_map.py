@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 from scipy.signal import cont2discrete
 
-from contourlab.analysis.tick_map import spectral_radius, tick_matrix
+from contourlab.analysis.tick_map import spectral_radius, tick_map, tick_matrix
 from contourlab.components.contract import Component
 from contourlab.components.controller.position import PositionController
 from contourlab.components.drive.delayed_saturation import DelayedSaturation
@@ -19,6 +19,7 @@ from contourlab.components.velocity.filtered_difference import FilteredDifferenc
 from contourlab.components.velocity.true import TrueVelocity
 from contourlab.engine.schedule import Late, Node, Schedule
 from contourlab.engine.step import Port, Step
+from contourlab.errors import ComponentError
 from contourlab.geometry import Line, Path
 from contourlab.loop.machine import Axis, AxisController, Controller, Machine
 from contourlab.loop.template import build
@@ -194,3 +195,47 @@ def test_matrix_of_a_schedule_by_hand() -> None:
     # In the order state x, signals a.y, b.y: x' = 0.5 b, a' = 2 x, b' = a'.
     assert matrix.tolist() == [[0.0, 0.0, 0.5], [2.0, 0.0, 0.0], [2.0, 0.0, 0.0]]
     assert spectral_radius(schedule) == pytest.approx(1.0)  # eigenvalues +-1: z^2 = 0.5 * 2
+
+
+def summed(gain: float, bend: float = 0.0) -> Schedule:
+    """y = gain u + x + bend x^2, x' = 0.5 x + y, of an external u that a vector w stands before."""
+
+    def step(par, x, inp, clock):  # type: ignore[no-untyped-def]
+        y = par.gain * inp.u + x.x + par.bend * x.x * x.x + 2.0
+        return (0.5 * x.x + y - 2.0,), (y,)
+
+    made = Step("sum", step, ("gain", "bend"), states=(Port("x"),), inputs=(Port("u"),), outputs=(Port("y"),))
+    return Schedule((Node("s", made, {"u": "in.u"}, {"gain": gain, "bend": bend}),), (Port("w", 2), Port("u")), 1.0, 1)
+
+
+def test_map_of_externals() -> None:
+    """Matrices as one writes them down; row and column find what they are asked for."""
+    found = tick_map(summed(3.0))
+    x, y, u = 0, found.row("s.y"), found.column("in.u")
+    assert (y, u) == (len(found.a) - 1, 2)
+    assert found.b[:, u].tolist() == [3.0, 0.0, 0.0, 1.0, 3.0]  # x, what stands for the externals, y
+    assert found.b[[x, y], :2].tolist() == [[0.0, 0.0], [0.0, 0.0]]
+    assert found.a[[x, y], x].tolist() == [1.5, 1.0]
+    assert not found.a[:, 1:].any()
+
+
+def test_what_is_not_linear_has_no_map() -> None:
+    with pytest.raises(ComponentError, match="s is not linear"):
+        tick_map(summed(3.0, bend=1e-6))
+
+
+def test_a_step_that_breaks_has_no_map() -> None:
+    def step(par, x, inp, clock):  # type: ignore[no-untyped-def]
+        return (), (1.0 / (inp.u - 1.0),)
+
+    made = Step("break", step, inputs=(Port("u"),), outputs=(Port("y"),))
+    with pytest.raises(ComponentError, match="cannot be run"):
+        tick_map(Schedule((Node("s", made, {"u": "in.u"}),), (Port("u"),), 1.0, 1))
+
+
+def test_undamped_axis_without_feedback_is_no_stable_loop() -> None:
+    """Velocity stays and position grows: the pole of the position at 1 counts, although the velocity only remembers."""
+    machine = Machine("one", (Axis("x", RigidAxis(gain=A, damping=0.0)),), PERIOD)
+    free = AxisController(PositionController(anti_windup="none"))
+    schedule = build(machine, Controller({"x": free}), Path([Line((0.0,), (1.0,))]), np.zeros(1)).schedule
+    assert spectral_radius(schedule) == pytest.approx(1.0, abs=1e-12)

@@ -166,7 +166,7 @@ TABLES = st.lists(st.floats(-10.0, 10.0), min_size=2, max_size=9)
     values=TABLES, origin=st.floats(-0.1, 0.1), step=st.floats(1e-3, 0.1), places=st.lists(st.floats(-2.0, 2.0), min_size=1, max_size=20)
 )
 def test_a_table_over_position_holds_its_ends(values: list[float], origin: float, step: float, places: list[float]) -> None:
-    part = make("disturbance", "table", over="position", origin=origin, step_size=step, values_given=values)
+    part = make("disturbance", "table", over="position", start_position=origin, position_step=step, forces=values)
     out = run_alone(part, {"position": places})["force"]
     grid = origin + step * np.arange(len(values))
     assert out == pytest.approx(np.interp(places, grid, values), abs=1e-9)
@@ -175,7 +175,7 @@ def test_a_table_over_position_holds_its_ends(values: list[float], origin: float
 @given(values=TABLES, origin=st.floats(-0.02, 0.02), step=st.floats(1e-3, 0.1))
 def test_a_table_over_time_repeats(values: list[float], origin: float, step: float) -> None:
     closed = [*values[:-1], values[0]]
-    part = make("disturbance", "table", over="time", beyond="repeat", origin=origin, step_size=step, values_given=closed)
+    part = make("disturbance", "table", over="time", beyond="repeat", start_time=origin, time_step=step, forces=closed)
     out = run_alone(part, {"position": np.zeros(200)})["force"]
     grid = origin + step * np.arange(len(closed))
     turn = step * (len(closed) - 1)
@@ -184,13 +184,13 @@ def test_a_table_over_time_repeats(values: list[float], origin: float, step: flo
 
 @pytest.mark.parametrize("jit", [False, True])
 def test_a_table_over_time_holds(jit: bool) -> None:
-    part = make("disturbance", "table", over="time", origin=0.01, step_size=0.02, values_given=(1.0, 5.0, -3.0))
+    part = make("disturbance", "table", over="time", start_time=0.01, time_step=0.02, forces=(1.0, 5.0, -3.0))
     out = run_alone(part, {"position": np.full(80, 7.0)}, jit=jit)["force"]
     assert out == pytest.approx(np.interp(PERIOD * np.arange(80), [0.01, 0.03, 0.05], [1.0, 5.0, -3.0]), abs=1e-12)
 
 
 def test_a_table_that_repeats_and_does_not_close_jumps_at_the_turn() -> None:
     """Its last point is the first of the next turn: just before it is the last value's, at it the first's."""
-    part = make("disturbance", "table", over="position", beyond="repeat", step_size=1.0, values_given=(1.0, 2.0, 8.0))
+    part = make("disturbance", "table", over="position", beyond="repeat", position_step=1.0, forces=(1.0, 2.0, 8.0))
     out = run_alone(part, {"position": [0.0, 1.0, 1.5, 2.0 - 1e-12, 2.0, 3.0, -0.5]})["force"]
     assert out == pytest.approx([1.0, 2.0, 5.0, 8.0, 1.0, 2.0, 5.0], abs=1e-9)

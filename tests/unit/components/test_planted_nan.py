@@ -184,7 +184,7 @@ def loop_with(planted: Component | None) -> tuple[cl.Machine, cl.Controller]:
             "sensor": make("sensor", "encoder", resolution=1e-7),
             "disturbance": make("disturbance", "sine", **LOAD),
         }
-        return cl.Axis(name, **{**parts, **({family: planted} if name == "x" and family in parts else {})})
+        return cl.Axis(name, **{**parts, **({family: planted} if name == "x" and family in parts else {})}, substeps=4)
 
     def servo(name: str) -> cl.AxisController:
         parts = {

@@ -42,21 +42,71 @@ def test_a_carried_module_adds_its_mass(circle: cl.Reference) -> None:
     assert np.array_equal(runs[0], runs[1])
 
 
-def test_parallel_axes_push_back() -> None:
-    """A rider on a free carrier: without damping and with the carrier's drive idle, what the one gains in momentum the other loses."""
-    quiet = make("plant", "mass-damper", mass=5.0, damping=0.0, force_constant=50.0)
-    rider = cl.Axis("y", quiet, mounted_on="x", alignment=1.0, stage_mass=0.0)
-    carrier = cl.Axis("x", quiet.replace(mass=20.0), limits=cl.Limits(following_error=1.0))
-    machine = cl.Machine("stack", (carrier, rider), 1e-4)
-    idle = cl.AxisController(make("controller", "position"))
-    controller = cl.Controller({"x": idle, "y": loops().axes["y"]})
-    path = cl.Path([_line((0.0, 0.0), (0.0, 0.02))])
-    reference = cl.plan(cl.route_from_path(path, 0.05), cl.AxisLimits(0.1, 1.0, 20.0), 1e-4)
-    result = cl.simulate(machine, controller, reference)
-    v = result["axis_velocity"]
-    assert np.max(np.abs(v[:, 1])) > 0.03
-    # The reaction is one tick late, hence the tolerance of a tick's acceleration.
-    assert np.allclose(20.0 * v[:, 0], -5.0 * v[:, 1], atol=5.0 * 2.0 * 1e-4)
+def test_a_batch_of_carried_masses_keeps_the_module_on_top(circle: cl.Reference) -> None:
+    machine = cl.Machine("stack", (lump("x", 12.0), lump("y", 8.0, mounted_on="x", stage_mass=20.0)), PERIOD)
+    work_pieces = np.array([0.0, 1.0, 30.0])
+    found = cl.simulate_batch(machine, loops(), circle, {"axes.x.plant.carried_mass": work_pieces}, keep=("axis_position",))
+    for i, mass in enumerate(work_pieces):
+        alone = cl.simulate(with_axis(machine, "x", plant=machine.axis("x").plant.replace(carried_mass=mass)), loops(), circle)
+        assert np.abs(found.signals["axis_position"][:, :, i] - alone["axis_position"]).max() < 1e-9
+    assert np.ptp(found.signals["axis_position"], axis=2).max() > 1e-5
+
+
+SCREW = {"lead": 0.01, "torque_constant": 0.5, "efficiency": 1.0, "damping": 0.0}
+
+
+def pushed(rider: object, *, carried: float = 0.0, alignment: float = 1.0, idle: str = "x") -> tuple[np.ndarray, np.ndarray]:
+    """Return the velocities of a 80 kg carrier and a rider of which one is driven and the other left to itself."""
+    carrier = make("plant", "mass-damper", mass=80.0, damping=0.0, force_constant=500.0)
+    wide = cl.Limits(following_error=10.0)
+    axes = [cl.Axis("x", carrier, limits=wide), cl.Axis("y", rider, mounted_on="x", alignment=alignment, stage_mass=45.0, limits=wide)]  # type: ignore[arg-type]
+    if carried:
+        axes.append(lump("z", 1.0, mounted_on="y", stage_mass=carried))
+    part = loops().axes["x"]
+    controllers = dict.fromkeys("xyz"[: len(axes)], part) | {idle: cl.AxisController(make("controller", "position"))}
+    ends = np.zeros((2, len(axes)))
+    ends[1, 1 if idle == "x" else 0] = 0.02
+    reference = cl.plan(cl.route_from_path(cl.Path([_line(*ends)]), 0.05), cl.AxisLimits(0.1, 1.0, 20.0), 1e-4)
+    velocity = cl.simulate(cl.Machine("stack", tuple(axes), 1e-4), cl.Controller(controllers), reference)["axis_velocity"]
+    return velocity[:, 0], velocity[:, 1]
+
+
+@pytest.mark.parametrize("alignment", [1.0, -1.0, 0.3])
+@pytest.mark.parametrize("carried", [0.0, 12.0])
+@pytest.mark.parametrize("inertia", [0.0, 4.8e-4])
+def test_momentum_goes_from_the_rider_to_its_carrier(inertia: float, carried: float, alignment: float) -> None:
+    """What only turns, 189 kg of a rider of 20 kg seen at its screw, pushes on nothing."""
+    rider = make("plant", "ball-screw", mass=20.0, inertia=inertia, **SCREW)
+    carrier_v, rider_v = pushed(rider, carried=carried, alignment=alignment)
+    assert np.abs(rider_v).max() > 0.03
+    # The module of 45 kg on the carrier holds the 20 kg; a reaction is one tick late, hence the tolerance of a tick's acceleration.
+    total = 80.0 + 45.0 + carried
+    expected = -alignment * (20.0 + carried) / total * rider_v
+    assert np.abs(carrier_v - expected).max() < 2.0 * 1e-4 * (1.0 + np.abs(np.gradient(rider_v, 1e-4)).max())
+    assert np.abs(carrier_v).max() > 2e-3
+
+
+def test_a_rider_that_is_left_alone_stays_behind_when_its_carrier_moves_off() -> None:
+    rider = make("plant", "ball-screw", mass=20.0, inertia=4.8e-4, **SCREW)
+    seen = 20.0 + 4.8e-4 * (2.0 * math.pi / 0.01) ** 2
+    carrier_v, rider_v = pushed(rider, idle="y")
+    assert np.abs(carrier_v).max() > 0.03
+    assert np.abs(rider_v + 20.0 / seen * carrier_v).max() < 2.0 * 1e-4 * np.abs(np.gradient(carrier_v, 1e-4)).max()
+
+
+def test_crossed_axes_do_not_feel_each_other() -> None:
+    carrier_v, rider_v = pushed(make("plant", "mass-damper", mass=5.0, force_constant=50.0), alignment=0.0)
+    assert np.abs(rider_v).max() > 0.03 and not carrier_v.any()
+
+
+def test_a_plant_known_by_its_response_is_given_no_more_mass() -> None:
+    response = make("plant", "rigid-axis", gain=1.7, damping=10.0)
+    with pytest.raises(cl.ContourlabError, match=r'axes\.x\.plant = "rigid-axis": must be a plant that knows its mass, as it carries 3 kg'):
+        cl.Machine("stack", (cl.Axis("x", response), lump("y", 2.0, mounted_on="x", stage_mass=3.0)), PERIOD)
+    for below, above in ((cl.Axis("x", response), lump("y", 2.0)), (lump("x", 2.0), cl.Axis("y", response))):
+        with pytest.raises(cl.ContourlabError, match=r"axes\.y\.alignment = 0\.5: must be 0"):
+            cl.Machine("stack", (below, replace(above, mounted_on="x", alignment=0.5)), PERIOD)
+    cl.Machine("stack", (cl.Axis("x", response), cl.Axis("y", response, mounted_on="x")), PERIOD)
 
 
 def _line(a: tuple[float, float], b: tuple[float, float]) -> object:

@@ -34,7 +34,9 @@ def with_error(result: Result, contour_error: Array, **more: Any) -> Result:
     """Return a result with judge's signals that are given, not worked out."""
     one = Signal(contour_error, ("sample",), "m")
     tracking = Signal(np.zeros((len(contour_error), len(result.axes))), ("sample", "axis"), "m")
-    return result.with_signals(contour_error=one, part_error=one, planning_deviation=one, tracking_error=tracking, **more)
+    foot = result.signals["arc_length"]
+    judged = {"contour_error": one, "part_error": one, "planning_deviation": one, "tracking_error": tracking, "foot_arc_length": foot}
+    return result.with_signals(**(judged | more))
 
 
 def samples_on(path: Path, arc_length: Array, programmed: Path | None = None) -> Reference:

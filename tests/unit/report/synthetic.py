@@ -46,6 +46,8 @@ class Judgement:
     worst: Place
     causes: tuple[Reason, ...]
     advice: str
+    untold: tuple[str, ...] = ()
+    left_out: float = 0.0
 
 
 def deviation(angle: np.ndarray, amplitude: float) -> np.ndarray:

@@ -13,7 +13,7 @@ from texts_of_scenarios import CONTROLLER, MACHINE, SCENARIO
 from contourlab.components.controller.position import PositionController
 from contourlab.components.friction.coulomb import Coulomb
 from contourlab.components.friction.none import NoFriction
-from contourlab.components.registry import components
+from contourlab.components.registry import component, components
 from contourlab.errors import ScenarioError
 from contourlab.loop import Axis, AxisController, AxisError, Controller, Limits, Machine
 from contourlab.scenario import (
@@ -35,7 +35,7 @@ def test_values_come_out_in_si() -> None:
     x, y = scenario.machine.axes
     assert x.plant.values() == {"gain": 1.695, "damping": 10.0}
     assert isinstance(x.friction, NoFriction) and y.friction == Coulomb(coulomb=0.05)
-    assert (y.mounted_on, y.stage_mass, scenario.machine.servo_period) == ("x", 3.0, 1e-3)
+    assert (y.mounted_on, scenario.machine.servo_period) == ("x", 1e-3)
     assert x.limits == Limits(velocity=0.15, acceleration=1.0)
     gains = PositionController(position_gain=4000.0, velocity_gain=100.0)
     assert scenario.controller.axes["x"] == AxisController(gains)
@@ -107,7 +107,7 @@ def test_schemes_change_what_they_name_and_nothing_else() -> None:
     controller.coupling = "none"
     controller.estimator = "none"
     [schemes.lugre]
-    axes.y.friction = {kind = "smooth-coulomb", coulomb = "0.05 full_scale", breakaway = "0.06 full_scale"}
+    axes.y.friction = {kind = "smooth-coulomb", coulomb = "0.05 full_scale", breakaway = "0.06 full_scale", smoothing_velocity = "0.1 mm/s"}
     [schemes.slow]
     feed.frequency = "0.25 Hz"
     run.tolerance = "default"
@@ -216,7 +216,7 @@ def test_every_component_is_written_and_read_back(kind: type, written: Write) ->
 
 
 def test_everything_about_a_machine_is_written(written: Write) -> None:
-    axis = load_axis("builtin:ghaffari/axis1")
+    axis = replace(load_axis("builtin:ghaffari/axis1"), plant=component("plant", "mass-damper")(mass=7.0, force_constant=55.0 / 3.0))
     error = AxisError(np.array([-0.1, 0.0, 0.1 / 3.0]), np.array([1e-6, 0.0, -2e-6 / 3.0]), 2e-6)
     limits = Limits(0.15, 1.0 / 3.0, 40.0, 1e-3, (-0.1, 0.1 / 7.0))
     first = replace(axis, name="a", error=error, limits=limits, substeps=3, stage_mass=1.0 / 3.0)

@@ -17,7 +17,6 @@ velocity = "150 mm/s"
 acceleration = "1 m/s^2"
 [axes.y]
 mounted_on = "x"
-stage_mass = "3 kg"
 [axes.y.plant]
 kind = "rigid-axis"
 gain = "1.1 m/s^2/full_scale"

@@ -37,36 +37,48 @@ def _print_rows(rows: Sequence[Mapping[str, Any]]) -> None:
     from rich.padding import Padding
     from rich.text import Text
 
+    from contourlab.studies.reproduce.rows import tally
+
     groups: dict[tuple[str, str], list[Mapping[str, Any]]] = {}
     for row in rows:
         groups.setdefault((row["name"], row["unit"]), []).append(row)
     parts: list[Any] = []
     for (name, unit), members in groups.items():
         parts.append(Text.assemble((name, "bold"), f" [{unit}]" if unit else ""))
-        notes = dict.fromkeys(row["note"] for row in members if row["note"])
+        notes = {row["note"] for row in members}
         shared = len(notes) == 1
-        if shared:
-            parts.append(Padding(Text(next(iter(notes)), "dim"), (0, 0, 0, 2)))
-        parts.append(Padding(_group_table(members, with_notes=not shared and bool(notes)), (0, 0, 1, 2)))
-    compared = [row["pass"] for row in rows if row["pass"] is not None]
-    words = f"{sum(compared)} of {len(compared)} figures agree; {len(rows) - len(compared)} are shown without a claim."
-    show(*parts, words)
+        if shared and members[0]["note"]:
+            parts.append(Padding(Text(members[0]["note"], "dim"), (0, 0, 0, 2)))
+        parts.append(Padding(_group_table(members, with_notes=not shared), (0, 0, 1, 2)))
+    show(*parts, tally(rows))
 
 
 def _group_table(rows: Sequence[Mapping[str, Any]], *, with_notes: bool) -> Any:
     from rich.table import Table
 
+    compared = any(row["paper"] is not None for row in rows)
     table = Table(box=None, pad_edge=False, header_style="dim")
     table.add_column("case", min_width=40)
-    for title in ("paper", "here", "difference"):
+    titles = ("paper", "here", "difference") if compared else ("here",)
+    for title in titles:
         table.add_column(title, min_width=11, justify="right")
-    table.add_column("agrees", min_width=6)
+    if compared:
+        table.add_column("paper's figure", min_width=14)
+        table.add_column("verdict", min_width=8)
     if with_notes:
         table.add_column("")
     for row in rows:
-        paper, here = row["paper"], row["here"]
-        apart = "" if paper is None or here is None else f"{here - paper:+.3g}"
-        verdict = {True: "yes", False: "[red]no[/red]", None: ""}[row["pass"]]
-        cells = [row["case"], "" if paper is None else f"{paper:.6g}", "" if here is None else f"{here:.6g}", apart, verdict]
-        table.add_row(*cells, *([row["note"]] if with_notes else []))
+        table.add_row(row["case"], *_figures(row, compared=compared), *([row["note"]] if with_notes else []))
     return table
+
+
+def _figures(row: Mapping[str, Any], *, compared: bool) -> list[str]:
+    """Return the cells of a row between its case and its note."""
+    paper, here = row["paper"], row["here"]
+    ours = "" if here is None else f"{here:.6g}"
+    if not compared:
+        return [ours]
+    apart = "" if paper is None or here is None else f"{here - paper:+.3g}"
+    colour = {"differs": "yellow", "fails": "red"}.get(row["verdict"])
+    verdict = f"[{colour}]{row['verdict']}[/]" if colour else row["verdict"]
+    return ["" if paper is None else f"{paper:.6g}", ours, apart, row["source"], verdict]

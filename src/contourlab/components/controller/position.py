@@ -91,6 +91,12 @@ class PositionController(Component):
     structure: str = text_param(default="feedforward", choices=("feedforward", "ipv"), doc="eq (15), or the form of eq (16)")
     anti_windup: str = text_param(default="hold", choices=("hold", "none"), doc="what the integral does while the drive saturates")
 
+    def __init__(self, **values: Any) -> None:
+        super().__init__(**values)
+        # Without its integral this structure never looks at the reference.
+        if self.structure == "ipv" and self.integral_gain == 0.0 and self.position_gain > 0.0:
+            raise ParameterError("integral_gain", "0", '> 0 with structure = "ipv", which moves by its integral only', "1/s")
+
     def derive(self, par: Any, dt: float) -> tuple[Any, ...]:
         return par.position_gain * par.integral_gain, 1.0 / par.model_gain, par.model_damping / par.model_gain
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from functools import cache
 from typing import Any
 
@@ -40,32 +41,41 @@ class TableLoad(Component):
     example = {
         "over": "position",
         "beyond": "hold",
-        "origin": -0.3,
-        "step_size": 0.2,
-        "values_given": (0.0, 1.0, -0.5, 2.0),
+        "start_position": -0.3,
+        "position_step": 0.2,
+        "time_step": 0.01,
+        "forces": (0.0, 1.0, -0.5, 2.0),
     }
-    unbounded = ("origin", "values_given")
+    without_effect = ("start_time", "time_step")  # in the example, which is over position
+    unbounded = ("start_time", "start_position", "forces")
     inputs = (Port("position"),)
     outputs = (Port("force"),)
     tables = ("values_table",)
-    derived = ("inverse_step", "intervals")
+    derived = ("origin", "inverse_step", "intervals")
 
     over: str = text_param(default="time", choices=("time", "position"), doc="what the table is over")
     beyond: str = text_param(default="hold", choices=("hold", "repeat"), doc="what holds outside the table")
-    origin: float = param(default=0.0, unit="", doc="time [s] or position [m] of the first value")
-    step_size: float = param(unit="", minimum=0.0, exclusive=True, doc="time [s] or distance [m] between two values")
-    values_given: tuple[float, ...] = param(unit="{force}", vector=True, doc="the forces; at least two")
+    start_time: float = param(default=0.0, unit="s", doc="time of the first value")
+    time_step: float = param(default=math.inf, unit="s", minimum=0.0, exclusive=True, doc="time between two values; wanted over time")
+    start_position: float = param(default=0.0, unit="m", display="mm", doc="position of the first value")
+    position_step: float = param(
+        default=math.inf, unit="m", minimum=0.0, exclusive=True, display="mm", doc="distance between two values; wanted over position"
+    )
+    forces: tuple[float, ...] = param(unit="{force}", vector=True, doc="the forces; at least two")
 
     def __init__(self, **values: Any) -> None:
         super().__init__(**values)
-        if len(self.values_given) < 2:
-            raise ParameterError("values_given", f"{list(self.values_given)}", "a list of at least two numbers", "force")
+        if len(self.forces) < 2:
+            raise ParameterError("forces", f"{list(self.forces)}", "a list of at least two numbers", "force")
+        if getattr(self, f"{self.over}_step") == math.inf:
+            raise ParameterError(f"{self.over}_step", "not given", f'> 0, and given with over = "{self.over}"')
 
     def step_function(self) -> Any:
         return _make(self.over == "time", self.beyond == "repeat")
 
     def derive(self, par: Any, dt: float) -> tuple[Any, ...]:
-        return 1.0 / par.step_size, float(len(self.values_given) - 1)
+        origin, step = (par.start_time, par.time_step) if self.over == "time" else (par.start_position, par.position_step)
+        return origin, 1.0 / step, float(len(self.forces) - 1)
 
     def table_values(self) -> dict[str, NDArray[np.float64]]:
-        return {"values_table": np.array(self.values_given)}
+        return {"values_table": np.array(self.forces)}

@@ -14,7 +14,8 @@ class SmoothCoulomb(Component):
     """The smooth form of Coulomb friction: F = (F_c + (F_s - F_c) exp(-(v/v_s)^2)) tanh(v/v_e) + c v.
 
     It never sticks: at rest a force lets the axis creep at up to v_e. Take it where a smooth model is wanted (gradients, stiff couplings);
-    its error shows as creep below about v_e.
+    its error shows as creep below about v_e. Near rest it is a damper of F_s/v_e: on a mass m an integration with the step h is stable
+    below F_s h/(m v_e) = 2.78 only, which a machine checks; a smaller v_e wants more sub-steps of the axis.
     """
 
     family = "friction"
@@ -52,3 +53,8 @@ class SmoothCoulomb(Component):
         ratio = v * par.inverse_stribeck
         level = par.coulomb + (par.breakaway - par.coulomb) * exp(-ratio * ratio)
         return level * tanh(v * par.inverse_smoothing) + par.viscous * v  # type: ignore[no-any-return]
+
+    @staticmethod
+    def steepest(par: Any) -> float:
+        """Return the largest rise of friction with speed [force s/m]: that at rest."""
+        return par.breakaway * par.inverse_smoothing + par.viscous  # type: ignore[no-any-return]

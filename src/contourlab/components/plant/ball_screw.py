@@ -59,3 +59,7 @@ class BallScrew(SingleMass):
     @staticmethod
     def drive_force(par: Any, command: float) -> float:
         return par.force_constant_value * command  # type: ignore[no-any-return]
+
+    @staticmethod
+    def moved_mass(par: Any) -> Any:
+        return par.mass + par.carried_mass

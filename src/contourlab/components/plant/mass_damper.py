@@ -14,6 +14,8 @@ class MassDamper(SingleMass):
     """Mass with viscous damping, pushed by a current-controlled motor: m v' = K_f i - c v + load - friction.
 
     `carried_mass` is what stands on the axis (other axes of the machine, a work piece); a machine adds the axes mounted on this one.
+    Between axes that move along each other all of the mass counts as moving in a straight line; where much of it only turns, take
+    "ball-screw", which tells the two apart.
     """
 
     kind = "mass-damper"
@@ -48,3 +50,7 @@ class MassDamper(SingleMass):
     @staticmethod
     def drive_force(par: Any, command: float) -> float:
         return par.force_constant * command  # type: ignore[no-any-return]
+
+    @staticmethod
+    def moved_mass(par: Any) -> Any:
+        return par.mass + par.carried_mass

@@ -15,7 +15,7 @@ class SingleMass(Component):
     """A mass with viscous damping, pushed by a drive: v' = mobility (drive force + load - friction) - decay v.
 
     A plant of this family gives three functions of its parameters; the integration, together with a friction, is in
-    `contourlab.components.mechanics`.
+    `contourlab.components.mechanics`. A plant that knows its masses has a parameter `carried_mass`, and gives a fourth: `moved_mass`.
 
     Attributes
     ----------
@@ -45,15 +45,13 @@ class SingleMass(Component):
         """Return the force of the drive."""
         raise NotImplementedError
 
+    @staticmethod
+    def moved_mass(par: Any) -> Any:
+        """Return the mass that moves in a straight line [kg], without what only turns: numbers or arrays (n_variant,)."""
+        raise NotImplementedError
+
     def at_rest(self, position: float) -> tuple[dict[str, float], dict[str, float]]:
         return {"position": position}, {"position": position}
-
-    def constants(self) -> Any:
-        """Return the parameters as a step sees them, derived ones included."""
-        from contourlab.engine.step import record
-
-        block = self.block(1.0)
-        return record(tuple(block))(*block.values())
 
     def linearize(self) -> LinearModel:
         par = self.constants()

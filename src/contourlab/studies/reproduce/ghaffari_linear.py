@@ -1,10 +1,11 @@
-"""Ghaffari & Ulsoy, everything that needs no simulation: gains, poles, the observer's identity, margins."""
+"""Ghaffari & Ulsoy, the position loop without simulation: gains, poles, Bode under variation, and where it oscillates."""
 
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 from dataclasses import replace
-from typing import Any
+from itertools import product
 
 import numpy as np
 from numpy.typing import NDArray
@@ -14,15 +15,12 @@ from contourlab.analysis.tick_map import spectral_radius
 from contourlab.components.controller.position import PositionController
 from contourlab.components.drive.saturation import Saturation
 from contourlab.components.friction.none import NoFriction
-from contourlab.components.mechanics import link
+from contourlab.components.plant.rigid_axis import RigidAxis
 from contourlab.components.sensor.ideal import IdealSensor
-from contourlab.engine.step import record
-from contourlab.geometry import contour
-from contourlab.loop.machine import AxisController, Controller, Machine
+from contourlab.geometry import Line, Path
+from contourlab.loop.machine import Axis, AxisController, Controller, Machine
 from contourlab.loop.template import build
-from contourlab.primitives import Clock
 from contourlab.studies.reproduce.ghaffari_setup import (
-    AXES,
     PLACED_POLES,
     TABLE_2,
     TABLE_3,
@@ -31,240 +29,164 @@ from contourlab.studies.reproduce.ghaffari_setup import (
     axis,
     axis_controller,
 )
-from contourlab.studies.reproduce.rows import Row, row
+from contourlab.studies.reproduce.rows import Row, derived, ours, printed
 
 __all__ = ["linear_rows"]
 
 Complex = NDArray[np.complex128]
+_MM = 1e-3
+PARTS = ("real pole", "pair, real part", "pair, imaginary part")
 
 
 def linear_rows() -> list[Row]:
-    """Return the rows of Tables II and III, the observer (eqs 10-14), the comparison of axes, and Fig 8."""
-    return [*_table_2(), *_poles(), *_observer(), *_reduction(), *_comparison(), *_fig_8(), *_oscillation_limit()]
+    """Return the rows of Tables II and III, of Fig 8, and of the gains at which the loop oscillates."""
+    return [*_table_2(), *_poles(), *_fig_8(), *_oscillation_limit()]
+
+
+DIGITS = {"velocity_gain": 1e-3, "position_gain": 1e-2, "integral_gain": 1e-2}
+"""One unit of the last printed digit, lengths in mm: the paper cuts K_V off instead of rounding it."""
+
+
+def placed(printed_gains: Gains) -> Gains:
+    """Return a line of Table II with the gains that our controller finds for its a' and b'."""
+    a, b = printed_gains.model_gain, printed_gains.model_damping
+    found = PositionController.place(**PLACED_POLES, model_gain=a * _MM, model_damping=b)
+    velocity, position = found["velocity_gain"] * _MM, found["position_gain"] * _MM
+    return replace(printed_gains, velocity_gain=velocity, position_gain=position, integral_gain=found["integral_gain"])
 
 
 def _table_2() -> list[Row]:
     found = []
-    # One unit of the last printed digit: the paper cuts K_V off instead of rounding it.
-    digits = {
-        "velocity_gain": ("K_V", 1e-3, 1e-3),
-        "position_gain": ("K_P", 1e-3, 1e-2),
-        "integral_gain": ("K_I", 1.0, 1e-2),
+    words = {
+        "velocity_gain": ("K_V", "full_scale*s/mm", "eqs 21-23; the paper truncates"),
+        "position_gain": ("K_P", "full_scale/mm", "eqs 21-23"),
+        "integral_gain": ("K_I", "1/s", "eqs 21-23"),
     }
-    units = {"velocity_gain": "full_scale*s/mm", "position_gain": "full_scale/mm", "integral_gain": "1/s"}
-    for number, printed in TABLE_2.items():
-        gains = PositionController.place(**PLACED_POLES, model_gain=printed.model_gain * 1e-3, model_damping=printed.model_damping)
-        for name, (symbol, factor, digit) in digits.items():
-            note = "eqs 21-23; the paper truncates" if symbol == "K_V" else "eqs 21-23"
-            found.append(
-                row(
-                    f"Table II {symbol}",
-                    f"axis {number}",
-                    getattr(printed, name),
-                    gains[name] * factor,
-                    units[name],
-                    digit,
-                    note,
-                )
-            )
+    for number, gains in TABLE_2.items():
+        for name, (symbol, unit, note) in words.items():
+            here = getattr(placed(gains), name)
+            found.append(printed(f"Table II {symbol}", f"axis {number}", getattr(gains, name), here, unit, DIGITS[name], note))
     return found
 
 
-def characteristic_roots(gains: Gains) -> Complex:
-    """Return the roots of the denominator of eq (16)."""
+def ideal_loop(gains: Gains) -> tuple[RigidAxis, PositionController]:
+    """Return the axis a'/(s (s + b')) and our controller in the structure of eq (16)."""
+    controller = axis_controller(gains, Reading()).controller.replace(structure="ipv")
+    assert isinstance(controller, PositionController)
+    return RigidAxis(gain=gains.model_gain * _MM, damping=gains.model_damping), controller
+
+
+def closed_loop_poles(gains: Gains) -> tuple[float, float, float]:
+    """Return the real pole, and the real and imaginary part of the pair [1/s], of our controller joined with the ideal axis."""
+    plant, control = (part.linearize() for part in ideal_loop(gains))
+    seen = [control.inputs.index("position"), control.inputs.index("velocity")]
+    push = plant.b[:, [plant.inputs.index("command")]]
+    matrix = np.block([[plant.a + push @ control.d[:, seen], push @ control.c], [control.b[:, seen], control.a]])
+    poles = np.linalg.eigvals(matrix)
+    pair = poles[np.argmax(poles.imag)]
+    return float(poles[np.argmin(np.abs(poles.imag))].real), float(pair.real), float(pair.imag)
+
+
+def characteristic_roots(gains: Gains) -> tuple[float, float, float]:
+    """Return the same of the denominator of eq (16)."""
     a, b, v, p, i = gains.model_gain, gains.model_damping, gains.velocity_gain, gains.position_gain, gains.integral_gain
-    return np.asarray(np.roots([1.0, b + a * v, a * p, a * p * i]), dtype=complex)
+    roots = np.roots([1.0, b + a * v, a * p, a * p * i])
+    pair = roots[np.argmax(roots.imag)]
+    return float(roots[np.argmin(np.abs(roots.imag))].real), float(pair.real), float(pair.imag)
 
 
 def _poles() -> list[Row]:
-    wanted = np.array([-PLACED_POLES["pole"], PLACED_POLES["damping"] * PLACED_POLES["natural_frequency"]])
-    imaginary = PLACED_POLES["natural_frequency"] * math.sqrt(1.0 - PLACED_POLES["damping"] ** 2)
     found = []
-    for number, printed in TABLE_2.items():
-        roots = characteristic_roots(printed)
-        real, pair = roots[np.argmin(np.abs(roots.imag))].real, roots[np.argmax(roots.imag)]
-        note = "roots of eq 16 with the printed gains; the target poles give the paper's column"
-        found.append(row("Table II real pole", f"axis {number}", float(wanted[0]), float(real), "1/s", 1.5, note))
-        found.append(row("Table II pair, real part", f"axis {number}", float(-wanted[1]), float(pair.real), "1/s", 1.0, note))
-        found.append(row("Table II pair, imaginary part", f"axis {number}", imaginary, float(pair.imag), "1/s", 1.0, note))
-    for number, printed in TABLE_3.items():
-        identified = replace(printed, model_gain=TABLE_2[number].model_gain, model_damping=TABLE_2[number].model_damping)
-        roots = characteristic_roots(identified)
-        real, pair = roots[np.argmin(np.abs(roots.imag))].real, roots[np.argmax(roots.imag)]
-        note = "Table III gains on the identified a', b'; the paper prints no poles"
-        found.append(row("Table III real pole", f"axis {number}", None, float(real), "1/s", note=note))
-        found.append(row("Table III pair, real part", f"axis {number}", None, float(pair.real), "1/s", note=note))
-        found.append(row("Table III pair, imaginary part", f"axis {number}", None, float(pair.imag), "1/s", note=note))
+    w, zeta = PLACED_POLES["natural_frequency"], PLACED_POLES["damping"]
+    wanted = (-PLACED_POLES["pole"], -zeta * w, w * math.sqrt(1.0 - zeta**2))
+    for number, gains in TABLE_2.items():
+        here = closed_loop_poles(gains)
+        slack = np.abs(np.array([closed_loop_poles(corner) for corner in _corners(placed(gains))]) - wanted).max(axis=0)
+        note = "our controller on a'/(s (s + b')) with the printed gains, beside alpha, w_n and zeta; within what their last digits move"
+        for part, paper, pole, most in zip(PARTS, wanted, here, slack, strict=True):
+            found.append(derived(f"Table II {part}", f"axis {number}", paper, pole, "1/s", float(most), note))
+    for number, gains in TABLE_3.items():
+        identified = replace(gains, model_gain=TABLE_2[number].model_gain, model_damping=TABLE_2[number].model_damping)
+        note = "Table III gains on the identified a', b': our controller beside the roots of eq 16"
+        for part, paper, pole in zip(PARTS, characteristic_roots(identified), closed_loop_poles(identified), strict=True):
+            found.append(derived(f"Table III {part}", f"axis {number}", paper, pole, "1/s", 1e-6, note))
     return found
 
 
-def exact_compensated(number: int, gains: Gains, reading: Reading, s: NDArray[Any]) -> tuple[Complex, Complex]:
-    """Return V/U_c and V/D of eqs (10)-(13), lengths in mm."""
-    a, b, ah, bh = AXES[number].gain, AXES[number].damping, gains.observer_gain, gains.observer_damping
-    wz, wd = reading.filter_bandwidth, reading.bandwidth
-    below = s**3 + (wz + b) * s**2 + ((wz + bh) * wd * a / ah + wz * b) * s + wd * wz * bh * a / ah
-    return np.asarray(a * (s + wz) * (s + wd) / below, dtype=complex), np.asarray(a * s * (s + wz) / below, dtype=complex)
-
-
-def _observer() -> list[Row]:
-    found = []
-    w = np.logspace(-3, 4, 200)
-    reading = Reading()
-    for table, name in ((TABLE_2, "Table II"), (TABLE_3, "Table III")):
-        for number in AXES:
-            continuous = AxisController(
-                axis_controller(table[number], reading).controller,
-                observer=axis_controller(table[number], reading).observer,
-            )
-            bare = replace(axis(number, reading), friction=NoFriction(), sensor=IdealSensor())
-            response = axis_response(bare, continuous, 0.0, w)
-            exact, disturbed = exact_compensated(number, table[number], reading, 1j * w)
-            case = f"axis {number}, {name}"
-            error = float(np.abs(response.compensated / (exact * 1e-3) - 1.0).max())
-            found.append(
-                row(
-                    "DOB identity (10)-(13), largest relative difference",
-                    case,
-                    0.0,
-                    error,
-                    "",
-                    1e-9,
-                    "our observer joined with the plant",
-                )
-            )
-            ratio = table[number].observer_gain / table[number].observer_damping
-            gain = float(np.abs(response.compensated[0])) * 1e3
-            found.append(
-                row(
-                    "DC gain u_c to v",
-                    case,
-                    ratio,
-                    gain,
-                    "mm/s/full_scale",
-                    1e-3 * ratio,
-                    "a_hat/b_hat, whatever the plant",
-                )
-            )
-            slope = float(np.abs(disturbed[0] / w[0]))
-            level = ratio / reading.bandwidth
-            note = "a_hat/(b_hat w_d): velocity per rate of a slow disturbance"
-            found.append(row("attenuation of disturbance", case, level, slope, "mm/full_scale", 1e-3 * level, note))
-    return found
-
-
-def _reduction() -> list[Row]:
-    """Eq (14): a first-order velocity loop in place of the exact one."""
-    found = []
-    w = np.linspace(0.5, 50.0, 400)
-    identified = {1: (873.0, 19.7), 2: (754.0, 24.7), 3: (801.0, 19.9)}
-    for number in AXES:
-        exact, _ = exact_compensated(number, TABLE_2[number], Reading(), 1j * w)
-        ideal = TABLE_2[number].observer_gain / (1j * w + TABLE_2[number].observer_damping)
-        error = 100.0 * float(np.abs(ideal / exact - 1.0).max())
-        case = f"axis {number}, Table II"
-        found.append(row("reduction (14), largest error to 50 rad/s", case, None, error, "%", note="with a' = a_hat, b' = b_hat"))
-        # Least squares on (s + b') V = a' U, linear in a' and b'.
-        rows = np.concatenate([np.column_stack([np.ones_like(w), -exact.real]), np.column_stack([np.zeros_like(w), -exact.imag])])
-        right = np.concatenate([(1j * w * exact).real, (1j * w * exact).imag])
-        a_fit, b_fit = np.linalg.lstsq(rows, right, rcond=None)[0]
-        fit = 100.0 * (1.0 - float(np.linalg.norm(exact - a_fit / (1j * w + b_fit)) / np.linalg.norm(exact)))
-        note = "fit of a'/(s + b') to eq 10, no friction; the paper fitted measured steps"
-        found.append(row("fitted a'", case, identified[number][0], float(a_fit), "mm/s^2/full_scale", None, note))
-        found.append(row("fitted b'", case, identified[number][1], float(b_fit), "1/s", None, note))
-        found.append(row("fit of eq 14 to eq 10", case, 95.0, fit, "%", 5.0, "the paper: above 95 %"))
-    return found
-
-
-def _comparison() -> list[Row]:
-    one, two = AXES[1], AXES[2]
-    faster = 100.0 * (one.damping / two.damping - 1.0)
-    larger = 100.0 * ((one.gain / one.damping) / (two.gain / two.damping) - 1.0)
-    found = [
-        row("response of axis 1 faster than axis 2", "open loop", 55.0, faster, "%", 1.0, "ratio of b"),
-        row(
-            "DC gain of axis 1 larger than axis 2",
-            "open loop",
-            70.0,
-            larger,
-            "%",
-            2.0,
-            "ratio of a/b; the paper rounds to tens",
-        ),
-    ]
-    for number, printed in ((1, 5.5), (2, 8.8), (3, 7.7)):
-        note = "slow ramp of the command on the simulated axis, as in Fig 5(a): the command at which it first moves"
-        found.append(row("stiction", f"axis {number}", printed, 100.0 * breakaway(number), "% of full scale", 0.05, note))
-    return found
-
-
-def breakaway(number: int, rate: float = 0.02) -> float:
-    """Return the command at which an axis leaves its place under a ramp of `rate` full scales per second."""
-    model = axis(number, Reading())
-    step = link(model.plant, model.friction)
-    period = 1e-3
-    par = step.par_type(**model.plant.block(period), **model.friction.block(period))
-    state_type, input_type = record(tuple(p.name for p in step.states)), record(tuple(p.name for p in step.inputs))
-    state, k = state_type(*(0.0 for _ in step.states)), 0
-    while state.position == 0.0:
-        k += 1
-        moved, _ = step.function(par, state, input_type(rate * k * period, 0.0), Clock(float(k), k * period, period))
-        state = state_type(*moved)
-    return rate * k * period
+def _corners(gains: Gains) -> list[Gains]:
+    """Return the gains moved by one unit of the last printed digit, every way."""
+    moves = product(*((-digit, 0.0, digit) for digit in DIGITS.values()))
+    return [replace(gains, **{name: getattr(gains, name) + step for name, step in zip(DIGITS, move, strict=True)}) for move in moves]
 
 
 def _fig_8() -> list[Row]:
-    """Closed loop of eq (16) with K_V 0.1, K_P 4, K_I 11.8 and 25 % on a' = 800, b' = 20."""
-    w = np.logspace(0, 3, 400)
-
-    def closed(a: float, b: float) -> Complex:
-        s = 1j * w
-        return np.asarray(a * 4.0 * 11.8 / (s**3 + (b + a * 0.1) * s**2 + a * 4.0 * s + a * 4.0 * 11.8))
-
-    nominal = closed(800.0, 20.0)
+    """Closed loop of eq (16) with K_V 0.1, K_P 4, K_I 11.8 and 25 % on a' = 800, b' = 20: ours beside the equation."""
+    w = np.geomspace(1.0, 25.0, 200)
+    base = Gains(1.0, 0.0, 0.1, 4.0, 11.8, 800.0, 20.0)
+    note = "largest to 25 rad/s, eight times the circle's frequency: our controller beside eq 16; Fig 8 shows curves that lie together"
     found = []
-    band = w <= 25.0
-    for a in (600.0, 800.0, 1000.0):
-        for b in (15.0, 20.0, 25.0):
-            if (a, b) != (800.0, 20.0):
-                change = closed(a, b) / nominal
-                case = f"a' {a:g}, b' {b:g}"
-                decibel = 20.0 * float(np.abs(np.log10(np.abs(change[band]))).max())
-                turn = float(np.degrees(np.abs(np.angle(change[band]))).max())
-                note = "Fig 8 shows curves that lie together; to 25 rad/s, eight times the circle's frequency"
-                found.append(row("Fig 8 change of magnitude", case, None, decibel, "dB", note=note))
-                found.append(row("Fig 8 change of phase", case, None, turn, "deg", note=note))
+    for a, b in product((600.0, 800.0, 1000.0), (15.0, 20.0, 25.0)):
+        varied, case = replace(base, model_gain=a, model_damping=b), f"a' {a:g}, b' {b:g}"
+        apart = float(np.abs(closed_loop(varied, w) / equation_16(varied, w) - 1.0).max())
+        words = "our controller on a'/(s (s + b')), 1 to 25 rad/s"
+        found.append(derived("Fig 8 P/R', eq 16: largest relative difference", case, 0.0, apart, "", 1e-9, words))
+        if varied == base:
+            continue
+        paper, here = (_change(closed(varied, w) / closed(base, w)) for closed in (equation_16, closed_loop))
+        for name, unit, said, got in zip(("magnitude", "phase"), ("dB", "deg"), paper, here, strict=True):
+            found.append(derived(f"Fig 8 change of {name}", case, said, got, unit, 1e-6, note))
     return found
 
 
-def stable(gains: Gains, number: int, reading: Reading) -> bool:
-    """Tell whether the sampled loop of one axis is stable, friction and quantisation left out."""
-    bare = replace(axis(number, reading), friction=NoFriction(), sensor=IdealSensor(), drive=Saturation())
-    made = axis_controller(gains, reading)
+def equation_16(gains: Gains, w: NDArray[np.float64]) -> Complex:
+    """Return P/R' of eq (16)."""
+    a, b, v, p, i = gains.model_gain, gains.model_damping, gains.velocity_gain, gains.position_gain, gains.integral_gain
+    s = 1j * w
+    return np.asarray(a * p * i / (s**3 + (b + a * v) * s**2 + a * p * s + a * p * i))
+
+
+def closed_loop(gains: Gains, w: NDArray[np.float64]) -> Complex:
+    """Return P/R' of our controller joined with the ideal axis, in continuous time."""
+    plant, controller = ideal_loop(gains)
+    return axis_response(Axis("ideal", plant), AxisController(controller), 0.0, w).modified
+
+
+def _change(ratio: Complex) -> tuple[float, float]:
+    """Return the largest changes of magnitude [dB] and phase [deg]."""
+    return 20.0 * float(np.abs(np.log10(np.abs(ratio))).max()), float(np.degrees(np.abs(np.angle(ratio))).max())
+
+
+def sampled_radius(gains: Gains, number: int) -> float:
+    """Return the largest magnitude of the poles of one axis' sampled loop, friction, counting and limits left out."""
+    bare = replace(axis(number, Reading()), friction=NoFriction(), sensor=IdealSensor(), drive=Saturation())
+    made = axis_controller(gains, Reading())
     free = replace(made, controller=made.controller.replace(anti_windup="none"))
-    twin = replace(bare, name="twin")
-    loop = build(
-        Machine("axis", (bare, twin), reading.servo_period),
-        Controller({bare.name: free, "twin": free}),
-        contour("circle"),
-        np.zeros(2),
-    )
-    return spectral_radius(loop.schedule) < 1.0 + 1e-9
+    path = Path([Line((0.0,), (1.0,))])
+    loop = build(Machine("axis", (bare,), Reading().servo_period), Controller({bare.name: free}), path, np.zeros(1))
+    return spectral_radius(loop.schedule)
 
 
 def _oscillation_limit() -> list[Row]:
     """Where large K_P or K_I make the loop oscillate: the sampled loop with observer, against Routh on eq (16)."""
     found = []
-    reading = Reading()
-    for number in AXES:
-        start = TABLE_3[number]
+    for number, start in TABLE_3.items():
         for name, symbol, unit in (("position_gain", "K_P", "full_scale/mm"), ("integral_gain", "K_I", "1/s")):
-            low, high = getattr(start, name), 1e4
-            for _ in range(40):
-                middle = math.sqrt(low * high)
-                low, high = (middle, high) if stable(replace(start, **{name: middle}), number, reading) else (low, middle)
-            routh = start.model_damping + start.model_gain * start.velocity_gain
+
+            def beyond(value: float, name: str = name, start: Gains = start, number: int = number) -> float:
+                return sampled_radius(replace(start, **{name: value}), number) - 1.0
+
             note = "sampled loop with observer, from the steps themselves"
             if symbol == "K_I":
+                routh = start.model_damping + start.model_gain * start.velocity_gain
                 note += f"; eq 16 alone oscillates from K_I = b' + a' K_V = {routh:g} 1/s on"
-            found.append(row(f"{symbol} at which the loop oscillates", f"axis {number}, Table III", None, low, unit, note=note))
+            limit = crossing(beyond, getattr(start, name), 1e4)
+            found.append(ours(f"{symbol} at which the loop oscillates", f"axis {number}, Table III", limit, unit, note))
     return found
+
+
+def crossing(function: Callable[[float], float], low: float, high: float) -> float:
+    """Return where a function passes from negative to positive, to 1e-6 of the place, by bisection in the logarithm."""
+    while high > low * (1.0 + 1e-6):
+        middle = math.sqrt(low * high)
+        low, high = (middle, high) if function(middle) < 0.0 else (low, middle)
+    return low

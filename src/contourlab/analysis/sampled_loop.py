@@ -1,0 +1,226 @@
+"""One axis under its controller as it runs from tick to tick: poles, frequency response and margins of the sampled loop.
+
+The schedule of the servo loop is built for the axis alone and cut where the command enters the drive and where the observer's estimate
+enters the controller. What is cut becomes an input, so that every response follows from one linear map, with the order of the nodes, the
+wires that are one tick late, the filters as they are sampled, the hold and the delay of the drive as they are in a run.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass, replace
+from functools import cached_property
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from contourlab.analysis.delay_form import DelayForm
+from contourlab.analysis.margins import Margins, margins
+from contourlab.analysis.response import AxisResponse
+from contourlab.analysis.tick_map import poles_of, tick_map
+from contourlab.components.contract import Component
+from contourlab.components.friction.none import NoFriction
+from contourlab.components.sensor.ideal import IdealSensor
+from contourlab.engine.schedule import Schedule
+from contourlab.engine.step import Port
+from contourlab.errors import ComponentError, ParameterError
+from contourlab.geometry import Line, Path
+from contourlab.loop.machine import Axis, AxisController, Controller, Machine
+from contourlab.loop.template import EXTERNALS, build
+from contourlab.loop.watch import NAME as WATCH
+
+__all__ = ["SampledLoop", "sampled_loop"]
+
+Array = NDArray[np.float64]
+Complex = NDArray[np.complex128]
+
+LONGEST = 1000
+"""States beyond which the poles would take longer than a run."""
+INPUTS = ("in.command", "in.disturbance_estimate", *(f"in.{name}" for name in EXTERNALS), "in.load")
+
+
+@dataclass(frozen=True, eq=False)
+class SampledLoop:
+    """The opened loop, x(k + 1) = A x(k) + B u(k), y(k) = C x(k + 1).
+
+    Attributes
+    ----------
+    servo_period : float [s]
+    a : ndarray (n, n)
+    b : ndarray (n, 6)
+        Inputs: command that enters the drive, estimate that enters the controller, reference, its velocity and acceleration, load.
+    c : ndarray (2, n)
+        Outputs: the controller's command, the observer's estimate (zero without an observer). Closed, they are the first two inputs.
+    state : ndarray (2, n)
+        Position and velocity at tick k, from x(k).
+    """
+
+    servo_period: float
+    a: Array
+    b: Array
+    c: Array
+    state: Array
+
+    @property
+    def nyquist(self) -> float:
+        """Half of the sampling frequency [rad/s]."""
+        return math.pi / self.servo_period
+
+    @cached_property
+    def closed(self) -> tuple[Array, Array]:
+        """A (n, n) and B (n, 4) of the closed loop, whose inputs are the reference, its derivatives, and the load."""
+        cut, free = self.b[:, :2], self.b[:, 2:]
+        # What leaves the controllers at a tick enters at the same tick.
+        gain = cut @ np.linalg.solve(np.eye(2) - self.c @ cut, self.c)
+        return self.a + gain @ self.a, free + gain @ free
+
+    @cached_property
+    def poles(self) -> Complex:
+        """Poles of the closed loop in the plane of z; memories and what nothing reads are no part of it."""
+        return poles_of(self.closed[0])
+
+    @property
+    def stable(self) -> bool:
+        """Whether all poles lie inside the unit circle."""
+        return bool(np.abs(self.poles).max(initial=0.0) < 1.0)
+
+    def frequencies(self, n: int = 300) -> Array:
+        """Return frequencies (n,) [rad/s] for a picture: from 0.1 Hz, or from the Nyquist frequency over 10 000, up to that frequency."""
+        low = min(2.0 * math.pi * 0.1, 1e-4 * self.nyquist)
+        return np.minimum(np.geomspace(low, self.nyquist, n), self.nyquist)
+
+    def margins(self) -> Margins:
+        """Return the margins of the loop opened at the drive, looked for up to the Nyquist frequency."""
+        return margins(self.loop_gain, self._grid(), stable=self.stable)
+
+    def loop_gain(self, frequency: ArrayLike) -> Complex:
+        """Return the loop opened at the drive (n,), sign such that -1 is the critical point.
+
+        Parameters
+        ----------
+        frequency : array_like (n,) [rad/s]
+            Above 0 and up to the Nyquist frequency.
+
+        Raises
+        ------
+        ParameterError
+            If a frequency is out of range.
+        """
+        opened = self._opened(self._checked(frequency))
+        # The command is cut, the estimate is not.
+        return np.asarray(-(opened[:, 0, 0] + opened[:, 0, 1] * opened[:, 1, 0]))
+
+    def response(self, frequency: ArrayLike) -> AxisResponse:
+        """Return the responses of the axis at frequencies (n,) [rad/s] above 0 and up to the Nyquist frequency.
+
+        Raises
+        ------
+        ParameterError
+            If a frequency is out of range.
+        """
+        w = self._checked(frequency)
+        opened, driven = self._opened(w), self._driven(np.exp(1j * w * self.servo_period))[:, 0]
+        return AxisResponse(
+            frequency=w,
+            closed_loop=driven[:, 0] + 1j * w * driven[:, 1] - w * w * driven[:, 2],
+            modified=driven[:, 0],
+            loop_gain=-(opened[:, 0, 0] + opened[:, 0, 1] * opened[:, 1, 0]),
+            compliance=driven[:, 3],
+            compensated=opened[:, 3, 0] / (1.0 - opened[:, 0, 1] * opened[:, 1, 0]),
+        )
+
+    @cached_property
+    def _driven(self) -> DelayForm:
+        """Position over reference, its derivatives, and load, all closed."""
+        return DelayForm(*self.closed, self.state[:1])
+
+    @cached_property
+    def _cut(self) -> DelayForm:
+        return DelayForm(self.a, self.b[:, :2], np.vstack([self.c, self.state]))
+
+    def _opened(self, w: Array) -> Complex:
+        """Return command, estimate, position and velocity over the two cut inputs: (n, 4, 2)."""
+        z = np.exp(1j * w * self.servo_period)
+        found = self._cut(z)
+        # What the controllers give at tick k stands in x(k + 1).
+        found[:, :2] *= z[:, None, None]
+        return found
+
+    def _checked(self, frequency: ArrayLike) -> Array:
+        w = np.atleast_1d(np.asarray(frequency, dtype=float))
+        if not ((w > 0.0) & (w <= self.nyquist * (1.0 + 1e-9))).all():
+            raise ParameterError("frequency", "an array", f"> 0 and up to the Nyquist frequency, {self.nyquist:g}", "rad/s")
+        return w
+
+    def _grid(self) -> Array:
+        """Return frequencies at which no crossing of the loop gain slips through: dense over the decades, the delay and each pole."""
+        period, top = self.servo_period, self.nyquist
+        found = [np.geomspace(1e-5 * top, top, 400), np.linspace(0.0, top, 12 * self._cut.longest + 2)]
+        poles = np.concatenate([self.poles, poles_of(self.a)])
+        angle, width = np.abs(np.angle(poles)), 1.0 - np.abs(poles)
+        found += [(angle + k * width) / period for k in (-2.0, -1.0, -0.5, 0.0, 0.5, 1.0, 2.0)]
+        w = np.unique(np.concatenate(found))
+        return w[(w >= 1e-5 * top) & (w <= top)]
+
+
+def sampled_loop(axis: Axis, controller: AxisController, servo_period: float, carried_mass: float = 0.0) -> SampledLoop:
+    """Return the sampled loop of an axis, friction, disturbance, quantisation and limits left out.
+
+    Axes are taken one at a time: without coupling by the contour, and without the reaction of axes that move along each other.
+
+    Parameters
+    ----------
+    axis : Axis
+    controller : AxisController
+    servo_period : float [s], > 0
+    carried_mass : float [kg]
+        What other axes put on this one.
+
+    Raises
+    ------
+    ComponentError
+        If a component is not linear, or a delay is longer than `LONGEST` ticks.
+    """
+    made = replace(controller, controller=_without_hold(controller.controller))
+    machine = Machine("axis", (_linear(axis, carried_mass),), servo_period)
+    path = Path([Line((0.0,), (1.0,))])
+    whole = build(machine, Controller({axis.name: made}), path, np.zeros(1)).schedule
+    if sum(node.ring_length for node in whole.nodes) > LONGEST:
+        raise ComponentError(f"axis {axis.name}: a delay of more than {LONGEST} servo periods is more than its analysis takes")
+    name, opened = axis.name, tick_map(_opened(axis.name, whole))
+    c, state = np.zeros((2, len(opened.a))), np.zeros((2, len(opened.a)))
+    c[0, opened.row(f"{name}.controller.command")] = 1.0
+    if controller.observer is not None:
+        c[1, opened.row(f"{name}.observer.disturbance_estimate")] = 1.0
+    state[[0, 1], [opened.row(f"{name}.plant.position"), opened.row(f"{name}.plant.velocity")]] = 1.0
+    return SampledLoop(servo_period, opened.a, opened.b[:, [opened.column(signal) for signal in INPUTS]], c, state)
+
+
+def _opened(name: str, whole: Schedule) -> Schedule:
+    """Cut the command ahead of the drive and the estimate ahead of the controller, and lead in a load."""
+    cuts = {"drive": {"command": INPUTS[0]}, "controller": {"disturbance_estimate": INPUTS[1]}, "plant": {"load": INPUTS[-1]}}
+    nodes = []
+    for node in whole.nodes:
+        wires = {port: wire for port, wire in cuts.get(node.name.rpartition(".")[2], {}).items() if port in node.wires}
+        if node.name != WATCH:
+            nodes.append(replace(node, wires={**node.wires, **wires}))
+    externals = (*whole.externals, *(Port(signal.removeprefix("in.")) for signal in (*INPUTS[:2], INPUTS[-1])))
+    return Schedule(tuple(nodes), externals, whole.period, len(nodes) - 1)
+
+
+def _linear(axis: Axis, carried_mass: float) -> Axis:
+    """Return the axis alone, without what is not linear."""
+    plant: Any = axis.plant
+    if carried_mass and "carried_mass" in plant.parameters:
+        plant = plant.replace(carried_mass=plant.carried_mass + carried_mass)
+    drive, limit = axis.drive, axis.drive.parameters.get("limit")
+    if limit is not None and limit.default == math.inf:
+        drive = drive.replace(limit=math.inf)
+    return Axis(axis.name, plant, NoFriction(), drive, IdealSensor(), limits=axis.limits, substeps=axis.substeps)
+
+
+def _without_hold(controller: Component) -> Component:
+    """Return the controller whose integral does not wait for the drive, which is never at its limit here."""
+    known = controller.parameters.get("anti_windup")
+    return controller.replace(anti_windup="none") if known is not None and "none" in known.choices else controller

@@ -1,0 +1,81 @@
+"""Whether a machine can be asked for a motion: its length in samples, the travel of its axes, and speeds that no planner has bounded."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+
+import numpy as np
+from numpy.typing import NDArray
+
+from contourlab.feed import Reference
+from contourlab.feed.reference import ReferenceBlock
+from contourlab.loop import Machine
+
+__all__ = ["MOST_SAMPLES", "check_motion"]
+
+Array = NDArray[np.float64]
+MOST_SAMPLES = 100_000_000
+"""More than a day at 1 kHz; all of a run's signals then take some 30 GB."""
+_BLOCK = 1 << 16
+
+Fault = Callable[[str, int], Exception]
+
+
+def check_motion(reference: Reference, machine: Machine, fault: Fault, *, bounded: bool) -> None:
+    """Refuse a motion that the machine cannot be asked for.
+
+    Parameters
+    ----------
+    reference : Reference
+    machine : Machine
+    fault : callable
+        Returns the error to raise for a message and a line of the program, 0 where there is none.
+    bounded : bool
+        Whether the motion was planned within the limits of velocity and acceleration.
+    """
+    if reference.n_sample > MOST_SAMPLES:
+        raise fault(
+            f"the motion takes {reference.duration:.3g} s, {reference.n_sample:.3g} samples of {reference.servo_period:g} s, and at most "
+            f"{MOST_SAMPLES:.0e} are run: is the feed meant?",
+            0,
+        )
+    if any(np.isfinite(axis.limits.travel).any() for axis in machine.axes):
+        _check_travel(reference, machine, fault)
+    if not bounded:
+        _check_speeds(reference, machine, fault)
+
+
+def _blocks(reference: Reference, stop: int) -> Iterator[ReferenceBlock]:
+    for start in range(0, stop, _BLOCK):
+        yield reference.block(start, min(start + _BLOCK, stop))
+
+
+def _check_travel(reference: Reference, machine: Machine, fault: Fault) -> None:
+    for block in _blocks(reference, reference.n_sample):
+        for axis, position in zip(machine.axes, block.position.T, strict=True):
+            low, high = axis.limits.travel
+            away = np.maximum(position - high, low - position)
+            k = int(np.argmax(away))
+            if away[k] > 1e-9:
+                message = (
+                    f"axis {axis.name} is sent to {position[k] * 1e3:.6g} mm, its travel is {low * 1e3:g} to {high * 1e3:g} mm: "
+                    "move the part, or correct limits.travel"
+                )
+                raise fault(message, int(reference.source_line(block.arc_length[k : k + 1])[0]))
+
+
+def _check_speeds(reference: Reference, machine: Machine, fault: Fault) -> None:
+    """All laps are alike: the first one tells."""
+    worst = {"velocity": np.zeros(len(machine.axes)), "acceleration": np.zeros(len(machine.axes))}
+    for block in _blocks(reference, reference.laps[0][1] if reference.laps else reference.n_sample):
+        for name, largest in worst.items():
+            np.maximum(largest, np.abs(getattr(block, name)).max(axis=0), out=largest)
+    for power, (name, unit, scale) in enumerate((("velocity", "mm/s", 1e3), ("acceleration", "m/s^2", 1.0)), 1):
+        for axis, asked in zip(machine.axes, worst[name], strict=True):
+            limit = getattr(axis.limits, name)
+            if asked > limit * (1.0 + 1e-9):
+                raise fault(
+                    f"axis {axis.name} is asked for a {name} of {asked * scale:.4g} {unit}, its limit is {limit * scale:.4g} {unit}: "
+                    f"take at most {(limit / asked) ** (1.0 / power):.3g} times this frequency",
+                    0,
+                )

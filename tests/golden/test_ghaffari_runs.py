@@ -1,0 +1,146 @@
+"""The simulated figures of the reproduction of Ghaffari & Ulsoy against the paper, and against its loop written a second time."""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+import numpy as np
+import pytest
+from ghaffari_loop import TABLE_2, TABLE_3, Figures, Line, Open, Shape, ellipse, lemniscate, run
+
+Rows = dict[tuple[str, str], dict[str, Any]]
+
+APART = 3e-3
+"""Both loops agree to the last digit but for the encoder: a count that falls the other way moves a figure by up to a part in a thousand."""
+
+CIRCLE = ellipse(20.0, 20.0)
+PRINTED = {1: 18.37, 2: 18.46}
+
+
+def fig_9(first: int, table: dict[int, Line] = TABLE_3, reading: Open | None = None) -> Figures:
+    """Circle of 20 mm at 0.5 Hz, second lap."""
+    return run(first, table, CIRCLE, 0.5, reading or Open())
+
+
+@pytest.mark.parametrize("first", [1, 2])
+def test_contour_error_integral_is_the_printed_one(rows: Rows, first: int) -> None:
+    row = rows[f"contour error integral A3-A{first}", f"A3-A{first}, Table III"]
+    assert row["paper"] == PRINTED[first]
+    assert row["here"] == pytest.approx(PRINTED[first], rel=0.01)
+
+
+def test_one_controller_serves_both_configurations(rows: Rows) -> None:
+    one, other = (rows[f"contour error integral {c}", f"{c}, Table III"]["here"] for c in ("A3-A1", "A3-A2"))
+    row = rows["difference between configurations", "A3-A2 beyond A3-A1"]
+    assert row["paper"] == pytest.approx(100.0 * (18.46 - 18.37) / 18.37, rel=1e-12)
+    assert row["here"] == pytest.approx(100.0 * (other - one) / one, rel=1e-9)
+    assert abs(row["here"]) < 3.0
+
+
+@pytest.mark.parametrize("first", [1, 2])
+def test_fig_9_comes_out_the_same_a_second_time(rows: Rows, first: int) -> None:
+    again, case = fig_9(first), f"A3-A{first}, Table III"
+    assert rows[f"contour error integral A3-A{first}", case]["here"] == pytest.approx(again.integral, rel=APART)
+    assert rows["signed mean of contour error", case]["here"] == pytest.approx(again.contour.mean(), rel=APART)
+    assert rows["integral without the signed mean", case]["here"] == pytest.approx(again.without_mean, rel=APART)
+
+
+@pytest.mark.parametrize("first", [1, 2])
+def test_initial_gains_observer_off_and_more_feedforward_come_out_the_same(rows: Rows, first: int) -> None:
+    initial = fig_9(first, TABLE_2).integral
+    assert rows["contour error integral, initial gains", f"A3-A{first}, Table II"]["here"] == pytest.approx(initial, rel=APART)
+    off = rows["contour error integral, observer off", f"A3-A{first}, Table III"]
+    without = fig_9(first, reading=Open(observer=False)).integral
+    assert off["here"] == pytest.approx(without, rel=APART)
+    assert off["note"].startswith(f"{without / fig_9(first).integral:.1f} times as large")
+    raised = fig_9(first, {n: line._replace(a=960.0) for n, line in TABLE_3.items()}).integral
+    assert rows["contour error integral with a' = 960", f"A3-A{first}"]["here"] == pytest.approx(raised, rel=APART)
+
+
+def test_the_observer_earns_a_factor_of_about_ten_and_the_rest_is_a_radius_error(rows: Rows) -> None:
+    for c in ("A3-A1", "A3-A2"):
+        on = rows[f"contour error integral {c}", f"{c}, Table III"]["here"]
+        assert 8.0 < rows["contour error integral, observer off", f"{c}, Table III"]["here"] / on < 12.0
+        assert 2.0 * abs(rows["signed mean of contour error", f"{c}, Table III"]["here"]) > 0.9 * on
+        assert rows["contour error integral with a' = 960", c]["here"] < 0.5 * on
+
+
+@pytest.mark.parametrize("first", [1, 2])
+def test_spikes_follow_the_four_reversals(rows: Rows, first: int) -> None:
+    """The paper: error spikes at 2, 2.5, 3 and 3.5 s. The second lap begins at 2 s."""
+    again = fig_9(first).contour
+    measured = {1: (-3.95, -6.50, -3.97, -6.53), 2: (-7.28, -6.55, -7.30, -6.55)}[first]
+    for quadrant, (time, height) in enumerate(zip(("2", "2.5", "3", "3.5"), measured, strict=True)):
+        dip = again[500 * quadrant : 500 * quadrant + 100]
+        peak = rows[f"time of the spike at {time} s", f"A3-A{first}, Table III"]
+        assert peak["paper"] == float(time)
+        assert peak["here"] == pytest.approx(float(time) + 1e-3 * int(np.argmin(dip)), abs=3e-3)
+        here = rows[f"reversal spike at {time} s", f"A3-A{first}, Table III"]["here"]
+        assert here == pytest.approx(height, rel=0.02)
+        # From the first sample after the reversal down: the spike, but for the slope of the error beneath it.
+        assert here == pytest.approx(dip.min() - dip[0], abs=1.0)
+
+
+READINGS = {
+    "as read": (Open(), 18.314, 18.543),
+    "low-passes by backward Euler": (Open(euler=True), 11.788, 12.076),
+    "servo period 0.5 ms": (Open(period=5e-4), 15.445, 15.662),
+    "servo period 0.1 ms": (Open(period=1e-4), 12.110, 12.347),
+    "w_d 30 rad/s": (Open(wd=30.0), 25.864, 27.413),
+    "w_d 100 rad/s": (Open(wd=100.0), 19.455, 20.051),
+    "w_d 300 rad/s": (Open(wd=300.0), 17.969, 18.074),
+    "w_z 1000 rad/s": (Open(wz=1000.0), 15.422, 15.673),
+    "velocity behind 400 rad/s": (Open(wv=400.0), 19.510, 19.734),
+    "velocity behind 1600 rad/s": (Open(wv=1600.0), 17.769, 18.008),
+    "lambda 0": (Open(weight=0.0), 17.892, 18.227),
+}
+
+
+@pytest.mark.parametrize("first", [1, 2])
+@pytest.mark.parametrize("words", READINGS)
+def test_each_reading_comes_out_the_same(rows: Rows, words: str, first: int) -> None:
+    reading, *measured = READINGS[words]
+    here = rows["integral over what the paper leaves open", f"A3-A{first}, {words}"]["here"]
+    assert here == pytest.approx(measured[first - 1], rel=5e-3)
+    assert here == pytest.approx(fig_9(first, reading=reading).integral, rel=APART)
+
+
+def test_the_table_of_readings_holds_these_and_names_its_bounds(rows: Rows) -> None:
+    name = "integral over what the paper leaves open"
+    table = {case: row for (its, case), row in rows.items() if its == name}
+    assert set(table) == {f"A3-A{first}, {words}" for words in READINGS for first in (1, 2)}
+    smallest, largest, rest = (rows["bounds of these", case] for case in ("smallest", "largest", "largest without w_d 30 rad/s"))
+    assert smallest["here"] == min(row["here"] for row in table.values()) == pytest.approx(11.788, rel=5e-3)
+    assert largest["here"] == max(row["here"] for row in table.values()) == pytest.approx(27.413, rel=5e-3)
+    assert rest["here"] == pytest.approx(20.051, rel=5e-3)
+    assert (smallest["note"], largest["note"], rest["note"]) == (
+        "A3-A1, low-passes by backward Euler",
+        "A3-A2, w_d 30 rad/s",
+        "A3-A2, w_d 100 rad/s",
+    )
+    # One parameter alone leads far out of the rest, and its rows say so.
+    beyond = {case for case, row in table.items() if row["here"] > 20.1}
+    assert beyond == {"A3-A1, w_d 30 rad/s", "A3-A2, w_d 30 rad/s"}
+    assert all(table[case]["note"].startswith("the only one beyond 20.1 um s: w_d") for case in beyond)
+
+
+def length(shape: Shape) -> float:
+    """Return the length of a curve [mm]: the trapezoidal rule, which is exact to rounding on a smooth closed curve."""
+    u = np.linspace(0.0, 2.0 * math.pi, 4096, endpoint=False)
+    return float(np.mean([math.hypot(*shape.at(value)[1]) for value in u]) * 2.0 * math.pi)
+
+
+SHAPES = {"circle": CIRCLE, "ellipse": ellipse(30.0, 15.0), "lemniscate": lemniscate(25.0)}
+
+
+@pytest.mark.parametrize("frequency", [0.25, 0.5])
+@pytest.mark.parametrize("name", SHAPES)
+def test_lambda_over_shapes_and_feeds_comes_out_the_same(rows: Rows, name: str, frequency: float) -> None:
+    shape = SHAPES[name]
+    feed = 60.0 * length(shape) * frequency
+    for weight in (0.0, 0.25, 0.5, 0.75, 0.9):
+        again = run(1, TABLE_3, shape, frequency, Open(weight=weight))
+        case = f"A3-A1, {name}, {feed:.0f} mm/min, lambda {weight:g}"
+        for what, error in (("contour", again.contour), ("tracking", again.tracking)):
+            assert rows[f"{what} error, rms", case]["here"] == pytest.approx(math.sqrt(float(np.mean(error**2))), rel=APART), (what, weight)

@@ -1,0 +1,163 @@
+"""The sampled loop against runs of the engine, and the figures of machines that are known."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+import pytest
+from one_axis import W_V, T, axis, controller, observer
+
+import contourlab as cl
+from contourlab.analysis import SampledLoop, axis_response, sampled_loop
+from contourlab.components.controller.position import PositionController
+from contourlab.components.disturbance.sine import SineLoad
+from contourlab.components.drive.delayed_saturation import DelayedSaturation
+from contourlab.components.drive.saturation import Saturation
+from contourlab.components.friction.coulomb import Coulomb
+from contourlab.components.plant.mass_damper import MassDamper
+from contourlab.components.plant.rigid_axis import RigidAxis
+from contourlab.components.sensor.encoder import Encoder
+from contourlab.components.velocity.filtered_difference import FilteredDifference
+from contourlab.feed import Reference
+from contourlab.geometry import Line, Path
+from contourlab.loop.machine import Axis, AxisController, Controller, Machine
+
+PLANTS = {1: (1.695, 10.1), 2: (0.648, 6.5), 3: (1.116, 5.8)}
+CALIBRATED = {1: (0.6, 20.0, 0.9, 30.0), 2: (0.6, 20.0, 0.9, 30.0), 3: (1.0, 25.0, 0.9, 25.0)}
+
+
+def of_the_paper(number: int, rule: str, w_d: float = 200.0) -> SampledLoop:
+    """An axis of Ghaffari & Ulsoy with the gains of their Table III, at 1 ms, velocity behind 800 rad/s, w_z = 2000 rad/s."""
+    (a, b), (a_hat, b_hat, model_gain, model_damping) = PLANTS[number], CALIBRATED[number]
+    made = PositionController(
+        velocity_gain=100.0, position_gain=4000.0, integral_gain=11.8, model_gain=model_gain, model_damping=model_damping
+    )
+    seen = observer(bandwidth=w_d, filter_bandwidth=2000.0, model_gain=a_hat, model_damping=b_hat, discretisation=rule)
+    part = Axis("x", RigidAxis(gain=a, damping=b), Coulomb(coulomb=0.05), Saturation(limit=1.0), Encoder(resolution=0.125e-6))
+    return sampled_loop(part, AxisController(made, FilteredDifference(bandwidth=800.0, discretisation=rule), seen), 1e-3)
+
+
+@pytest.mark.parametrize(
+    ("number", "rule", "w_d", "gain"),
+    [
+        (1, "pole-matched", 200.0, 2.39),
+        (2, "pole-matched", 200.0, 1.69),
+        (3, "pole-matched", 200.0, 1.93),
+        (2, "backward-euler", 200.0, 2.36),
+        (1, "pole-matched", 600.0, 1.36),
+    ],
+)
+def test_gain_margins_found_by_raising_the_gain(number: int, rule: str, w_d: float, gain: float) -> None:
+    """Factors at which the tick matrix reaches the circle, worked out apart from this code."""
+    assert of_the_paper(number, rule, w_d).margins().gain == pytest.approx(gain, abs=0.005)
+
+
+def test_an_unstable_loop_is_called_so() -> None:
+    found = of_the_paper(1, "backward-euler", 600.0)
+    assert not found.stable
+    said = found.margins()
+    assert not said.stable
+    assert all(math.isnan(value) for value in (said.gain, said.phase, said.modulus))
+
+
+def shipped() -> tuple[Machine, Controller]:
+    case = cl.load_scenario("builtin:demo-part.toml").case("with disturbance observer")
+    return case.machine, case.controller
+
+
+def test_shipped_machine_without_the_delay_of_its_drive() -> None:
+    machine, made = shipped()
+    bare = replace(machine.axis("x"), drive=machine.axis("x").drive.replace(delay=0.0))
+    found = sampled_loop(bare, made.axes["x"], machine.servo_period, machine.carried_mass("x")).margins()
+    assert found.gain == pytest.approx(3.35, abs=0.005)
+
+
+def test_modulus_margins_that_the_documents_print() -> None:
+    """The demo part says 0.70 of the position loop; the page on contouring 0.60 of one at 160 rad/s, and 0.59 of the observer."""
+
+    def least(machine: Machine, made: Controller) -> float:
+        loops = [sampled_loop(a, made.axes[a.name], machine.servo_period, machine.carried_mass(a.name)) for a in machine.axes]
+        return min(loop.margins().modulus for loop in loops)
+
+    machine, with_observer = shipped()
+    alone = cl.load_scenario("builtin:demo-part.toml").case("position loop").controller
+    assert f"{least(machine, with_observer):.2f}" == "0.59"
+    assert f"{least(machine, alone):.2f}" == "0.70"
+    faster = {}
+    for name, mine in alone.axes.items():
+        law: Any = mine.controller
+        placed = PositionController.place(
+            natural_frequency=160.0, damping=0.8, pole=160.0, model_gain=law.model_gain, model_damping=law.model_damping
+        )
+        faster[name] = replace(mine, controller=law.replace(**placed))
+    assert f"{least(machine, replace(alone, axes=faster)):.2f}" == "0.60"
+
+
+def phasor(signal: np.ndarray, turn: np.ndarray) -> complex:
+    return complex(signal @ turn) * 2.0 / len(turn)
+
+
+@pytest.mark.parametrize("hertz", [4.0, 40.0, 160.0])
+@pytest.mark.parametrize("structure", ["feedforward", "ipv"])
+def test_closed_loop_as_simulated(structure: str, hertz: float) -> None:
+    """A sine of 0.1 mm through the whole loop, its last periods taken apart: no order of approximation, the very same figure."""
+    w = 2.0 * math.pi * hertz
+    made = controller(structure=structure, velocity=FilteredDifference(bandwidth=W_V), seen=observer())
+    part = axis(DelayedSaturation(delay=1.4e-3))
+    time = np.arange(3000) * T
+    wave = 1e-4 * np.sin(w * time)
+    reference = Reference.from_samples(wave[:, None], T, Path([Line((-1.0,), (1.0,))]), arc_length=1.0 + wave)
+    run = cl.simulate(Machine("one", (part,), T), Controller({"x": made}), reference, jit=False)
+    # At the ends of the reference its derivatives are one-sided.
+    kept = slice(-600, -100)
+    turn = np.exp(-1j * w * time[kept])
+    names = ("reference", "reference_velocity", "reference_acceleration", "position")
+    r, rv, ra, p = (phasor(run[name][kept, 0], turn) for name in names)
+    # What from_samples makes of the derivatives is its own affair: they enter as they were fed.
+    found = sampled_loop(part, made, T)
+    driven = found.response([w])
+    assert p / r == pytest.approx(driven_by(found, w, rv / r, ra / r), rel=1e-6)
+    if structure == "ipv":
+        assert p / r == pytest.approx(driven.closed_loop[0], rel=1e-6)
+        assert driven.modified[0] == pytest.approx(driven.closed_loop[0], rel=1e-12)
+
+
+def driven_by(loop: SampledLoop, w: float, velocity: complex, acceleration: complex) -> complex:
+    """Position per reference whose derivatives are these parts of it, from the matrices of the closed loop."""
+    a, b = loop.closed
+    mixed = b[:, 0] + velocity * b[:, 1] + acceleration * b[:, 2]
+    return complex(loop.state[0] @ np.linalg.solve(np.exp(1j * w * T) * np.eye(len(a)) - a, mixed))
+
+
+def test_feedforward_takes_the_derivatives_of_the_sine() -> None:
+    """r_v = j w r and r_a = -w^2 r: with them the response is the sum of its three paths."""
+    loop = sampled_loop(axis(), controller(seen=observer()), T)
+    for w in (3.0, 200.0, 3000.0):
+        assert loop.response([w]).closed_loop[0] == pytest.approx(driven_by(loop, w, 1j * w, -w * w), rel=1e-9)
+
+
+@pytest.mark.parametrize("hertz", [5.0, 80.0])
+def test_compliance_as_simulated(hertz: float) -> None:
+    made = controller(velocity=FilteredDifference(bandwidth=W_V), seen=observer())
+    plant = MassDamper(mass=25.0, damping=80.0, force_constant=22.0)
+    part = Axis("x", plant, disturbance=SineLoad(amplitude=3.0, frequency=hertz))
+    w, still = 2.0 * math.pi * hertz, np.zeros((3000, 1))
+    reference = Reference.from_samples(still, T, Path([Line((-1.0,), (1.0,))]), arc_length=np.ones(3000))
+    run = cl.simulate(Machine("one", (part,), T), Controller({"x": made}), reference, jit=False)
+    turn = np.exp(-1j * w * np.arange(3000) * T)[-600:]
+    force = phasor(3.0 * np.sin(w * np.arange(3000) * T)[-600:], turn)
+    found = sampled_loop(part, made, T).response([w]).compliance[0]
+    assert phasor(run["position"][-600:, 0], turn) / force == pytest.approx(found, rel=1e-6)
+
+
+def test_a_short_period_tends_to_continuous_time() -> None:
+    """To first order, in everything that is said of an axis."""
+    made, w = controller(velocity=FilteredDifference(bandwidth=W_V), seen=observer()), np.geomspace(5.0, 300.0, 7)
+    exact = axis_response(axis(), made, 0.0, w)
+    for name in ("closed_loop", "modified", "loop_gain", "compliance", "compensated"):
+        gaps = [np.abs(getattr(axis_response(axis(), made, t, w), name) / getattr(exact, name) - 1.0).max() for t in (2e-5, 1e-5)]
+        assert gaps[1] < 2e-2, name
+        assert gaps[0] / gaps[1] == pytest.approx(2.0, rel=0.1), name
