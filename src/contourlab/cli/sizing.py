@@ -45,7 +45,8 @@ class SizedAxis:
 
     @property
     def inertia(self) -> float:
-        return float(self.answers["rotor_inertia"] + self.answers["screw_inertia"])
+        # A sum of two numbers as they were typed has no more digits than these.
+        return float(f"{self.answers['rotor_inertia'] + self.answers['screw_inertia']:.12g}")
 
     @property
     def reflected(self) -> float:

@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 import hashlib
+from collections.abc import Callable
 from dataclasses import dataclass, field
 from itertools import pairwise
-from typing import NamedTuple
+from typing import NamedTuple, TypeAlias
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -41,6 +42,9 @@ class ReferenceBlock(NamedTuple):
     arc_length: Array
     feedrate: Array
     table: Array
+
+
+Filler: TypeAlias = "Callable[[Reference, int, int, Array], None]"
 
 
 class Recorded(NamedTuple):
@@ -114,7 +118,7 @@ class Reference:
     source_lines: NDArray[np.int64]
     laps: tuple[tuple[int, int], ...] = ()
     recorded: Recorded | None = None
-    _kept: dict[tuple[int, int], ReferenceBlock] = field(default_factory=dict, init=False, repr=False)
+    _kept: dict[tuple[int, int, Filler | None], ReferenceBlock] = field(default_factory=dict, init=False, repr=False)
 
     @property
     def n_axis(self) -> int:
@@ -126,12 +130,15 @@ class Reference:
         """Time that the motion takes [s]; the last sample is at or after it."""
         return self.profile.duration if self.profile is not None else (self.n_sample - 1) * self.servo_period
 
-    def block(self, start: int, stop: int) -> ReferenceBlock:
+    def block(self, start: int, stop: int, fill: Filler | None = None) -> ReferenceBlock:
         """Return the samples from `start` up to, but without, `stop`.
 
         Parameters
         ----------
         start, stop : int, 0 <= start <= stop <= n_sample
+        fill : callable, optional
+            Another way of working out planned samples, as the compiled engine has: called with the reference, start, stop, and the rows
+            (3 n_axis + 2, n) to fill.
 
         Returns
         -------
@@ -148,19 +155,23 @@ class Reference:
         """
         if not 0 <= start <= stop <= self.n_sample:
             raise FeedError(f"block({start}, {stop}): the reference has the samples 0 to {self.n_sample}")
-        if (start, stop) not in self._kept:
+        key = (start, stop, fill)
+        if key not in self._kept:
             if len(self._kept) >= KEPT_BLOCKS:
                 del self._kept[next(iter(self._kept))]
-            self._kept[start, stop] = self._sampled(start, stop)
-        return self._kept[start, stop]
+            self._kept[key] = self._sampled(start, stop, fill if self.recorded is None and stop > start else None)
+        return self._kept[key]
 
-    def _sampled(self, start: int, stop: int) -> ReferenceBlock:
+    def _sampled(self, start: int, stop: int, fill: Filler | None) -> ReferenceBlock:
         n = self.n_axis
         rows = np.empty((3 * n + 2, stop - start))
-        # A part that stays in the processor's cache from the first pass to the last.
-        for first in range(start, stop, CHUNK):
-            last = min(first + CHUNK, stop)
-            self._sample(first, last, rows[:, first - start : last - start])
+        if fill is not None:
+            fill(self, start, stop, rows)
+        else:
+            # A part that stays in the processor's cache from the first pass to the last.
+            for first in range(start, stop, CHUNK):
+                last = min(first + CHUNK, stop)
+                self._sample(first, last, rows[:, first - start : last - start])
         rows.flags.writeable = False
         return ReferenceBlock(rows[:n].T, rows[n : 2 * n].T, rows[2 * n : 3 * n].T, rows[-2], rows[-1], rows.T)
 

@@ -82,10 +82,14 @@ class Path:
         lines: list[Any] = [c for c in self.curves if type(c) is Line]
         arcs: list[Any] = [c for c in self.curves if type(c) is Arc]
         self._others = [c for c in self.curves if type(c) not in (Line, Arc)]
-        # Coordinates first, so that each is one contiguous row: evaluation is then a few passes over plain arrays.
-        self._line = {name: np.array([getattr(c, name) for c in lines]).T for name in ("start", "direction")}
-        names = ("centre", "u", "v", "rise", "radius", "start_angle", "rate", "length")
-        self._arc = {name: np.array([getattr(c, name) for c in arcs]).T for name in names}
+
+        def rows(curves: list[Any], name: str) -> Array:
+            # Coordinates first, so that each is one contiguous row: evaluation is then a few passes over plain arrays.
+            return np.array([getattr(c, name) for c in curves]).reshape(len(curves), self.n_axis).T
+
+        self._line = {name: rows(lines, name) for name in ("start", "direction")}
+        self._arc = {name: rows(arcs, name) for name in ("centre", "u", "v", "rise")}
+        self._arc |= {name: np.array([getattr(c, name) for c in arcs]) for name in ("radius", "start_angle", "rate", "length")}
 
     def _check_joints(self) -> None:
         gap = np.linalg.norm(self._ends[0][:-1] - self._starts[0][1:], axis=1)
@@ -168,6 +172,39 @@ class Path:
             mine = slot == i
             found[:, :, mine] = self._others[i].derivatives(along[mine], order).transpose(0, 2, 1)
         return found
+
+    def coefficients(self, index: NDArray[np.int64]) -> tuple[Array, NDArray[np.bool_]]:
+        """Return what lines and arcs have in common, for the engine: position = base + d s + u cos(a + b s) + v sin(a + b s).
+
+        Parameters
+        ----------
+        index : ndarray (n,) of int
+            Curves.
+
+        Returns
+        -------
+        ndarray (n, 2 + 4 n_axis)
+            a, b; then base, d, u, v for each axis. Zero for other curves.
+        ndarray (n,) of bool
+            Whether the curve is a line or an arc.
+        """
+        found = np.zeros((index.size, 2 + 4 * self.n_axis))
+        kind, slot = self._kind[index], self._slot[index]
+        parts = found[:, 2:].reshape(index.size, self.n_axis, 4)
+        on = np.flatnonzero(kind == 0)
+        parts[on, :, 0], parts[on, :, 1] = self._line["start"].T[slot[on]], self._line["direction"].T[slot[on]]
+        on = np.flatnonzero(kind == 1)
+        arc = {name: values.T[slot[on]] for name, values in self._arc.items()}
+        found[on, 0], found[on, 1] = arc["start_angle"], arc["rate"]
+        columns = (
+            arc["centre"],
+            arc["rise"] / arc["length"][:, None],
+            arc["radius"][:, None] * arc["u"],
+            arc["radius"][:, None] * arc["v"],
+        )
+        for i, column in enumerate(columns):
+            parts[on, :, i] = column
+        return found, kind < 2
 
     def position(self, s: ArrayLike) -> Array:
         """Return positions (n, n_axis) [m]."""

@@ -19,7 +19,7 @@ from contourlab.errors import ParameterError
 from contourlab.feed import Reference
 from contourlab.geometry.view import PathView, view_of
 from contourlab.loop.machine import Controller, Machine, parameter_names
-from contourlab.loop.simulate import BLOCK, jit_enabled
+from contourlab.loop.simulate import BLOCK, jit_enabled, sampler
 from contourlab.loop.template import Loop, build
 from contourlab.loop.watch import NAME
 from contourlab.metrics.streaming import SUMS, judge_step
@@ -116,23 +116,24 @@ def simulate_batch(
     """
     columns, n = _checked(machine, controller, variants)
     view = view or view_of(reference.path)
-    first = reference.block(0, 1)
+    compiled = jit_enabled() if jit is None else jit
+    fill = sampler(compiled)
+    first = reference.block(0, min(BLOCK, reference.n_sample), fill)
     extra = (_judge_node(machine, reference, view, window),) if judge else ()
     start, progress_at = first.position[0], float(first.arc_length[0])
     loop = build(machine, controller, reference.path, start, progress_at, columns, view, extra, seed)
-    compiled = jit_enabled() if jit is None else jit
     groups = [make_group(loop.schedule, LANES, slice(i, i + LANES), compiled) for i in range(0, n, LANES)]
     rows = [loop.schedule.row(signal) for name in keep for signal in _signal(loop, name)]
     shape = (len(groups), reference.n_sample, len(rows), LANES)
     log = reuse.log if reuse is not None and reuse.log.shape == shape else np.empty(shape)
-    failed = _advance_all(groups, reference, rows, log, threads or os.cpu_count() or 1, progress)[:n]
+    failed = _advance_all(groups, reference, rows, log, threads or os.cpu_count() or 1, progress, fill)[:n]
     sums = np.concatenate([group.state_of("judge")[1:] for group in groups], axis=1)[:, :n] if judge else np.zeros((len(SUMS), n))
     figures = _figures(sums, failed, machine.servo_period) if judge else {}
     return BatchResult(figures, failed, sums[SUMS.index("unsure")], _split(log, n, keep, loop), log)
 
 
 def _advance_all(
-    groups: list[Group], reference: Reference, rows: list[int], log: Array, threads: int, progress: Callable[[int], None] | None
+    groups: list[Group], reference: Reference, rows: list[int], log: Array, threads: int, progress: Callable[[int], None] | None, fill: Any
 ) -> NDArray[np.int64]:
     """Run every group through the reference, a long block at a time; return the sample at which each lane failed, or -1."""
     broken = np.full((len(groups), LANES), -1.0)
@@ -145,7 +146,7 @@ def _advance_all(
     workers = min(threads, len(groups))
     with ThreadPoolExecutor(workers) if workers > 1 else nullcontext() as pool:
         for k in range(0, reference.n_sample, BLOCK):
-            external = reference.block(k, min(k + BLOCK, reference.n_sample)).table
+            external = reference.block(k, min(k + BLOCK, reference.n_sample), fill).table
             work = partial(advance, external=external, k=k)
             for done, _ in enumerate((pool.map if pool is not None else map)(work, range(len(groups))), 1):
                 if progress is not None:

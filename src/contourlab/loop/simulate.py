@@ -51,6 +51,15 @@ def jit_enabled() -> bool:
     return os.environ.get("CONTOURLAB_JIT", "1") != "0"
 
 
+def sampler(compiled: bool) -> Any:
+    """Return how references are sampled for the engine, compiled or not."""
+    if not compiled:
+        return None
+    from contourlab.loop.sampling import sample_compiled  # brings the compiler with it
+
+    return sample_compiled
+
+
 def simulate(
     machine: Machine,
     controller: Controller,
@@ -164,13 +173,14 @@ def simulate_blocks(
 
     The last block ends with the sample of a failure. Arguments as of `simulate`; `block` is the number of samples of a block.
     """
-    first = reference.block(0, 1)
+    compiled = jit_enabled() if jit is None else jit
+    first = reference.block(0, min(block, reference.n_sample), sampler(compiled))
     loop = build(machine, controller, reference.path, first.position[0], float(first.arc_length[0]), view=view, seed=seed)
-    group = make_group(loop.schedule, 1, slice(0, 1), jit_enabled() if jit is None else jit)
+    group = make_group(loop.schedule, 1, slice(0, 1), compiled)
     tool = ToolPosition(machine, seed)
     wanted = _wanted(loop, signals)
     for start in range(0, reference.n_sample, block):
-        asked = reference.block(start, min(start + block, reference.n_sample))
+        asked = reference.block(start, min(start + block, reference.n_sample), sampler(compiled))
         saved = group.snapshot()
         found = _run(group, loop, asked, wanted)
         status = watched(group, machine)

@@ -71,7 +71,10 @@ def iter_moves(lines: Iterable[str], name: str | Path = "<text>", *, require_end
             frame.ended = True
             break
     if not moved:
-        raise ProgramError("the program holds no motion: write at least one G0, G1, G2 or G3 move", file=name)
+        raise ProgramError(
+            "the program holds no motion: write at least one G0, G1, G2 or G3 move that ends elsewhere than it begins (X0 Y0 Z0 at first)",
+            file=name,
+        )
     if require_end and not frame.ended:
         cure = "add a line with % at the end" if frame.open else "add M2 or M30 at the end"
         raise ProgramError(f"the program has no end: {cure}", file=name, line=frame.number)

@@ -139,10 +139,10 @@ def _row(figures: list[Figure | None]) -> Row:
 
 
 def _change(before: float, after: float, lower_is_better: bool) -> tuple[str, str]:
-    """Return the change in percent, and whether it is one for the better."""
+    """Return the change of the magnitude in percent, and whether it is one for the better."""
     if not (math.isfinite(before) and math.isfinite(after)) or before == 0.0:
         return "–", ""
-    percent = 100.0 * (after - before) / abs(before)
+    percent = 100.0 * (abs(after) - abs(before)) / abs(before)
     if abs(percent) < 0.05:
         return "0 %", ""
     text = f"{percent:+.0f} %" if abs(percent) >= 10.0 else f"{percent:+.1f} %"

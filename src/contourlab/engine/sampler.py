@@ -1,0 +1,111 @@
+"""The reference's samples in machine code: pieces of constant jerk along lines and arcs, evaluated over consecutive samples in lanes."""
+
+from __future__ import annotations
+
+import ctypes
+import hashlib
+import inspect
+from functools import cache
+from typing import Any
+
+import numpy as np
+from numba import cfunc, types
+from numpy.typing import NDArray
+
+from contourlab.engine import intrinsics, memory
+from contourlab.engine import store as code_store
+from contourlab.engine.intrinsics import OPTIONS, maximum, minimum, poly_cos, poly_sin
+from contourlab.engine.memory import load_input, load_parameter, store_output, truncate
+
+__all__ = ["CURVE_FIELDS", "SPAN_FIELDS", "along_curves", "along_spans"]
+
+Array = NDArray[np.float64]
+SPAN_FIELDS = ("first", "last", "t0", "s0", "v0", "a0", "j", "end")
+"""Samples [first, last); start of the span: time, progress, speed, acceleration; its jerk; progress that it does not pass."""
+CURVE_FIELDS = ("first", "last", "offset", "angle", "rate")
+"""Samples [first, last); progress at which the curve begins; angle there, and its rise by progress. Four numbers for each axis follow:
+
+position = base + d s + u cos(angle + rate s) + v sin(angle + rate s).
+"""
+_WORD = types.int64
+_SPANS, _CURVES = len(SPAN_FIELDS), len(CURVE_FIELDS)
+
+
+def _spans(spans, n_span, period, origin, progress, speed, acceleration):  # type: ignore[no-untyped-def]
+    for i in range(n_span):
+        row = spans + 8 * _SPANS * i
+        first, last = truncate(load_parameter(row, 0)), truncate(load_parameter(row, 1))
+        t0, s0, v0, a0 = load_parameter(row, 2), load_parameter(row, 3), load_parameter(row, 4), load_parameter(row, 5)
+        jerk, end = load_parameter(row, 6), load_parameter(row, 7)
+        for k in range(first, last):
+            dt = float(origin + k) * period - t0
+            store_output(progress, k, minimum(s0 + dt * (v0 + dt * (a0 / 2.0 + dt * jerk / 6.0)), end))
+            store_output(speed, k, maximum(v0 + dt * (a0 + dt * jerk / 2.0), 0.0))
+            store_output(acceleration, k, a0 + dt * jerk)
+
+
+def _curves(curves, n_curve, n_axis, progress, speed, acceleration, out, stride):  # type: ignore[no-untyped-def]
+    fields = _CURVES + 4 * n_axis
+    for i in range(n_curve):
+        row = curves + 8 * fields * i
+        first, last = truncate(load_parameter(row, 0)), truncate(load_parameter(row, 1))
+        offset, angle, rate = load_parameter(row, 2), load_parameter(row, 3), load_parameter(row, 4)
+        square = rate * rate
+        for j in range(n_axis):
+            at = _CURVES + 4 * j
+            base, d, u, v = load_parameter(row, at), load_parameter(row, at + 1), load_parameter(row, at + 2), load_parameter(row, at + 3)
+            here, change, rise = out + 8 * stride * j, out + 8 * stride * (n_axis + j), out + 8 * stride * (2 * n_axis + j)
+            for k in range(first, last):
+                s = load_input(progress, k) - offset
+                c, w = poly_cos(angle + rate * s), poly_sin(angle + rate * s)
+                moved, first_derivative = u * c + v * w, d + rate * (v * c - u * w)
+                pace = load_input(speed, k)
+                store_output(here, k, moved + (base + s * d))
+                store_output(change, k, pace * first_derivative)
+                store_output(rise, k, first_derivative * load_input(acceleration, k) - square * moved * (pace * pace))
+
+
+@cache
+def _compiled(function: Any, *signature: Any) -> Any:
+    sources = (inspect.getsource(part) for part in (function, intrinsics, memory))
+    key = hashlib.sha256("\n".join((*sources, str((_SPANS, _CURVES)), code_store.toolchain())).encode()).hexdigest()[:32]
+    c_types: dict[Any, Any] = {types.int64: ctypes.c_int64, types.float64: ctypes.c_double}
+    prototype: Any = ctypes.CFUNCTYPE(None, *(c_types[kind] for kind in signature))
+    return prototype(code_store.address(key, lambda: cfunc(types.void(*signature), **OPTIONS)(function), function.__name__.strip("_")))
+
+
+def along_spans(spans: Array, period: float, origin: int, progress: Array, speed: Array, acceleration: Array) -> None:
+    """Evaluate the motion along a path.
+
+    Parameters
+    ----------
+    spans : ndarray (n_span, 8)
+        SPAN_FIELDS of each; samples are counted from `origin`.
+    period : float [s]
+        Of the samples.
+    origin : int
+        Number of the first sample.
+    progress, speed, acceleration : ndarray (n,) [m, m/s, m/s^2]
+        Filled.
+    """
+    spans = np.ascontiguousarray(spans)
+    run = _compiled(_spans, _WORD, _WORD, types.float64, *(_WORD,) * 4)
+    run(spans.ctypes.data, len(spans), period, origin, progress.ctypes.data, speed.ctypes.data, acceleration.ctypes.data)
+
+
+def along_curves(curves: Array, progress: Array, speed: Array, acceleration: Array, out: Array) -> None:
+    """Evaluate position, velocity and acceleration of each axis.
+
+    Parameters
+    ----------
+    curves : ndarray (n_curve, 5 + 4 n_axis)
+        CURVE_FIELDS of each, and base, d, u, v for each axis.
+    progress, speed, acceleration : ndarray (n,) [m, m/s, m/s^2]
+        Along the path.
+    out : ndarray (3 n_axis, n)
+        Filled in the samples of the curves: positions, velocities, accelerations; each row is contiguous.
+    """
+    curves = np.ascontiguousarray(curves)
+    run = _compiled(_curves, *(_WORD,) * 8)
+    addresses = (progress.ctypes.data, speed.ctypes.data, acceleration.ctypes.data, out.ctypes.data)
+    run(curves.ctypes.data, len(curves), len(out) // 3, *addresses, out.strides[0] // out.itemsize)
