@@ -41,7 +41,9 @@ def judge_step(view: PathView, n_axis: int) -> Step:
     -----
     Three Newton steps from the foot point of the tick before, and three from the reference's place; the nearer one counts. The distance is
     projected on the normal, so it is exact to the square of what is left of the foot error. Ticks at which the last Newton step was still
-    longer than 1e-9 of the window, with an error that matters, are counted as ``unsure``; a caller judges such a variant again, exactly.
+    longer than 1e-9 of the window, or the foot point lies at the window's end, are counted as ``unsure``; a caller judges such a variant
+    again, exactly. The steps are those of the controller's Newton estimator, with more of them: what is independent of it is the exact foot
+    point that tests hold this one against, on tables and arcs.
     """
     parameters = ("window", "first", "last", *view.parameters)
     states = (Port("foot"), *(Port(name) for name in SUMS))
@@ -101,7 +103,8 @@ def _make(evaluate: Any, n_axis: int) -> Any:
         behind = sub(inp.reference, position)
         tracking = counts * dot(behind, behind)
         record = magnitude > x.largest
-        doubt = select(moved > 1e-9 * par.window, counts, 0.0)
+        cut_off = fabs(s - centre) >= par.window
+        doubt = select(moved > 1e-9 * par.window, counts, select(cut_off, counts, 0.0))
         return (
             s,
             x.count + counts,

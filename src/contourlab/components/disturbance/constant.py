@@ -14,6 +14,7 @@ class ConstantLoad(Component):
 
     family = "disturbance"
     kind = "constant"
+    reference = "constant load from a given time"
     example = {"force": 2.0, "start": 0.05}
     unbounded = ("force",)
     inputs = (Port("position"),)

@@ -16,6 +16,7 @@ class SineLoad(Component):
 
     family = "disturbance"
     kind = "sine"
+    reference = "harmonic load"
     example = {"amplitude": 2.0, "frequency": 12.0, "phase": 0.3}
     unbounded = ("phase",)
     inputs = (Port("position"),)

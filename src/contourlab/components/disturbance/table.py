@@ -38,6 +38,7 @@ class TableLoad(Component):
 
     family = "disturbance"
     kind = "table"
+    reference = "linear interpolation of a table"
     example = {
         "over": "position",
         "beyond": "hold",

@@ -16,15 +16,15 @@ __all__ = ["Newton"]
 class Newton(Component):
     """Foot point on the path by Newton steps on |r(s) - p|^2/2, from the foot point of the tick before.
 
-    Each iteration is s -= g/max(h, |r'|^2/10), g = r'.(r - p), h = |r'|^2 + r''.(r - p); s stays within the window around the reference.
-    What
-    is returned is the projection of the error on the normal at s: its error is of second order in that of s, where the distance to r(s)
-    would be of first order.
+    Each iteration is s -= g/max(h, |r'|^2/10), g = r'.(r - p), h = |r'|^2 + r''.(r - p); s stays within the window around the reference, on
+    both sides: a tool that overshoots is ahead of its reference. What is returned is the projection of the error on the normal at s: its
+    error is of second order in that of s, where the distance to r(s) would be of first order.
 
     With ``start = "both"`` the iteration also starts from the reference's own place and the nearer result is taken: beyond a corner the
     warm start alone may stay on the side it came from.
 
-    From a lag L on a curvature radius rho the foot error after one iteration is L^3/(3 rho^2); it squares with each further one.
+    From a lag L on a curvature radius rho the foot error after one iteration is L^3/(3 rho^2); it squares with each further one. Valid for
+    errors that are small beside the radius: from beyond the centre of curvature the nearest point is another one.
 
     References
     ----------

@@ -14,7 +14,8 @@ class LuGre(Component):
     """Bristle model with presliding: z' = v - s0 |v| z / g(v), F = s0 z + s1 z' + s2 v, g = F_c + (F_s - F_c) exp(-(v/v_s)^2).
 
     The bristle is stiff (s0 of 1e5 N/m and more); it is integrated implicitly together with the axis' velocity, so that a servo period
-    needs no thousand sub-steps.
+    needs no thousand sub-steps. s1 is a constant here, as in the paper's simulations; where it is large beside 2 sqrt(s0 m), fast motions
+    meet more damping than real guides give. With F_s < F_c friction dips below F_c near rest.
 
     References
     ----------

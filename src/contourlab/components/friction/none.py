@@ -14,6 +14,7 @@ class NoFriction(Component):
 
     family = "friction"
     kind = "none"
+    reference = "no friction"
     law = "smooth"
 
     @staticmethod

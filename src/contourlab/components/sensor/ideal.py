@@ -12,6 +12,7 @@ class IdealSensor(Component):
 
     family = "sensor"
     kind = "ideal"
+    reference = "identity"
     inputs = (Port("position"),)
     outputs = (Port("position"),)
 

@@ -12,6 +12,7 @@ class TrueVelocity(Component):
 
     family = "velocity"
     kind = "true"
+    reference = "identity"
     inputs = (Port("velocity"),)
     outputs = (Port("velocity"),)
 
