@@ -58,8 +58,9 @@ def check_component(kind: type[Component], *, jit: bool = True) -> None:
     """Check that a component keeps the contract.
 
     Declarations (family, ports, bounds, documentation), sizes, finite outputs and states, determinism, save and restore in mid-run,
-    agreement of lanes, compiled scalar and plain Python to 1e-9, that a linear model belongs to its step, and that every parameter has an
-    effect, are checked on its `example`. Plants and frictions are checked linked to each other, estimators on an ellipse.
+    agreement of lanes, compiled scalar and plain Python to 1e-9, that a linear model belongs to its step, that friction takes energy, and
+    that every parameter has an effect, are checked on its `example`. Plants and frictions are checked linked to each other, estimators on
+    an ellipse.
 
     Parameters
     ----------
@@ -83,6 +84,7 @@ def check_component(kind: type[Component], *, jit: bool = True) -> None:
     for scale in SCALES:
         _check_running(kind, part, scale, jit)
     _check_linear(kind, part)
+    _check_passive(kind, part)
     _check_effects(kind, part)
 
 
@@ -260,6 +262,20 @@ def _check_linear(kind: type[Component], part: Component) -> None:
     said = linear_fault(model, step, part.block)
     if said:
         raise _fault(kind, f"its linear model is not that of its step: {said}")
+
+
+def _check_passive(kind: type[Component], part: Component) -> None:
+    """Friction takes energy, at any speed; that of a bristle is a matter of its past, and is left to runs."""
+    law = getattr(kind, "law", "")
+    force: Any = getattr(kind, {"smooth": "force", "sticking": "sliding"}.get(law, ""), None)
+    if kind.family != "friction" or force is None:
+        return
+    par = part.constants()
+    for speed in np.geomspace(1e-7, 10.0, 33):
+        if not force(par, float(speed)) >= 0.0 or (law == "smooth" and not force(par, -float(speed)) <= 0.0):
+            raise _fault(
+                kind, f"a friction that feeds energy in at {speed:.3g} m/s: its force is counted against the motion, positive forwards"
+            )
 
 
 def _check_effects(kind: type[Component], part: Component) -> None:

@@ -311,5 +311,6 @@ def _case(name: str, layers: _Layers, motion: Motion, place: Table) -> Case:
     run = read_run(settle(layers.run))
     if motion.n_axis != len(machine.axes):
         what = motion.name if isinstance(motion, Contour) else motion.file.name
-        raise place.error(f"{what} has {motion.n_axis} coordinates, {machine.name} has the axes {', '.join(machine.axis_names)}")
+        cure = "a contour wants a machine of its own axes only; others can drive it as a part program"
+        raise place.error(f"{what} has {motion.n_axis} coordinates, {machine.name} has the axes {', '.join(machine.axis_names)}: {cure}")
     return Case(name, machine, controller, motion, feed, run)

@@ -11,6 +11,7 @@ import numpy as np
 from contourlab.components.contract import Component, LinearModel, Port, param, text_param
 from contourlab.components.coupling.modified_reference import ModifiedReference
 from contourlab.components.drive.saturation import Saturation
+from contourlab.components.friction.coulomb import Coulomb
 from contourlab.components.friction.smooth_coulomb import SmoothCoulomb
 from contourlab.components.observer.disturbance_observer import DisturbanceObserver
 from contourlab.components.plant.mass_damper import MassDamper
@@ -320,3 +321,23 @@ class LyingSign(DisturbanceObserver):
     def linearize(self) -> LinearModel:
         true = super().linearize()
         return LinearModel(true.a, true.b * np.array([1.0, -1.0]), true.c, true.d, true.inputs, true.outputs)
+
+
+class Pusher(SmoothCoulomb):
+    """Pushes where it should resist."""
+
+    kind = "pusher"
+
+    @staticmethod
+    def force(par: Any, v: float) -> float:
+        return -par.viscous * v  # type: ignore[no-any-return]
+
+
+class Puller(Coulomb):
+    """Pulls the axis on once it is fast."""
+
+    kind = "puller"
+
+    @staticmethod
+    def sliding(par: Any, speed: float) -> float:
+        return par.coulomb - par.viscous * speed  # type: ignore[no-any-return]

@@ -43,6 +43,8 @@ IN_PLAIN_PYTHON = [
     (faults.LyingShape, "its linear model is not .* shapes"),
     (faults.LyingPole, "its linear model is not .* from command to (position|velocity)"),
     (faults.LyingSign, "its linear model is not .* from applied to disturbance_estimate"),
+    (faults.Pusher, "feeds energy in at 1e-07 m/s"),
+    (faults.Puller, "feeds energy in at "),
 ]
 
 
