@@ -135,11 +135,15 @@ class Bench:
         print(f"{name:36s}{ns:14.1f}{shown}   {error:.12g}   {note}", flush=True)
 
     def rounds(self, contenders: list[Contender], repeat: int) -> None:
-        """Run all in turns, so that what else the machine does meets each alike; the shortest processor time counts."""
+        """Run all in turns, so that what else the machine does meets each alike; the shortest processor time counts.
+
+        Each is timed right after a run of its own: what the others leave in the processor's caches is not its business.
+        """
         error = {contender.name: rms(contender.work()) for contender in contenders}
         found = dict.fromkeys(error, math.inf)
         for _ in range(repeat):
             for contender in contenders:
+                contender.work()
                 start = time.process_time()
                 contender.work()
                 found[contender.name] = min(found[contender.name], time.process_time() - start)

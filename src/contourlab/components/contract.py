@@ -19,7 +19,7 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
-from functools import cache
+from functools import cache, lru_cache
 from types import SimpleNamespace
 from typing import TYPE_CHECKING, Any, ClassVar, dataclass_transform
 
@@ -327,28 +327,19 @@ class Component:
         """Return the linear model around rest, or None where one makes no sense."""
         return None
 
-    def ports(self, n_axis: int) -> tuple[tuple[Port, ...], tuple[Port, ...], tuple[Port, ...]]:
+    @classmethod
+    def ports(cls, n_axis: int) -> tuple[tuple[Port, ...], tuple[Port, ...], tuple[Port, ...]]:
         """Return states, inputs and outputs for a machine of `n_axis` axes: a port of size -1 takes one row per axis."""
 
         def sized(ports: tuple[Port, ...]) -> tuple[Port, ...]:
             return tuple(Port(p.name, n_axis) if p.size < 0 else p for p in ports)
 
-        return sized(self.states), sized(self.inputs), sized(self.outputs)
+        return sized(cls.states), sized(cls.inputs), sized(cls.outputs)
 
     def make_step(self, n_axis: int = 1) -> Step:
         """Return what the engine compiles."""
-        states, inputs, outputs = self.ports(n_axis)
-        name = f"{self.family}/{self.kind}"
-        return Step(
-            name,
-            self.step_function(),
-            (*self.numeric(), *self.derived),
-            self.tables,
-            self.ring,
-            states,
-            inputs,
-            outputs,
-        )
+        kind: Any = type(self)
+        return _step_of(kind, self.step_function(), n_axis)
 
     def constants(self) -> Any:
         """Return the parameters as a step sees them, derived ones included."""
@@ -362,3 +353,10 @@ class Component:
         rows: dict[str, Any] = {**{name: getattr(self, name) for name in self.numeric()}, **(overrides or {})}
         derived = self.derive(SimpleNamespace(**rows), dt)
         return {**rows, **dict(zip(self.derived, derived, strict=True))}
+
+
+@lru_cache(256)
+def _step_of(kind: type[Component], function: Callable[..., Any], n_axis: int) -> Step:
+    states, inputs, outputs = kind.ports(n_axis)
+    parameters = (*kind.numeric(), *kind.derived)
+    return Step(f"{kind.family}/{kind.kind}", function, parameters, kind.tables, kind.ring, states, inputs, outputs)

@@ -56,11 +56,17 @@ class Step:
     outputs: tuple[Port, ...] = ()
     par_type: Any = field(init=False, repr=False, compare=False)
     n_state: int = field(init=False, repr=False, compare=False)
+    _hash: int = field(init=False, repr=False, compare=False)
 
     def __post_init__(self) -> None:
         fields = (*self.parameters, *self.tables, *(("ring",) if self.ring else ()))
         object.__setattr__(self, "par_type", record(fields))
         object.__setattr__(self, "n_state", rows(self.states))
+        # A run looks up the compiled form of each of its steps: the deep hash is worked out once.
+        object.__setattr__(self, "_hash", hash((self.name, self.function, self.layout)))
+
+    def __hash__(self) -> int:
+        return self._hash
 
     @property
     def layout(self) -> tuple[Any, ...]:
