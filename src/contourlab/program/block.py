@@ -6,6 +6,7 @@ from typing import NamedTuple
 
 from contourlab.program.fault import BlockError
 from contourlab.program.lexer import Word, read_words
+from contourlab.program.parameters import Parameters
 from contourlab.program.vocabulary import (
     G_GROUPS,
     M_GROUPS,
@@ -41,8 +42,8 @@ class Block(NamedTuple):
     words: dict[str, Word]
 
 
-def read_block(line: str) -> Block:
-    """Read a line and check what can be checked without knowing the machine's state.
+def read_block(line: str, parameters: Parameters | None = None) -> Block:
+    """Read a line and check what can be checked without knowing the machine's state; set the parameters that it sets.
 
     Raises
     ------
@@ -51,7 +52,7 @@ def read_block(line: str) -> Block:
     """
     codes: dict[str, Code] = {}
     words: dict[str, Word] = {}
-    for word in read_words(line):
+    for word in read_words(line, parameters):
         letter = word.letter
         if letter in USED_LETTERS:
             if letter in words:

@@ -9,7 +9,9 @@ from __future__ import annotations
 import re
 from typing import NamedTuple
 
+from contourlab.program.expressions import Cursor, read_assignment, read_value
 from contourlab.program.fault import BlockError
+from contourlab.program.parameters import Key, Parameters
 
 __all__ = ["LARGEST_NUMBER", "Word", "read_words"]
 
@@ -19,14 +21,13 @@ LARGEST_NUMBER = 1e9
 # The alternatives tile every line: a word, a comment in brackets, a comment to the end, blanks, or a bad character.
 _TOKEN = re.compile(r"([A-Za-z])[ \t]*(?P<digits>[+-]?[0-9. \t]*)|\([^()]*\)|;.*|[ \t]+|(?P<bad>.)", re.DOTALL)
 _LONGEST_NUMBER = 100
+_MORE_THAN_NUMBERS = re.compile(r"[#\[]|[+-][ \t]*[+-]")
 
 _BAD = {
-    "#": "parameters (#) are not supported yet: write the number itself",
-    "[": "expressions ([ ]) are not supported yet: write the number itself",
-    "]": "expressions ([ ]) are not supported yet: write the number itself",
-    "=": "parameters (#1 = 2) are not supported yet: write the number itself where it is used",
-    "<": "named parameters (#<name>) and O<name> are not supported yet: write the numbers and moves themselves",
-    ">": "named parameters (#<name>) and O<name> are not supported yet: write the numbers and moves themselves",
+    "]": "']' closes no expression: delete it, or write '[' where the expression starts",
+    "=": "'=' has no parameter before it: write #1 = 2, at the start of a line or between words",
+    "<": "'<' belongs to a named parameter, as in #<depth>; O<name> is not supported yet",
+    ">": "'>' belongs to a named parameter, as in #<depth>; O<name> is not supported yet",
     "@": "polar coordinates (@ and ^) are not supported yet: write X and Y",
     "^": "polar coordinates (@ and ^) are not supported yet: write X and Y",
     "/": "block delete (/) is not supported yet: delete the line or the stroke",
@@ -55,13 +56,15 @@ class Word(NamedTuple):
     column: int
 
 
-def read_words(line: str) -> list[Word]:
-    """Split a line into its words, comments left out.
+def read_words(line: str, parameters: Parameters | None = None) -> list[Word]:
+    """Split a line into its words, comments left out; set the parameters that it sets.
 
     Parameters
     ----------
     line : str
         Without its line break.
+    parameters : Parameters, optional
+        What expressions see. A line sees them as they were before it: what it sets, it sets at its end.
 
     Raises
     ------
@@ -70,7 +73,11 @@ def read_words(line: str) -> list[Word]:
 
     >>> read_words("g1 x-1 0.5 (there)")
     [Word(letter='G', value=1.0, column=1), Word(letter='X', value=-10.5, column=4)]
+    >>> read_words("x[2 * [3 + 4]]")
+    [Word(letter='X', value=14.0, column=1)]
     """
+    if _MORE_THAN_NUMBERS.search(line):
+        return _words_and_values(line, parameters or Parameters())
     words = []
     for token in _TOKEN.finditer(line):
         letter = token[1]
@@ -81,11 +88,56 @@ def read_words(line: str) -> list[Word]:
     return words
 
 
+def _words_and_values(line: str, parameters: Parameters) -> list[Word]:
+    """Read a line that holds more than plain numbers."""
+    cursor = _without_blanks(line)
+    words: list[Word] = []
+    settings: list[tuple[Key, float]] = []
+    while cursor.next:
+        letter, column = cursor.next.upper(), cursor.column
+        if letter == "#":
+            cursor.at += 1
+            settings.append(read_assignment(cursor, parameters))
+        elif letter.isascii() and letter.isalpha():
+            cursor.at += 1
+            _refuse_o(letter, column)
+            if letter == "N" and not cursor.next.isdigit():
+                raise BlockError("a line number is written in digits: write for example N10", column)
+            value = read_value(cursor, parameters)
+            if abs(value) > LARGEST_NUMBER:
+                raise BlockError(f"{letter}{value:g} is no sensible number: keep it below {LARGEST_NUMBER:.0e}", column)
+            words.append(Word(letter, value, column))
+        else:
+            raise _bad_character(line, column - 1)
+    for key, value in settings:
+        parameters.write(key, value)
+    return words
+
+
+def _without_blanks(line: str) -> Cursor:
+    kept: list[int] = []
+    at = 0
+    while at < len(line) and line[at] != ";":
+        if line[at] == "(":
+            end = line.find(")", at)
+            if end < 0 or "(" in line[at + 1 : end]:
+                raise _bad_character(line, at)
+            at = end
+        elif line[at] not in " \t":
+            kept.append(at)
+        at += 1
+    return Cursor("".join(line[i] for i in kept).lower(), [i + 1 for i in kept])
+
+
+def _refuse_o(letter: str, column: int) -> None:
+    if letter == "O":
+        raise BlockError("O-words (subprograms, loops, conditions) are not supported yet: write the moves out", column)
+
+
 def _number(line: str, token: re.Match[str]) -> float:
     """Read the number of a word, which may have blanks anywhere."""
     name, digits, column = token[1].upper(), token["digits"], token.start() + 1
-    if name == "O":
-        raise BlockError("O-words (subprograms, loops, conditions) are not supported yet: write the moves out", column)
+    _refuse_o(name, column)
     try:
         value = float(digits)
     except ValueError:
@@ -105,8 +157,6 @@ def _bad_number(line: str, token: re.Match[str], digits: str) -> BlockError:
     if digits:
         hint = f"write for example {name}10.5 (one sign, one point, no exponent)"
         return BlockError(f"{name}{_short(digits)} holds no number: {hint}", token.start() + 1)
-    if token.end() < len(line) and line[token.end()] in "#[":
-        return _bad_character(line, token.end())
     return BlockError(f"{name} has no number behind it: write for example {name}10", token.start() + 1)
 
 

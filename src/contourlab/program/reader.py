@@ -11,6 +11,7 @@ from contourlab.program.block import read_block
 from contourlab.program.fault import BlockError
 from contourlab.program.interpreter import execute
 from contourlab.program.moves import Dwell, Move, Program
+from contourlab.program.parameters import Parameters
 from contourlab.program.state import ModalState
 
 __all__ = ["iter_moves", "parse_program", "read_program"]
@@ -45,10 +46,11 @@ def iter_moves(lines: Iterable[str], name: str | Path = "<text>", *, require_end
     -----
     The language is RS274/NGC as LinuxCNC 2.9 reads it. The program starts at machine zero (0, 0, 0) in G17, G21, G90,
     G91.1 and G94, with no motion and no feedrate. Supported: G0, G1, G2, G3 (I, J, K or R, and P turns), G4, G17, G18,
-    G19, G20, G21, G90, G91, G90.1, G91.1, G94, F, M2, M30, N, ``%`` and comments. Everything else is refused.
+    G19, G20, G21, G90, G91, G90.1, G91.1, G94, F, M2, M30, N, ``%``, comments, parameters, expressions and functions.
+    Everything else is refused.
 
-    Stricter than LinuxCNC: a feedrate must be given before G1, G2 or G3 with words, numbers have one sign, and numbers
-    beyond any machine are refused. More tolerant: lines may be longer than 255 characters.
+    Stricter than LinuxCNC: a feedrate must be given before G1, G2 or G3 with words, and numbers beyond any machine are
+    refused. More tolerant: lines may be longer than 255 characters.
 
     References
     ----------
@@ -58,9 +60,10 @@ def iter_moves(lines: Iterable[str], name: str | Path = "<text>", *, require_end
     [(0.01, 0.0, 0.0), (0.01, 0.02, 0.0)]
     """
     state, frame, moved = ModalState(), _Frame(), False
+    parameters = Parameters(state.shown_position)
     for number, line in frame.blocks(lines):
         try:
-            block = read_block(line)
+            block = read_block(line, parameters)
             moves = execute(block, state, number)
         except BlockError as fault:
             raise ProgramError(fault.message, file=name, line=number, column=fault.column) from None

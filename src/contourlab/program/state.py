@@ -46,6 +46,12 @@ class ModalState:
         """Convert a length in program units to metres; division keeps decimals exact to the last bit."""
         return value / 1000.0 if self.millimetres else value * 0.0254
 
+    def shown_position(self) -> Point:
+        """Return the programmed point in the units in force, as #5420 to #5422 have it."""
+        scale = 1000.0 if self.millimetres else 1.0 / 0.0254
+        x, y, z = self.position
+        return (x * scale, y * scale, z * scale)
+
     def target(self, words: dict[str, Word]) -> Point:
         """Return the end point [m] that the axis words of a block ask for."""
         point = list(self.position)

@@ -1,0 +1,141 @@
+"""Values in a part program: closed forms, order of operations, and what is refused with its column."""
+
+from __future__ import annotations
+
+import pytest
+
+from contourlab.errors import ProgramError
+from contourlab.program import Program, parse_program
+from contourlab.program.fault import BlockError
+from contourlab.program.lexer import read_words
+from contourlab.program.parameters import Parameters
+
+
+def of(text: str, parameters: Parameters | None = None) -> float:
+    words = read_words(f"X{text}", parameters)
+    assert len(words) == 1
+    return words[0].value
+
+
+@pytest.mark.parametrize(
+    ("text", "expected"),
+    [
+        ("[1 + 2 * 3]", 7.0),
+        ("[8 - 3 - 2]", 3.0),
+        ("[2 ** 3 ** 2]", 64.0),
+        ("[-2 ** 2]", 4.0),
+        ("[10 / 4 * 2]", 5.0),
+        ("[7 MOD 3]", 1.0),
+        ("[-7 mod 3]", 2.0),
+        ("[-5 MOD -3]", 1.0),
+        ("[1 EQ 1.00009]", 1.0),
+        ("[1 EQ 1.0002]", 0.0),
+        ("[1 GE 1.00005]", 0.0),
+        ("[1 LT 2 LT 3]", 1.0),
+        ("[1 AND 0 OR 1]", 1.0),
+        ("[1 OR 1 AND 0]", 0.0),
+        ("[2 XOR 3]", 0.0),
+        ("[1 + 1 EQ 2 AND 3 GT 2]", 1.0),
+        ("ROUND[-2.5]", -3.0),
+        ("ROUND[2.5]", 3.0),
+        ("FIX[-2.5]", -3.0),
+        ("FUP[-2.5]", -2.0),
+        ("-ABS[-3]", -3.0),
+        ("--3", 3.0),
+        ("- [1 + 1]", -2.0),
+        ("SQRT[2 . 2 5]", 1.5),
+        ("[((no comment", None),
+    ],
+)
+def test_values(text: str, expected: float | None) -> None:
+    if expected is None:
+        with pytest.raises(BlockError):
+            of(text)
+    else:
+        assert of(text) == expected
+
+
+@pytest.mark.parametrize(
+    ("text", "expected"),
+    [
+        ("SIN[30]", 0.5),
+        ("COS[60]", 0.5),
+        ("TAN[45]", 1.0),
+        ("ASIN[1]", 90.0),
+        ("ACOS[0]", 90.0),
+        ("ATAN[1]/[-1]", 135.0),
+        ("LN[EXP[2]]", 2.0),
+    ],
+)
+def test_functions_are_in_degrees(text: str, expected: float) -> None:
+    assert of(text) == pytest.approx(expected, rel=1e-14)
+
+
+def test_a_line_sees_parameters_as_they_were_before_it() -> None:
+    parameters = Parameters()
+    assert of("#1", parameters) == 0.0
+    assert read_words("#1 = 5 #2 = [#1 + 1] #<Deep> = 3", parameters) == []
+    assert (of("#1", parameters), of("#2", parameters), of("#<DEEP>", parameters)) == (5.0, 1.0, 3.0)
+    assert [w.value for w in read_words("X#1 #1 = 9 Y#1", parameters)] == [5.0, 5.0]
+    assert of("##[2 - 1]", parameters) == 0.0 and of("#1", parameters) == 9.0
+    assert of("EXISTS[#<deep>]", parameters) == 1.0 and of("EXISTS[#<flat>]", parameters) == 0.0
+
+
+def test_comments_and_blanks_inside() -> None:
+    words = read_words("G 1 X [ 1 (one) + 2 ] (#3 = 4) F #1 ; [")
+    assert [(w.letter, w.value, w.column) for w in words] == [("G", 1.0, 1), ("X", 3.0, 5), ("F", 0.0, 32)]
+
+
+@pytest.mark.parametrize(
+    ("line", "column", "message"),
+    [
+        ("X[1/0]", 4, r"1 / 0 has no value"),
+        ("X[5 MOD 0]", 5, "5 MOD 0 has no value"),
+        ("X[-8 ** 0.5]", 6, r"-8 \*\* 0\.5 has no value"),
+        ("X[10 ** 400]", 6, "has no value"),
+        ("XSQRT[-1]", 2, r"SQRT\[-1\] has no value"),
+        ("XLN[0]", 2, "has no value"),
+        ("XASIN[1.5]", 2, "has no value"),
+        ("XATAN[1]", 8, "'/' is missing between the two values of ATAN"),
+        ("XFOO[1]", 2, "'F' begins no function"),
+        ("X-SIN+[30]#1=1", 6, r"SIN has no value: write it in brackets"),
+        ("X[1 + ]", 7, "a number is missing: ']' stands here"),
+        ("X[1 2 3", 7, "an operation or ']' is missing before the end of the line"),
+        ("X[]", 3, "a number is missing"),
+        ("X#<deep>", 2, "#<deep> has no value yet"),
+        ("X#<deep", 3, "has no end"),
+        ("X#0", 2, "there is no parameter #0"),
+        ("X#5602", 2, "there is no parameter #5602"),
+        ("X#1.5", 3, r"#1\.5: the number of a parameter is whole"),
+        ("#5 3", 4, "'=' is missing behind the parameter"),
+        ("#5 =", 4, "a number is missing: the line ends here"),
+        ("#5221 = 3", 2, "one of the interpreter's own"),
+        ("G1 X[1] = 2", 9, "'=' has no parameter before it"),
+        ("X1 ]#1=2", 4, "']' closes no expression"),
+        ("N[1] X1", 1, "a line number is written in digits"),
+        ("X[1e3]", 4, "an operation or ']' is missing before 'e'"),
+        ("X" + "[" * 60 + "1" + "]" * 60, 53, "nested more than 50 deep"),
+        ("X[2 ** 40]", 1, "no sensible number"),
+        ("O[1] sub", 1, "O-words"),
+    ],
+)
+def test_refusals_name_the_place(line: str, column: int, message: str) -> None:
+    with pytest.raises(BlockError, match=message) as caught:
+        read_words(line)
+    assert caught.value.column == column
+
+
+def test_a_program_with_parameters() -> None:
+    program = parse_program("G21 G91 F600\n#<step> = 2.5\n#1 = [#<step> * 4]\nG1 X#1 Y-[#1 / 2]\nG1 X[#5420 - 5]\nM2")
+    assert isinstance(program, Program)
+    assert [move.end for move in program.moves] == [(0.01, -0.005, 0.0), (0.015, -0.005, 0.0)]  # type: ignore[union-attr]
+
+
+def test_the_position_is_in_the_units_in_force() -> None:
+    program = parse_program("G20 F60\nG1 X2\nG1 Y#5420\nM2")
+    assert program.moves[-1].end == pytest.approx((0.0508, 0.0508, 0.0))  # type: ignore[union-attr]
+
+
+def test_faults_come_with_line_and_column() -> None:
+    with pytest.raises(ProgramError, match=r"part\.ngc:2:7: 1 / 0 has no value"):
+        parse_program("G21\nG1 X[1/0] F1\nM2", "part.ngc")
