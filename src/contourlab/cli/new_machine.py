@@ -19,6 +19,7 @@ from contourlab.result import write_text_atomic
 from contourlab.scenario.dump import quantity
 from contourlab.scenario.quantities import read_number
 from contourlab.scenario.toml_text import Noted, toml
+from contourlab.units import from_si
 
 __all__ = ["Question", "build_machine", "explain", "questions", "write_machine"]
 
@@ -209,7 +210,7 @@ def _axis_tables(axis: SizedAxis) -> dict[str, Any]:
         "plant": {
             "kind": "ball-screw",
             "mass": Noted(quantity(axis.moved_mass, "kg"), "as given"),
-            "inertia": Noted(quantity(axis.inertia, "kg*m^2", "kg*cm^2"), "rotor, coupling and screw, as given"),
+            "inertia": Noted(f"{from_si(axis.inertia, 'kg*cm^2'):.10g} kg*cm^2", "rotor, coupling and screw, as given"),
             "lead": Noted(quantity(axis.lead, "m", "mm"), "as given"),
             "torque_constant": Noted(quantity(axis.torque_constant, "N*m/A"), "as given"),
             "efficiency": Noted(sizing.EFFICIENCY, "typical of a ball screw"),

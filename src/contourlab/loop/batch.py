@@ -22,7 +22,7 @@ from contourlab.loop.machine import Controller, Machine, parameter_names
 from contourlab.loop.simulate import BLOCK, jit_enabled, sampler
 from contourlab.loop.template import Loop, build
 from contourlab.loop.watch import NAME
-from contourlab.metrics.streaming import SUMS, judge_step
+from contourlab.metrics.streaming import SUMS, corner_parts, judge_step
 
 __all__ = ["LANES", "BatchResult", "simulate_batch"]
 
@@ -181,9 +181,11 @@ def _judge_node(machine: Machine, reference: Reference, view: PathView, window: 
         "arc_length": "in.arc_length",
     }
     reach = min(0.25 * reference.path.length, 4.0 * max(axis.limits.following_error for axis in machine.axes))
-    parameters = {"window": reach, "first": float(start), "last": float(stop - 1), **view.parameters}
+    corner_numbers, corner_tables = corner_parts(reference.path)
+    parameters = {"window": reach, "first": float(start), "last": float(stop - 1), **view.parameters, **corner_numbers}
     foot = float(reference.block(0, 1).arc_length[0])
-    return Node("judge", judge_step(view, n), wires, parameters, view.tables, {"foot": foot})
+    step = judge_step(view, n, bool(corner_numbers))
+    return Node("judge", step, wires, parameters, {**view.tables, **corner_tables}, {"foot": foot})
 
 
 def _signal(loop: Loop, name: str) -> tuple[str, ...]:

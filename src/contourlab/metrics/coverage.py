@@ -10,7 +10,7 @@ from contourlab.result import Result
 __all__ = ["left_out"]
 
 
-def left_out(result: Result, reference: Reference, window: tuple[int, int]) -> float:
+def left_out(result: Result, reference: Reference, window: tuple[int, int]) -> tuple[float, float]:
     """Return the longest piece [m] of the programmed path, as far as it was asked for, on which no foot point of the tool lies.
 
     Parameters
@@ -20,6 +20,11 @@ def left_out(result: Result, reference: Reference, window: tuple[int, int]) -> f
     reference : Reference
     window : (int, int)
         Samples [start, stop) that count. On a whole lap what lies before its start counts for the end of the lap.
+
+    Returns
+    -------
+    longest, at_end : float [m]
+        The longest piece of all, and the one at the end of the motion; the latter is 0 on a whole lap.
 
     Notes
     -----
@@ -32,7 +37,7 @@ def left_out(result: Result, reference: Reference, window: tuple[int, int]) -> f
     asked = result["arc_length"][cut] * (path.length / reference.path.length)
     if path.closed and np.ptp(asked) > (1.0 - 2.0 / len(asked)) * path.length:
         foot = np.sort(np.mod(foot, path.length))
-        return float(max(np.diff(foot).max(initial=0.0), foot[0] + path.length - foot[-1]))
+        return float(max(np.diff(foot).max(initial=0.0), foot[0] + path.length - foot[-1])), 0.0
     low, high = asked.min(), asked.max()
     seen = np.concatenate([[low], np.sort(np.clip(foot, low, high)), [high]])
-    return float(np.diff(seen).max())
+    return float(np.diff(seen).max()), float(high - seen[-2])

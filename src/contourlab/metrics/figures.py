@@ -164,7 +164,7 @@ def summarise(result: Result, reference: Reference, window: tuple[int, int] | No
         error("planning_deviation"),
         axes,
         held,
-        left_out(result, reference, chosen),
+        left_out(result, reference, chosen)[0],
         mean,
         ripple,
         cycle,

@@ -9,11 +9,15 @@ from __future__ import annotations
 from functools import cache
 from typing import Any
 
-from contourlab.engine.step import Port, Step
-from contourlab.geometry.view import PathView
-from contourlab.primitives import clip, dot, fabs, maximum, select, sqrt, sub
+import numpy as np
+from numpy.typing import NDArray
 
-__all__ = ["SUMS", "judge_step"]
+from contourlab.engine.step import Port, Step
+from contourlab.geometry import Path
+from contourlab.geometry.view import PathView
+from contourlab.primitives import clip, copysign, dot, fabs, floor, lookup, maximum, select, sqrt, sub
+
+__all__ = ["SUMS", "corner_parts", "judge_step"]
 
 SUMS = (
     "count",
@@ -28,31 +32,54 @@ SUMS = (
 )
 """States of the judge behind the foot point, in order."""
 
+CORNER_PARAMETERS = ("corner_scale", "corner_last", "corner_lap", "corner_rate")
+MOST_CELLS = 1 << 16
 _ITERATIONS = 3
 
 
-def judge_step(view: PathView, n_axis: int) -> Step:
+def corner_parts(path: Path) -> tuple[dict[str, float], dict[str, NDArray[np.float64]]]:
+    """Return parameters and tables that tell the judge the corner nearest to any place, the ends of an open path among them.
+
+    Nothing where there is none. The path is cut into cells of one length; with corners closer together than a cell the one nearest to its
+    middle stands for all.
+    """
+    corners = np.unique(path.corners) if path.closed else np.unique(np.concatenate([[0.0], path.corners, [path.length]]))
+    if not corners.size:
+        return {}, {}
+    if path.closed:
+        corners = np.concatenate([corners[-1:] - path.length, corners, corners[:1] + path.length])
+    cells = int(np.clip(np.ceil(4.0 * path.length / np.diff(corners).min(initial=path.length)), 1, MOST_CELLS))
+    middle = (np.arange(cells) + 0.5) * (path.length / cells)
+    right = np.clip(np.searchsorted(corners, middle), 1, len(corners) - 1)
+    near = np.where(middle - corners[right - 1] <= corners[right] - middle, corners[right - 1], corners[right])
+    lap = path.length if path.closed else 0.0
+    parameters = {"corner_scale": cells / path.length, "corner_last": cells - 1.0, "corner_lap": lap, "corner_rate": 1.0 / path.length}
+    return parameters, {"corner_near": near}
+
+
+def judge_step(view: PathView, n_axis: int, corners: bool = False) -> Step:
     """Return the judge's step on a path.
 
     Parameters of the node: ``window`` [m] around the reference in which the foot point is sought, ``first`` and ``last``, the ticks
-    (inclusive) that count, and those of the view.
+    (inclusive) that count, those of the view, and with `corners` those of `corner_parts`.
 
     Notes
     -----
     Three Newton steps from the foot point of the tick before, and three from the reference's place; the nearer one counts. The distance is
-    projected on the normal, so it is exact to the square of what is left of the foot error. Ticks at which the last Newton step was still
+    projected on the normal, so it is exact to the square of what is left of the foot error. Where a corner, or an end, is nearer than that
+    place, it is the foot point. Ticks at which the last Newton step was still
     longer than 1e-9 of the window, or the foot point lies at the window's end, are counted as ``unsure``; a caller judges such a variant
     again, exactly. The steps are those of the controller's Newton estimator, with more of them: what is independent of it is the exact foot
     point that tests hold this one against, on tables and arcs.
     """
-    parameters = ("window", "first", "last", *view.parameters)
+    parameters = ("window", "first", "last", *view.parameters, *(CORNER_PARAMETERS if corners else ()))
     states = (Port("foot"), *(Port(name) for name in SUMS))
     inputs = (Port("position", n_axis), Port("reference", n_axis), Port("arc_length"))
     return Step(
         "judge",
-        _make(view.evaluate, n_axis),
+        _make(view.evaluate, n_axis, corners),
         parameters,
-        tuple(view.tables),
+        (*view.tables, *(("corner_near",) if corners else ())),
         "",
         states,
         inputs,
@@ -61,8 +88,12 @@ def judge_step(view: PathView, n_axis: int) -> Step:
 
 
 @cache
-def _make(evaluate: Any, n_axis: int) -> Any:
+def _make(evaluate: Any, n_axis: int, corners: bool) -> Any:
     planar = n_axis == 2
+
+    def corner(par: Any, s: float) -> float:
+        start = par.corner_lap * floor(s * par.corner_rate)
+        return start + lookup(par.corner_near, clip(floor((s - start) * par.corner_scale), 0.0, par.corner_last))  # type: ignore[no-any-return]
 
     def improve(par: Any, s: float, position: Any, centre: float) -> float:
         q, q1, q2 = evaluate(par, s)
@@ -98,6 +129,12 @@ def _make(evaluate: Any, n_axis: int) -> Any:
         else:
             along = dot(q1, gap)
             signed = sqrt(maximum(dot(gap, gap) - along * along / square, 0.0))
+        if corners:
+            edge = corner(par, s)
+            beside = square_distance(par, edge, position)
+            at_edge = beside <= dot(gap, gap)
+            signed = select(at_edge, copysign(sqrt(beside), signed) if planar else sqrt(beside), signed)
+            s, moved = select(at_edge, edge, s), select(at_edge, 0.0, moved)
         counts = select(clock.k >= par.first, select(clock.k <= par.last, 1.0, 0.0), 0.0)
         magnitude = counts * fabs(signed)
         behind = sub(inp.reference, position)

@@ -201,9 +201,7 @@ def verdict_lines(outcomes: Sequence[Outcome]) -> list[str]:
             f"{found.tolerance * 1e6:.3g} um, at {where}, t = {worst.time:.3f} s"
         )
         if found.left_out:
-            lines.append(
-                f"    the tool never came to a piece of the path {found.left_out * 1e3:.3g} mm long: see where its drives saturate"
-            )
+            lines.append(f"    the tool never came to a piece of the path {found.left_out * 1e3:.3g} mm long")
         if found.causes:
             main = [f"{c.name} {c.contribution * 1e6:+.3g} um" for c in found.causes if c.share >= 0.02]
             lines.append(f"    causes there: {', '.join(main)}; {found.advice}")

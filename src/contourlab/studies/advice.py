@@ -59,7 +59,8 @@ def advice(
     if slower is not None:
         attempt("taking the feed down by a fifth", controller, slower(0.8))
     best = min(trials, default=None)
-    if best is None or best[0] >= worst:
+    # Less than a hundredth is no help.
+    if best is None or best[0] > 0.99 * worst:
         return "no single change that was tried makes it smaller"
     return f"{best[1]} brings the largest error from {worst * 1e6:.3g} um to {best[0] * 1e6:.3g} um"
 

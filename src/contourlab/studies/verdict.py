@@ -38,7 +38,7 @@ class Verdict:
     ----------
     passed : bool
         Whether the largest part error is within the tolerance, and the tool came along the whole path: the longest piece left out is within
-        ten tolerances, or three of the reference's steps where these are longer.
+        ten tolerances, the one at the end within two; or within three of the reference's steps where these are longer.
     tolerance : float [m]
     worst : Worst
     causes : tuple of Cause
@@ -105,9 +105,12 @@ def verdict(
 
 
 def _missed(judged: Result, reference: Reference, window: slice, tolerance: float) -> float:
-    longest = left_out(judged, reference, (window.start, window.stop))
-    step = float(np.abs(np.diff(judged["arc_length"][window])).max(initial=0.0))
-    return longest if longest > max(10.0 * tolerance, 3.0 * step) else 0.0
+    longest, at_end = left_out(judged, reference, (window.start, window.stop))
+    step = 3.0 * float(np.abs(np.diff(judged["arc_length"][window])).max(initial=0.0))
+    # A tool within the tolerance may cut off several times as much at a sharp corner, but not at the end.
+    if longest > max(10.0 * tolerance, step):
+        return longest
+    return at_end if at_end > max(2.0 * tolerance, step) else 0.0
 
 
 def _place(judged: Result, reference: Reference, sample: int, lines: tuple[str, ...]) -> Worst:

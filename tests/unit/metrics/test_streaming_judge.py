@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 import math
 from typing import Any
 
@@ -15,7 +16,7 @@ from contourlab.engine.step import Port
 from contourlab.geometry import Arc, Line, Path, contour
 from contourlab.geometry.view import view_of
 from contourlab.metrics import judge
-from contourlab.metrics.streaming import SUMS, judge_step
+from contourlab.metrics.streaming import SUMS, corner_parts, judge_step
 
 WINDOW = 2e-2
 TABLE = 1e-11
@@ -27,9 +28,11 @@ def streamed(path: Path, along: Array, tool: Array, counted: tuple[int, int] | N
     view = view_of(path, tolerance=TABLE, analytic=analytic)
     n = path.n_axis
     first, stop = counted or (0, len(along))
-    parameters = {"window": WINDOW, "first": float(first), "last": float(stop - 1), **view.parameters}
+    corner_numbers, corner_tables = corner_parts(path)
+    parameters = {"window": WINDOW, "first": float(first), "last": float(stop - 1), **view.parameters, **corner_numbers}
+    step = judge_step(view, n, bool(corner_numbers))
     wires = {"position": "in.position", "reference": "in.reference", "arc_length": "in.arc_length"}
-    node = Node("judge", judge_step(view, n), wires, parameters, view.tables, {"foot": float(along[0])})
+    node = Node("judge", step, wires, parameters, {**view.tables, **corner_tables}, {"foot": float(along[0])})
     ports = (Port("position", n), Port("reference", n), Port("arc_length"))
     group = make_group(Schedule((node,), ports, PERIOD, 1), 1, slice(0, 1), False)
     row, error, doubts = group.schedule.row("judge.contour_error"), [], []
@@ -125,3 +128,34 @@ def test_at_rest_nothing_happens() -> None:
     sums, error, _ = streamed(path, along, path.position(along))
     assert not error.any()
     assert sums["unsure"] == 0.0
+
+
+def square_or_zigzag(closed: bool) -> Path:
+    points = [(0.0, 0.0), (0.03, 0.0), (0.03, 0.02), (0.055, 0.045), (0.0, 0.045)] + ([(0.0, 0.0)] if closed else [])
+    return Path([Line(a, b) for a, b in itertools.pairwise(points)], closed=closed)
+
+
+@pytest.mark.parametrize("closed", [True, False])
+@pytest.mark.parametrize("size", [2e-5, 5e-4])
+def test_corners_from_inside_and_outside(closed: bool, size: float) -> None:
+    """A tool that lags and wobbles around corners: outside of one the corner itself is the foot point, and nothing is in doubt."""
+    path = square_or_zigzag(closed)
+    # On a closed path a run that begins at the closing corner itself has nothing yet to come from.
+    along = np.linspace(0.1 * path.length if closed else 0.0, (1.7 if closed else 1.0) * path.length, 1500)
+    tool = path.position(np.maximum(along - 3.0 * size, 0.0)) + wobble(1500, size)
+    exact = judge(made_run(samples_on(path, along), tool), samples_on(path, along))["contour_error"]
+    sums, error, _ = streamed(path, along, tool)
+    assert np.abs(np.abs(error) - np.abs(exact)).max() < 2.0 * TABLE
+    assert np.count_nonzero(np.sign(error) != np.sign(exact)) <= 0.01 * len(exact)  # straight behind a corner either side will do
+    assert sums["unsure"] == 0.0
+
+
+@pytest.mark.parametrize("beyond", [1e-6, 3e-4])
+def test_a_tool_that_runs_past_the_end_is_off(beyond: float) -> None:
+    path = Path([Line((0.0, 0.0), (0.04, 0.0)), Line((0.04, 0.0), (0.04, 0.03))])
+    along = np.concatenate([np.linspace(0.0, path.length, 300), np.full(20, path.length)])
+    tool = path.position(along)
+    tool[-10:] += (0.0, beyond)
+    _, error, _ = streamed(path, along, tool)
+    assert np.abs(error[:-10]).max() < TABLE
+    np.testing.assert_allclose(np.abs(error[-10:]), beyond, rtol=0, atol=TABLE)
