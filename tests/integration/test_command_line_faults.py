@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from typed_commands import CIRCLE, ON_XYZ, PART, SCHEMES, Run, contents
+from typed_commands import CIRCLE, ON_XYZ, PART, Run, contents
 
 RUBBISH = bytes(range(128, 256)) * 8
 
@@ -197,7 +197,7 @@ controller.axes.3.controller.position_gain = "4000 full_scale/mm"
 
 @pytest.mark.parametrize("words", [[], pytest.param(["--json"], marks=pytest.mark.slow)])
 def test_a_loop_that_runs_away_is_3_and_leaves_the_old_results(contourlab: Run, tmp_path: Path, words: list[str]) -> None:
-    (tmp_path / "wild.toml").write_text(CIRCLE + SCHEMES + WILD, encoding="utf-8")
+    (tmp_path / "wild.toml").write_text(CIRCLE + WILD, encoding="utf-8")
     old = tmp_path / "results" / "summary.json"
     old.parent.mkdir()
     old.write_text("an older run", encoding="utf-8")

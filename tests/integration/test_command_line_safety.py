@@ -79,6 +79,20 @@ def test_older_results_are_replaced_whole_and_other_files_are_left_alone(contour
     assert set(contents(used)) == {"report.html", "summary.json", "signals/base.nc", "notes.txt"}
 
 
+def test_a_scheme_that_runs_away_takes_nothing_from_the_others(contourlab: Run, tmp_path: Path) -> None:
+    wild = '[schemes.wild]\naxes.3.drive.limit = "1e6 full_scale"\ncontroller.axes.3.controller.position_gain = "4000 full_scale/mm"\n'
+    (tmp_path / "circle.toml").write_text(CIRCLE + wild + "[schemes.tame]\n", encoding="utf-8")
+    said = contourlab("run", "circle.toml", "--out", "results")
+    assert said.code == 3
+    assert re.fullmatch(r"contourlab: wild: .*\(axis \S+, sample \d+, t = \S+ s\)\n", said.err)
+    assert "tame: PASS" in said.out
+    summary = json.loads((tmp_path / "results" / "summary.json").read_text(encoding="utf-8"))
+    assert summary["passed"] is False
+    assert summary["schemes"]["wild"].keys() == {"status"} and summary["schemes"]["wild"]["status"]["ok"] is False
+    assert summary["schemes"]["tame"]["verdict"]["passed"] is True
+    assert {name for name in contents(tmp_path / "results") if name.startswith("signals/")} == {"signals/tame.nc"}
+
+
 def test_a_failed_run_leaves_no_empty_folder(contourlab: Run, tmp_path: Path) -> None:
     wild = '\n[schemes.wild]\naxes.3.drive.limit = "1e6 full_scale"\ncontroller.axes.3.controller.position_gain = "4000 full_scale/mm"\n'
     (tmp_path / "wild.toml").write_text(CIRCLE + wild, encoding="utf-8")

@@ -115,6 +115,8 @@ def simulate_batch(
     The judge sees the axes' true positions; the machine's error map (lead error, squareness) is not in it.
     """
     columns, n = _checked(machine, controller, variants)
+    if window is not None and not 0 <= window[0] < window[1] <= reference.n_sample:
+        raise ParameterError("window", f"{window}", f"(first, last + 1) within the samples 0 to {reference.n_sample}")
     view = view or view_of(reference.path)
     compiled = jit_enabled() if jit is None else jit
     fill = sampler(compiled)
@@ -167,8 +169,8 @@ def _checked(machine: Machine, controller: Controller, variants: Mapping[str, Ar
         for value in (columns[name].min(), columns[name].max()) if columns[name].size else ():
             part.parameters[parameter].check(float(value))
     lengths = {len(values) for values in columns.values()}
-    if len(lengths) != 1:
-        raise ParameterError("variants", f"arrays of lengths {sorted(lengths)}", "given, and all of one length")
+    if len(lengths) != 1 or 0 in lengths:
+        raise ParameterError("variants", f"arrays of lengths {sorted(lengths)}", "given, and all of one length of 1 or more")
     return columns, lengths.pop()
 
 

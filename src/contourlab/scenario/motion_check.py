@@ -51,17 +51,24 @@ def _blocks(reference: Reference, stop: int) -> Iterator[ReferenceBlock]:
 
 
 def _check_travel(reference: Reference, machine: Machine, fault: Fault) -> None:
+    """Refuse the first sample that leaves the travel of an axis, and say how far that axis is sent in all."""
+    first: tuple[str, int] | None = None
+    ends = [(np.inf, -np.inf)] * len(machine.axes)
     for block in _blocks(reference, reference.n_sample):
+        ends = [(min(low, p.min()), max(high, p.max())) for (low, high), p in zip(ends, block.position.T, strict=True)]
         for axis, position in zip(machine.axes, block.position.T, strict=True):
-            low, high = axis.limits.travel
-            away = np.maximum(position - high, low - position)
-            k = int(np.argmax(away))
-            if away[k] > 1e-9:
-                message = (
-                    f"axis {axis.name} is sent to {position[k] * 1e3:.6g} mm, its travel is {low * 1e3:g} to {high * 1e3:g} mm: "
-                    "move the part, or correct limits.travel"
-                )
-                raise fault(message, int(reference.source_line(block.arc_length[k : k + 1])[0]))
+            outside = np.maximum(position - axis.limits.travel[1], axis.limits.travel[0] - position) > 1e-9
+            if first is None and outside.any():
+                k = int(np.argmax(outside))
+                first = axis.name, int(reference.source_line(block.arc_length[k : k + 1])[0])
+    if first is not None:
+        name, line = first
+        (sent_low, sent_high), (low, high) = ends[machine.axis_names.index(name)], machine.axis(name).limits.travel
+        message = (
+            f"axis {name} is sent to {sent_low * 1e3:.6g} .. {sent_high * 1e3:.6g} mm, its travel is {low * 1e3:g} to {high * 1e3:g} mm: "
+            "move the part, or correct limits.travel"
+        )
+        raise fault(message, line)
 
 
 def _check_speeds(reference: Reference, machine: Machine, fault: Fault) -> None:

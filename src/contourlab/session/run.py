@@ -10,7 +10,7 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from contourlab.errors import ParameterError, ScenarioError
+from contourlab.errors import DivergenceError, ParameterError, ScenarioError
 from contourlab.result import write_text_atomic
 from contourlab.session.folder import staged
 from contourlab.session.summary import summary_of
@@ -24,11 +24,12 @@ __all__ = ["RunOutcome", "run_scenario", "run_session"]
 
 @dataclass(frozen=True)
 class RunOutcome:
-    """What a command prints: whether every verdict passed, the summary, and the table as text."""
+    """What a command prints: whether every verdict passed, the summary, and the table as text; and the first scheme that ran away."""
 
     passed: bool
     summary: dict[str, Any]
     table: str
+    runaway: DivergenceError | None = None
 
 
 def run_scenario(
@@ -112,25 +113,36 @@ def run_session(
 ) -> RunOutcome:
     """Run every scheme of a scenario; write signals, summary.json, report.html and plots into a folder.
 
+    A scheme that runs away is named in the summary and takes nothing from the others.
+
     Raises
     ------
     OutputError
         If the folder cannot be made or written to; found before anything is simulated.
+    DivergenceError
+        If every scheme runs away; nothing is written then.
     """
     _check_choices(plots, signals)
     cases: Sequence[Case] = scenario.cases()
     names = file_names([case.name for case in cases])
     with staged(out) as folder:
         outcomes: list[Outcome] = []
+        runaways: dict[str, DivergenceError] = {}
         for case in cases:
-            with _bar(progress, case.name) as told:
-                outcomes.append(run_case(case, progress=told))
+            try:
+                with _bar(progress, case.name) as told:
+                    outcomes.append(run_case(case, progress=told))
+            except DivergenceError as error:
+                runaways[case.name] = error
+        first = next(iter(runaways.values()), None)
+        if first is not None and not outcomes:
+            raise first
         for outcome in outcomes:
             _write_signals(outcome, folder / "signals" / f"{names[outcome.name]}.nc", signals or outcome.case.signals)
-        summary = summary_of(scenario.name, outcomes, command)
+        summary = summary_of(scenario.name, outcomes, command, runaways)
         write_text_atomic(folder / "summary.json", json.dumps(summary, indent=2, allow_nan=False) + "\n")
         table = _write_report(scenario, outcomes, folder, command, plots)
-    return RunOutcome(summary["passed"] is not False, summary, f"{table}\nreport: {Path(out) / 'report.html'}")
+    return RunOutcome(summary["passed"] is not False, summary, f"{table}\nreport: {Path(out) / 'report.html'}", first)
 
 
 def _check_choices(plots: Sequence[str], signals: Sequence[str]) -> None:
@@ -205,6 +217,11 @@ def verdict_lines(outcomes: Sequence[Outcome]) -> list[str]:
         if found.causes:
             main = [f"{c.name} {c.contribution * 1e6:+.3g} um" for c in found.causes if c.share >= 0.02]
             lines.append(f"    causes there: {', '.join(main)}; {found.advice}")
+        shaky = [axis for axis, bode in outcome.bode.items() if not bode.margins.stable]
+        if shaky:
+            lines.append(
+                f"    the servo loop of {', '.join(shaky)} is unstable by itself: friction or a short run may hide it; lower its gains"
+            )
         if found.untold:
             lines.append(f"    not told apart, as the loop runs away without it: {', '.join(found.untold)}")
     return lines

@@ -10,6 +10,7 @@ from typing import Any
 import numpy as np
 
 from contourlab import __version__
+from contourlab.errors import DivergenceError
 from contourlab.metrics.circles import pairs
 from contourlab.studies.compare import Outcome
 
@@ -18,7 +19,9 @@ __all__ = ["SCHEMA", "summary_of"]
 SCHEMA = "contourlab-summary/1"
 
 
-def summary_of(name: str, outcomes: Sequence[Outcome], command: str) -> dict[str, Any]:
+def summary_of(
+    name: str, outcomes: Sequence[Outcome], command: str, runaways: Mapping[str, DivergenceError] | None = None
+) -> dict[str, Any]:
     """Return the summary of a session: plain values, no number that JSON cannot hold.
 
     Parameters
@@ -28,15 +31,19 @@ def summary_of(name: str, outcomes: Sequence[Outcome], command: str) -> dict[str
     outcomes : sequence of Outcome
     command : str
         What was run.
+    runaways : mapping of str to DivergenceError, optional
+        Schemes that ran away: only their status is told, and the whole has not passed.
     """
+    lost = runaways or {}
     verdicts = [outcome.verdict for outcome in outcomes if outcome.verdict is not None]
     found: dict[str, Any] = {
         "schema": SCHEMA,
         "version": __version__,
         "name": name,
         "command": command,
-        "passed": all(v.passed for v in verdicts) if verdicts else None,
-        "schemes": {outcome.name: _scheme(outcome) for outcome in outcomes},
+        "passed": False if lost else all(v.passed for v in verdicts) if verdicts else None,
+        "schemes": {outcome.name: _scheme(outcome) for outcome in outcomes}
+        | {name: {"status": {"ok": False, "sample": e.sample, "axis": e.axis, "reason": str(e)}} for name, e in lost.items()},
     }
     clean: dict[str, Any] = _clean(found)
     return clean

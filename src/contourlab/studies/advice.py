@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from contextlib import suppress
 from dataclasses import replace
 
 import numpy as np
@@ -57,7 +58,8 @@ def advice(
     for words, trial in candidates(machine, controller):
         attempt(words, trial, reference)
     if slower is not None:
-        attempt("taking the feed down by a fifth", controller, slower(0.8))
+        with suppress(ContourlabError):  # laps at another frequency may not end on a sample
+            attempt("taking the feed down by a fifth", controller, slower(0.8))
     best = min(trials, default=None)
     # Less than a hundredth is no help.
     if best is None or best[0] > 0.99 * worst:

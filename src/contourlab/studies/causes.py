@@ -3,9 +3,10 @@
 The causes are worked out, not guessed. The same reference is run again with ever fewer imperfections, and the contribution of a cause is
 what the error at that place changes by, along the direction in which the tool was off, when its own is taken away:
 
-1. *geometry*: the machine's error map; 2. *quantisation*: ideal encoders; 3. *disturbance*: no load from outside; 4. *reversal*: no
-friction; 5. *saturation*: drives without limit; 6. *servo mismatch*: every axis a copy of one of them, averaged over the choice; 7. *lag*:
-a tool that is where it was asked to be, so that overshoot counts as lag too; 8. *planning*: what is left then, the planned path's own distance from the programmed one.
+1. *geometry*: the machine's error map; 2. *quantisation*: ideal encoders; 3. *saturation*: drives without limit; 4. *disturbance*: no
+load from outside; 5. *reversal*: no friction; 6. *servo mismatch*: every axis a copy of one of them, averaged over the choice; 7. *lag*: a
+tool that is where it was asked to be, so that overshoot counts as lag too; 8. *planning*: what is left then, the planned path's own
+distance from the programmed one.
 
 The contributions add up to the error itself. A loop that runs away once its friction is gone tells nothing: such a step is left out and
 named, and what it stands for stays in the next one. The order matters where effects interact, and is therefore fixed.
@@ -31,9 +32,9 @@ Array = NDArray[np.float64]
 _STEPS: tuple[tuple[str, Callable[[Machine], Machine]], ...] = (
     ("geometry", idealise.perfect_geometry),
     ("quantisation", idealise.perfect_sensing),
+    ("saturation", idealise.unlimited),
     ("disturbance", idealise.undisturbed),
     ("reversal", idealise.without_friction),
-    ("saturation", idealise.unlimited),
 )
 
 

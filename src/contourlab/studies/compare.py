@@ -103,7 +103,6 @@ def run_case(case: Case, *, explain: bool = True, progress: Callable[[int, int],
     found = None
     if case.tolerance is not None:
         failed = figures.part_error.max > case.tolerance
-        slower = None if reference.laps else case.reference
         found = verdict(
             case.machine,
             case.controller,
@@ -111,7 +110,7 @@ def run_case(case: Case, *, explain: bool = True, progress: Callable[[int, int],
             judged,
             case.tolerance,
             lines=case.lines,
-            slower=slower,
+            slower=case.reference,
             explain=explain and failed,
             seed=case.seed,
         )

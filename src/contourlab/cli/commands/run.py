@@ -45,4 +45,6 @@ def run(
         emit_json(outcome.summary)
     else:
         say(outcome.table)
+    if outcome.runaway is not None:
+        raise outcome.runaway
     return 0 if outcome.passed else 1
