@@ -35,6 +35,7 @@ PATHLESS = re.compile(
     r"|G4[12]\s*D\s*[0-9]+",
     re.IGNORECASE | re.MULTILINE,
 )
+TOOLS = re.compile(r"^T[0-9]+[ \t]*$|(?<= )T[0-9]+(?=[ \n])|\bM0?6\b", re.MULTILINE)
 # Programs that use no other unsupported words; the rest need parameters, O-words, cycles, splines or polar words.
 PLAIN = {
     "CAMotics__examples_compass_text.ngc",
@@ -54,9 +55,14 @@ PLAIN = {
 }
 # As they are, without anything taken out.
 SUPPORTED = {
+    "CAMotics__examples_heart_heart.ngc",
     "cncjs__examples_gcode_arc-xz-plane.gcode",
+    "cncjs__examples_gcode_circle-inch.gcode",
+    "cncjs__examples_gcode_circle.gcode",
+    "grbl__test_gcode_8x_gear_test.nc",
     "grbl__test_gcode_HSM_test.nc",
     "linuxcnc__nc_files_3dtest.ngc",
+    "linuxcnc__nc_files_tort.ngc",
 }
 
 
@@ -134,7 +140,8 @@ def sweep_of(move: dict[str, Any], first: int, second: int) -> float:
 def compare(oracle: ModuleType, text: str, folder: Path) -> int:
     """Compare move by move, up to the line that both refuse; return how many moves there were."""
     file = folder / "program.ngc"
-    file.write_text(text, encoding="latin-1")
+    # Without a tool table the interpreter refuses tools, which have no length here.
+    file.write_text(TOOLS.sub(" ", text), encoding="latin-1")
     theirs, refused = their_moves(oracle, file)
     ours, error = our_moves(text)
     assert (error is not None) == refused, error
@@ -170,8 +177,8 @@ def test_unsupported_words_are_refused_where_they_stand(file: Path) -> None:
     elif error.message.startswith("the radius is"):
         assert there[0] in "IJK"
     else:
-        named = {"O-words": "O", "parameters": "#", "expressions": "[", "polar": "@^"}
-        assert there[0] in named[error.message.split()[0]]
+        named = {"O-words": "O", "polar": "@^", "%": "%", "neither": "GXYZ"}
+        assert there[0] in named[next(word for word in error.message.split() if word in named)]
 
 
 NUMBERS = ["0", "0.001", "1", "-1", "2.5", "-2.5", "5", "10", "-10", "3.1416", "-7.25"]

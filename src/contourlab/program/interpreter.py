@@ -1,7 +1,7 @@
 """Executes blocks: what a line does to the modal state, and the moves that it makes.
 
-Within a block RS274/NGC fixes the order, whatever the order of the words: feed mode, feedrate, dwell, plane, units,
-distance modes, motion, end of program. So F is read in the units that were in force before a G20 or G21 on its line,
+Within a block RS274/NGC fixes the order, whatever the order of the words: feed mode, feedrate, spindle, tool, coolant, overrides, dwell,
+plane, units, distance modes, motion, pause or end of program. So F is read in the units that were in force before a G20 or G21 on its line,
 while X, Y and Z are read in the new ones; and G94 clears an earlier feedrate, but not the F on its own line.
 """
 
@@ -11,8 +11,9 @@ import math
 
 from contourlab.program.arcs import make_arc
 from contourlab.program.block import Block
+from contourlab.program.events import OVERRIDES_WITH_P, events_before_motion, pause
 from contourlab.program.fault import BlockError
-from contourlab.program.moves import Dwell, Feed, Move, Traverse
+from contourlab.program.moves import Dwell, Event, Feed, Move, Traverse
 from contourlab.program.state import SETTERS, ModalState
 
 __all__ = ["SHORTEST_MOVE", "execute"]
@@ -28,7 +29,7 @@ _ARCS = (20, 30)
 _ARC_LETTERS = frozenset("IJKRP")
 
 
-def execute(block: Block, state: ModalState, line: int) -> list[Move]:
+def execute(block: Block, state: ModalState, line: int, events: list[Event]) -> list[Move]:
     """Execute one block.
 
     Parameters
@@ -38,6 +39,8 @@ def execute(block: Block, state: ModalState, line: int) -> list[Move]:
         Changed in place.
     line : int
         Source line of the block, for its moves.
+    events : list of Event
+        What the block asks for besides motion is added to it.
 
     Returns
     -------
@@ -55,6 +58,7 @@ def execute(block: Block, state: ModalState, line: int) -> list[Move]:
         state.feedrate = 0.0
     if "F" in words:
         _set_feedrate(block, state)
+    events += events_before_motion(block, line)
     if "dwell" in codes:
         moves += _dwell(block, line)
     if codes:
@@ -63,9 +67,12 @@ def execute(block: Block, state: ModalState, line: int) -> list[Move]:
                 setter(state, codes[group].number)
     if "motion" in codes:
         state.motion = codes["motion"].number
+    elif "cycle_end" in codes:
+        state.motion = None
     _check_letters(block, state)
     if _moves(block, state):
         moves += _motion(block, state, line)
+    events += pause(block, line)
     return moves
 
 
@@ -105,7 +112,10 @@ def _check_letters(block: Block, state: ModalState) -> None:
     for letter, word in block.words.items():
         if letter not in _ARC_LETTERS:
             continue
-        if letter == "P" and "dwell" in block.codes:
+        if letter == "P" and "overrides" in block.codes and block.codes["overrides"].number in OVERRIDES_WITH_P:
+            if motion or "dwell" in block.codes:
+                raise BlockError("two codes of one block would share P: write each on a line of its own", word.column)
+        elif letter == "P" and "dwell" in block.codes:
             if motion:
                 raise BlockError("G4 and an arc in one block would share P: write G4 on a line of its own", word.column)
         elif not motion:

@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 from functools import cached_property
 from typing import Literal, TypeAlias
 
-__all__ = ["FULL_CIRCLE_BELOW", "PLANE_AXES", "Arc", "Dwell", "Feed", "Move", "Plane", "Point", "Program", "Traverse"]
+__all__ = ["FULL_CIRCLE_BELOW", "PLANE_AXES", "Arc", "Dwell", "Event", "Feed", "Move", "Plane", "Point", "Program", "Traverse"]
 
 Point: TypeAlias = tuple[float, float, float]
 Plane: TypeAlias = Literal["XY", "YZ", "ZX"]
@@ -134,6 +134,24 @@ class Dwell:
 Move: TypeAlias = Traverse | Feed | Arc | Dwell
 
 
+@dataclass(frozen=True, slots=True)
+class Event:
+    """What a program asks for besides motion: spindle, tool, coolant, overrides, pauses.
+
+    Parameters
+    ----------
+    word : str
+        ``"S"``, ``"T"``, or an M-code such as ``"M3"``.
+    value : float or None
+        Number of S (turns per minute) and T, the P of M50 to M53; None where there is none.
+    source_line : int, >= 1
+    """
+
+    word: str
+    value: float | None
+    source_line: int
+
+
 @dataclass(frozen=True)
 class Program:
     """A part program that has been read: at least one move other than a dwell, in the order of execution.
@@ -146,11 +164,14 @@ class Program:
         Each starts where the one before it ended; the first starts at machine zero (0, 0, 0).
     lines : tuple of str
         The source text; a move came from ``lines[move.source_line - 1]``.
+    events : tuple of Event
+        Spindle, tool, coolant and the like, in the order of execution; they take no time.
     """
 
     name: str
     moves: tuple[Move, ...]
     lines: tuple[str, ...] = field(repr=False)
+    events: tuple[Event, ...] = ()
 
     @cached_property
     def used_axes(self) -> tuple[str, ...]:

@@ -10,16 +10,19 @@ from contourlab.errors import ProgramError
 from contourlab.program.block import read_block
 from contourlab.program.fault import BlockError
 from contourlab.program.interpreter import execute
-from contourlab.program.moves import Dwell, Move, Program
+from contourlab.program.moves import Dwell, Event, Move, Program
 from contourlab.program.parameters import Parameters
 from contourlab.program.state import ModalState
 
 __all__ = ["iter_moves", "parse_program", "read_program"]
 
+PROGRAM_ENDS = (2, 30)
 _LINE_BREAK = re.compile(r"\r\n|\n|\r")
 
 
-def iter_moves(lines: Iterable[str], name: str | Path = "<text>", *, require_end: bool = True) -> Iterator[Move]:
+def iter_moves(
+    lines: Iterable[str], name: str | Path = "<text>", *, require_end: bool = True, events: list[Event] | None = None
+) -> Iterator[Move]:
     """Read a part program line by line, holding no more than one line.
 
     Parameters
@@ -31,6 +34,8 @@ def iter_moves(lines: Iterable[str], name: str | Path = "<text>", *, require_end
     require_end : bool
         Whether a program must say where it ends: by M2, by M30, or by standing between two lines of ``%``. LinuxCNC
         does; without it, the end of the text is the end of the program.
+    events : list of Event, optional
+        What is asked for besides motion is added to it as the lines are read.
 
     Yields
     ------
@@ -46,8 +51,9 @@ def iter_moves(lines: Iterable[str], name: str | Path = "<text>", *, require_end
     -----
     The language is RS274/NGC as LinuxCNC 2.9 reads it. The program starts at machine zero (0, 0, 0) in G17, G21, G90,
     G91.1 and G94, with no motion and no feedrate. Supported: G0, G1, G2, G3 (I, J, K or R, and P turns), G4, G17, G18,
-    G19, G20, G21, G90, G91, G90.1, G91.1, G94, F, M2, M30, N, ``%``, comments, parameters, expressions and functions.
-    Everything else is refused.
+    G19, G20, G21, G90, G91, G90.1, G91.1, G94, F, M2, M30, N, ``%``, comments, parameters, expressions and functions. S,
+    T, M0, M1, M3 to M9 and M48 to M53 are kept as events. G40, G49, G54 to G59.3 (no offset can be set), G61, G61.1 (every
+    corner is met exactly), G80, G97, G98 and G99 change nothing here. Everything else is refused.
 
     Stricter than LinuxCNC: a feedrate must be given before G1, G2 or G3 with words, and numbers beyond any machine are
     refused. More tolerant: lines may be longer than 255 characters.
@@ -61,16 +67,17 @@ def iter_moves(lines: Iterable[str], name: str | Path = "<text>", *, require_end
     """
     state, frame, moved = ModalState(), _Frame(), False
     parameters = Parameters(state.shown_position)
+    told: list[Event] = [] if events is None else events
     for number, line in frame.blocks(lines):
         try:
             block = read_block(line, parameters)
-            moves = execute(block, state, number)
+            moves = execute(block, state, number, told)
         except BlockError as fault:
             raise ProgramError(fault.message, file=name, line=number, column=fault.column) from None
         for move in moves:
             moved = moved or not isinstance(move, Dwell)
             yield move
-        if "stop" in block.codes:
+        if "stop" in block.codes and block.codes["stop"].number in PROGRAM_ENDS:
             frame.ended = True
             break
     if not moved:
@@ -163,4 +170,6 @@ def _program(text: str, name: str, place: str, require_end: bool) -> Program:
     lines = tuple(_LINE_BREAK.split(text))
     if lines and not lines[-1]:
         lines = lines[:-1]
-    return Program(name, tuple(iter_moves(lines, place, require_end=require_end)), lines)
+    events: list[Event] = []
+    moves = tuple(iter_moves(lines, place, require_end=require_end, events=events))
+    return Program(name, moves, lines, tuple(events))

@@ -15,13 +15,19 @@ G_GROUPS: dict[int, str] = {
     900: "distance", 910: "distance",
     901: "arc_distance", 911: "arc_distance",
     940: "feed_mode",
-}  # fmt: skip
+    400: "cutter", 490: "tool_length", 800: "cycle_end", 970: "spindle_mode", 980: "return", 990: "return",
+    610: "control", 611: "control",
+} | dict.fromkeys((540, 550, 560, 570, 580, 590, 591, 592, 593), "system")  # fmt: skip
 """Supported G-codes (times ten) and their modal groups; at most one code of a group may stand in a block."""
 
-M_GROUPS: dict[int, str] = {2: "stop", 30: "stop"}
+M_GROUPS: dict[int, str] = {
+    0: "stop", 1: "stop", 2: "stop", 30: "stop",
+    3: "spindle", 4: "spindle", 5: "spindle", 6: "tool", 7: "coolant", 8: "coolant", 9: "coolant",
+    48: "overrides", 49: "overrides", 50: "overrides", 51: "overrides", 52: "overrides", 53: "overrides",
+}  # fmt: skip
 """Supported M-codes and their modal groups."""
 
-USED_LETTERS = frozenset("XYZIJKRPF")
+USED_LETTERS = frozenset("XYZIJKRPFST")
 """Letters whose numbers the supported codes use (G, M and N apart)."""
 
 _CAM = "let the CAM system write plain G0, G1, G2 and G3 moves"
@@ -41,32 +47,21 @@ _REFUSED_G: dict[int, tuple[str, str]] = {
         ("go to home position", "write the position after G0", 280, 300), ("set home position", _IDLE, 281, 301),
         ("spindle-synchronised motion", "use G1", 330), ("rigid tapping", "use G1", 331),
         ("probing", "use G1", 382, 383, 384, 385),
-        ("cutter compensation off", _IDLE, 400), ("cutter compensation", _CENTRE_PATH, 410, 411, 420, 421),
-        ("tool length offset", _TIP, 430, 431, 432), ("tool length offset off", _IDLE, 490),
+        ("cutter compensation", _CENTRE_PATH, 410, 411, 420, 421), ("tool length offset", _TIP, 430, 431, 432),
         ("machine coordinates", _ZERO, 530), ("coordinate offset", _ZERO, 920, 921, 922, 923),
-        ("work offset", _ZERO, 540, 550, 560, 570, 580, 590, 591, 592, 593),
-        ("exact path", "the path is followed exactly anyway, delete it", 610),
-        ("exact stop", "every corner is met exactly anyway, delete it", 611),
         ("path blending", "corners are met exactly; delete it to run the program so", 640),
         ("lathe cycle", _CAM, 700, 710, 711, 712, 720, 721, 722), ("threading cycle", _CAM, 760),
         ("drilling cycle", _CAM, 730, 810, 820, 830), ("tapping cycle", _CAM, 740, 840),
-        ("boring cycle", _CAM, 850, 860, 870, 880, 890), ("retract of canned cycles", _IDLE, 980, 990),
-        ("end of a canned cycle", "no cycle is active; delete it, and write G0, G1, G2 or G3 in the next move", 800),
+        ("boring cycle", _CAM, 850, 860, 870, 880, 890),
         ("inverse-time feed", _PER_MINUTE, 930), ("feed per revolution", _PER_MINUTE, 950),
         ("constant surface speed", "it concerns the spindle alone, delete it", 960),
-        ("spindle speed mode", "it concerns the spindle alone, delete it", 970),
     )
     for code in codes
 }  # fmt: skip
 
 _SPINDLE = "it concerns the spindle alone, delete it"
 _REFUSED_M: dict[int, tuple[str, str]] = {
-    0: ("pause", "delete it, or write G4 P with a time"), 1: ("optional pause", "delete it"),
-    3: ("spindle on", _SPINDLE), 4: ("spindle on", _SPINDLE), 5: ("spindle off", _SPINDLE),
-    6: ("tool change", "write one program per tool"), 7: ("coolant", "delete it"), 8: ("coolant", "delete it"),
-    9: ("coolant", "delete it"), 19: ("spindle orientation", _SPINDLE), 60: ("pallet change", "delete it"),
-    48: ("overrides", "delete it"), 49: ("overrides", "delete it"), 50: ("feed override", "delete it"),
-    51: ("spindle override", "delete it"), 52: ("adaptive feed", "delete it"), 53: ("feed stop", "delete it"),
+    19: ("spindle orientation", _SPINDLE), 60: ("pallet change", "delete it"),
     61: ("tool number", "delete it"), 70: ("save the modal state", "delete it"),
     71: ("saved modal state", "delete it"), 72: ("restore the modal state", "write the modes themselves"),
     73: ("save the modal state", "delete it"),
@@ -77,7 +72,6 @@ _REFUSED_LETTERS: dict[str, tuple[str, str]] = {
     "A": ("rotary axis", "only X, Y and Z are read"), "B": ("rotary axis", "only X, Y and Z are read"),
     "C": ("rotary axis", "only X, Y and Z are read"), "U": ("secondary axis", "only X, Y and Z are read"),
     "V": ("secondary axis", "only X, Y and Z are read"), "W": ("secondary axis", "only X, Y and Z are read"),
-    "S": ("spindle speed", _SPINDLE), "T": ("tool number", "write one program per tool and delete it"),
     "D": ("tool diameter", "it belongs to cutter compensation, delete it"),
     "H": ("tool length", "it belongs to the tool length offset, delete it"),
     "E": ("extruder or synchronised output", "delete it; numbers take no exponent"),
@@ -99,8 +93,8 @@ def g_name(code: int) -> str:
 def refuse_g(code: int) -> str:
     """Say what an unsupported G-code is and what to do.
 
-    >>> refuse_g(400)
-    'G40 (cutter compensation off) is not supported yet: it changes nothing here, delete it'
+    >>> refuse_g(281)
+    'G28.1 (set home position) is not supported yet: it changes nothing here, delete it'
     """
     return _refusal(g_name(code), _REFUSED_G.get(code), "G-code")
 

@@ -1,0 +1,50 @@
+"""What a program asks for besides motion is kept, in the order of execution, and moves nothing."""
+
+from __future__ import annotations
+
+import pytest
+
+from contourlab.program import Event, Program, parse_program
+
+
+def read(text: str) -> Program:
+    return parse_program(f"G21 F100\n{text}\nG1 X1\nM2")
+
+
+def words(text: str) -> list[tuple[str, float | None]]:
+    return [(event.word, event.value) for event in read(text).events]
+
+
+def test_a_block_is_executed_in_its_own_order() -> None:
+    """Speed, tool, change, spindle, coolant, overrides; the pause comes after the motion."""
+    assert words("M49 M8 M3 M6 T2 S300 M0") == [
+        ("S", 300.0),
+        ("T", 2.0),
+        ("M6", None),
+        ("M3", None),
+        ("M8", None),
+        ("M49", None),
+        ("M0", None),
+    ]
+    program = read("M0 G1 X5\nM1")
+    assert program.events == (Event("M0", None, 2), Event("M1", None, 3))
+    assert [move.end for move in program.moves] == [(0.005, 0.0, 0.0), (0.001, 0.0, 0.0)]  # type: ignore[union-attr]
+
+
+@pytest.mark.parametrize("code", ["M50", "M51", "M52", "M53"])
+def test_overrides_take_a_p(code: str) -> None:
+    assert words(f"{code} P0") == [(code, 0.0)] and words(code) == [(code, None)]
+
+
+@pytest.mark.parametrize("idle", ["G40", "G49", "G54", "G59.3", "G61", "G61.1", "G80", "G97 S50", "G98", "G99", "G40 G49 G80 G54", "M5 M9"])
+def test_what_changes_no_path(idle: str) -> None:
+    plain, with_it = read("G0 Y2\n"), read(f"G0 Y2\n{idle}")
+    assert with_it.moves == plain.moves
+
+
+def test_g80_ends_the_modal_motion_and_gives_way_to_another() -> None:
+    assert read("G80 G1 X3").moves == read("G1 X3").moves
+
+
+def test_an_m2_ends_and_an_m0_does_not() -> None:
+    assert len(parse_program("G0 X1\nM0\nX2\nM1\nX3\nM2\nX4").moves) == 3
