@@ -149,6 +149,16 @@ def compare(oracle: ModuleType, text: str, folder: Path) -> int:
     return len(ours)
 
 
+def test_random_polar_programs(oracle: ModuleType, tmp_path: Path) -> None:
+    for seed in range(12):
+        rng = random.Random(seed)
+        lines = ["G21 F100 G1 X3 Y4"]
+        for _ in range(30):
+            words = [f"{letter}{rng.choice([0.5, 1, 2.5, -1, 30, 77.7, 145])}" for letter in "@^Z" if rng.random() < 0.6]
+            lines.append(" ".join([rng.choice(["G0", "G1", "", "", "G90", "G91", "G18", "G17", "G20", "G21"]), *words]))
+        assert compare(oracle, "\n".join([*lines, "M2"]), tmp_path) >= 1
+
+
 def test_shipped_program(oracle: ModuleType, tmp_path: Path) -> None:
     assert compare(oracle, SHIPPED.read_text(encoding="utf-8"), tmp_path) == 36
 

@@ -75,7 +75,7 @@ def _check_words(block: Block, state: ModalState) -> None:
     if "R" in words:
         if given:
             raise BlockError(f"R and {given[0]} in one block: give either radius or centre", words["R"].column)
-        if "XYZ"[first] not in words and "XYZ"[second] not in words:
+        if not words.keys() & {"XYZ"[first], "XYZ"[second], "@", "^"}:
             raise BlockError(
                 f"an arc with R in the {plane} needs {'XYZ'[first]} or {'XYZ'[second]}: give the end point, "
                 f"or write a full circle with {offsets[0]} and {offsets[1]}",

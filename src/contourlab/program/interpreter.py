@@ -54,6 +54,8 @@ def execute(block: Block, state: ModalState, line: int, events: list[Event]) -> 
     """
     codes, words = block
     moves: list[Move] = []
+    if state.plane != "XY" and ("@" in words or "^" in words):
+        raise BlockError("polar coordinates lie in the XY plane: write G17 on a line before", (words.get("@") or words["^"]).column)
     if "feed_mode" in codes:
         state.feedrate = 0.0
     if "F" in words:
@@ -98,7 +100,7 @@ def _dwell(block: Block, line: int) -> list[Move]:
 def _moves(block: Block, state: ModalState) -> bool:
     """Tell whether the block makes a motion, explicit or modal."""
     words = block.words
-    if "X" in words or "Y" in words or "Z" in words:
+    if "X" in words or "Y" in words or "Z" in words or "@" in words or "^" in words:
         return True
     if state.motion in _ARCS:
         # Unlike G0 and G1, which may stand alone, an arc asked for by name must come whole.
@@ -125,7 +127,7 @@ def _check_letters(block: Block, state: ModalState) -> None:
 
 def _motion(block: Block, state: ModalState, line: int) -> list[Move]:
     if state.motion is None:
-        word = next(block.words[letter] for letter in "XYZ" if letter in block.words)
+        word = next(block.words[letter] for letter in "XYZ@^" if letter in block.words)
         raise BlockError(f"{word.letter} without a motion: write G0, G1, G2 or G3 before it", word.column)
     end = state.target(block.words)
     if state.motion != 0 and state.feedrate == 0.0:

@@ -19,7 +19,8 @@ LARGEST_NUMBER = 1e9
 """No word of a part program means anything beyond this, in any unit: such a number is a slip."""
 
 # The alternatives tile every line: a word, a comment in brackets, a comment to the end, blanks, or a bad character.
-_TOKEN = re.compile(r"([A-Za-z])[ \t]*(?P<digits>[+-]?[0-9. \t]*)|\([^()]*\)|;.*|[ \t]+|(?P<bad>.)", re.DOTALL)
+_TOKEN = re.compile(r"([A-Za-z@^])[ \t]*(?P<digits>[+-]?[0-9. \t]*)|\([^()]*\)|;.*|[ \t]+|(?P<bad>.)", re.DOTALL)
+_LETTERS = frozenset("ABCDEFGHIJKLMNOPQRSTUVWXYZ@^")
 _LONGEST_NUMBER = 100
 _MORE_THAN_NUMBERS = re.compile(r"[#\[]|[+-][ \t]*[+-]")
 
@@ -28,8 +29,6 @@ _BAD = {
     "=": "'=' has no parameter before it: write #1 = 2, at the start of a line or between words",
     "<": "'<' belongs to a named parameter, as in #<depth>; O<name> is not supported yet",
     ">": "'>' belongs to a named parameter, as in #<depth>; O<name> is not supported yet",
-    "@": "polar coordinates (@ and ^) are not supported yet: write X and Y",
-    "^": "polar coordinates (@ and ^) are not supported yet: write X and Y",
     "/": "block delete (/) is not supported yet: delete the line or the stroke",
     "%": "% may only stand alone on the first line and on the last: delete it here",
     "*": "* has no meaning here: checksums of printers are not part of RS274/NGC, delete it",
@@ -44,7 +43,7 @@ class Word(NamedTuple):
     Parameters
     ----------
     letter : str
-        One capital letter.
+        One capital letter, or @ or ^.
     value : float
         Finite.
     column : int, >= 1
@@ -98,7 +97,7 @@ def _words_and_values(line: str, parameters: Parameters) -> list[Word]:
         if letter == "#":
             cursor.at += 1
             settings.append(read_assignment(cursor, parameters))
-        elif letter.isascii() and letter.isalpha():
+        elif letter in _LETTERS:
             cursor.at += 1
             _refuse_o(letter, column)
             if letter == "N" and not cursor.next.isdigit():

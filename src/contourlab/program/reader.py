@@ -51,7 +51,8 @@ def iter_moves(
     -----
     The language is RS274/NGC as LinuxCNC 2.9 reads it. The program starts at machine zero (0, 0, 0) in G17, G21, G90,
     G91.1 and G94, with no motion and no feedrate. Supported: G0, G1, G2, G3 (I, J, K or R, and P turns), G4, G17, G18,
-    G19, G20, G21, G90, G91, G90.1, G91.1, G94, F, M2, M30, N, ``%``, comments, parameters, expressions and functions. S,
+    G19, G20, G21, G90, G91, G90.1, G91.1, G94, F, M2, M30, N, ``%``, comments, parameters, expressions, functions, and polar
+    coordinates (@ and ^). S,
     T, M0, M1, M3 to M9 and M48 to M53 are kept as events. G40, G49, G54 to G59.3 (no offset can be set), G61, G61.1 (every
     corner is met exactly), G80, G97, G98 and G99 change nothing here. Everything else is refused.
 

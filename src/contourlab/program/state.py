@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable
 from dataclasses import dataclass
 
@@ -55,18 +56,41 @@ class ModalState:
     def target(self, words: dict[str, Word]) -> Point:
         """Return the end point [m] that the axis words of a block ask for."""
         point = list(self.position)
+        if "@" in words or "^" in words:
+            point[:2] = self._polar(words)
         for axis, letter in enumerate("XYZ"):
             word = words.get(letter)
-            if word is None:
-                continue
-            value = self.length(word.value)
-            point[axis] = value if self.absolute else point[axis] + value
+            if word is not None:
+                value = self.length(word.value)
+                point[axis] = value if self.absolute else point[axis] + value
             if abs(point[axis]) > LARGEST_LENGTH:
                 raise BlockError(
                     f"{letter} would go to {point[axis]:g} m: no machine is so large, keep to {LARGEST_LENGTH:g} m",
-                    word.column,
+                    (word or next(iter(words.values()))).column,
                 )
         return (point[0], point[1], point[2])
+
+    def _polar(self, words: dict[str, Word]) -> tuple[float, float]:
+        """Return x and y [m] of a distance @ from the origin and an angle ^ from the x axis, in degrees; what is not given stays."""
+        far, turn = words.get("@"), words.get("^")
+        column = (far or words["^"]).column
+        for letter in "XY":
+            if letter in words:
+                raise BlockError(f"@ or ^ and {letter} in one block: give polar coordinates, or X and Y", words[letter].column)
+        x, y, _ = self.position
+        radius, angle = math.hypot(x, y), math.atan2(y, x)
+        if radius == 0.0 and (not self.absolute or turn is None):
+            cure = "write ^ too" if self.absolute else "leave it by X or Y first, or write G90"
+            raise BlockError(f"at the origin there is no angle to go by: {cure}", column)
+        if self.absolute:
+            radius = radius if far is None else self.length(far.value)
+            angle = angle if turn is None else math.radians(turn.value)
+        else:
+            radius += 0.0 if far is None else self.length(far.value)
+            angle += 0.0 if turn is None else math.radians(turn.value)
+            if radius == 0.0:
+                raise BlockError("a polar step with G91 that ends at the origin leaves no angle to go on by: write X0 Y0 with G90", column)
+        return (radius * math.cos(angle), radius * math.sin(angle))
 
 
 def _set_plane(state: ModalState, code: int) -> None:

@@ -27,7 +27,7 @@ M_GROUPS: dict[int, str] = {
 }  # fmt: skip
 """Supported M-codes and their modal groups."""
 
-USED_LETTERS = frozenset("XYZIJKRPFST")
+USED_LETTERS = frozenset("XYZIJKRPFST@^")
 """Letters whose numbers the supported codes use (G, M and N apart)."""
 
 _CAM = "let the CAM system write plain G0, G1, G2 and G3 moves"

@@ -34,7 +34,12 @@ REFUSED = [
     ("o<name> call", 1, 1, "O-words"),
     ("G0 X1\n  O100 if [1]", 2, 3, "O-words"),
     ("/G0 X1", 1, 1, "block delete"),
-    ("G0 @5 ^30", 1, 4, "polar"),
+    ("G0 @5", 1, 4, "no angle to go by: write \\^ too"),
+    ("G0 @5 ^10 Y2", 1, 11, "give polar coordinates, or X and Y"),
+    ("G91 G0 ^20", 1, 8, "leave it by X or Y first"),
+    ("G0 X5\nG91 @-5", 2, 5, "ends at the origin"),
+    ("@5 ^30", 1, 1, "@ without a motion"),
+    ("G18\nG17 G0 @5 ^30", 2, 8, "write G17 on a line before"),
     # Unknown.
     ("G123", 1, 1, "G123 is no G-code"),
     ("G6.5", 1, 1, r"G6\.5 is no G-code"),

@@ -178,3 +178,22 @@ def test_used_axes() -> None:
     assert parse_program("G0 Z1\nX1\nM2").used_axes == ("x", "z")
     assert parse_program("G19 G2 J5 F100\nG4 P1\nM2").used_axes == ("y", "z")
     assert parse_program("G2 I5 Z1 F100\nM2").used_axes == ("x", "y", "z")
+
+
+@pytest.mark.parametrize(
+    ("text", "end"),
+    [
+        ("G1 @10 ^30", (5.0 * math.sqrt(3.0), 5.0)),
+        ("G1 @-5 ^90", (0.0, -5.0)),
+        ("G1 X3 Y4\n^90", (0.0, 5.0)),
+        ("G1 X3 Y4\n@10", (6.0, 8.0)),
+        ("G1 X5\nG91 @1 ^90", (0.0, 6.0)),
+        ("G1 X5\nG91 ^-90", (0.0, -5.0)),
+        ("G1 X5\nG3 @5 ^180 I-5", (-5.0, 0.0)),
+        ("G18 G1 @5 ^90 Z2", (0.0, 5.0)),
+        ("G1 @[2 + 3] ^[9 * 10]", (0.0, 5.0)),
+    ],
+)
+def test_polar_coordinates(text: str, end: tuple[float, float]) -> None:
+    last = parse_program(f"G21 F100\n{text}\nM2").moves[-1]
+    assert last.end[:2] == pytest.approx((1e-3 * end[0], 1e-3 * end[1]), abs=1e-17)  # type: ignore[union-attr]
