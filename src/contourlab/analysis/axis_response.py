@@ -72,9 +72,7 @@ def axis_response(
 
 def _continuous(axis: Axis, controller: AxisController, w: Array, carried_mass: float) -> AxisResponse:
     s = np.asarray(1j * w, dtype=np.complex128)
-    plant = axis.plant
-    if carried_mass and "carried_mass" in plant.parameters:
-        plant = plant.replace(carried_mass=plant.carried_mass + carried_mass)  # type: ignore[attr-defined]
+    plant = axis.plant.loaded(carried_mass)
     moved = transfer(_model(plant), s)
     position, velocity, position_load, velocity_load = moved[:, 0, 0], moved[:, 1, 0], moved[:, 0, 1], moved[:, 1, 1]
     seen = _velocity_row(controller, s)

@@ -10,7 +10,6 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass, replace
 from functools import cached_property
-from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -107,9 +106,7 @@ class SampledLoop:
         ParameterError
             If a frequency is out of range.
         """
-        opened = self._opened(self._checked(frequency))
-        # The command is cut, the estimate is not.
-        return np.asarray(-(opened[:, 0, 0] + opened[:, 0, 1] * opened[:, 1, 0]))
+        return _gain(self._opened(self._checked(frequency)))
 
     def response(self, frequency: ArrayLike) -> AxisResponse:
         """Return the responses of the axis at frequencies (n,) [rad/s] above 0 and up to the Nyquist frequency.
@@ -125,7 +122,7 @@ class SampledLoop:
             frequency=w,
             closed_loop=driven[:, 0] + 1j * w * driven[:, 1] - w * w * driven[:, 2],
             modified=driven[:, 0],
-            loop_gain=-(opened[:, 0, 0] + opened[:, 0, 1] * opened[:, 1, 0]),
+            loop_gain=_gain(opened),
             compliance=driven[:, 3],
             compensated=opened[:, 3, 0] / (1.0 - opened[:, 0, 1] * opened[:, 1, 0]),
         )
@@ -162,6 +159,11 @@ class SampledLoop:
         found += [(angle + k * width) / period for k in (-2.0, -1.0, -0.5, 0.0, 0.5, 1.0, 2.0)]
         w = np.unique(np.concatenate(found))
         return w[(w >= 1e-5 * top) & (w <= top)]
+
+
+def _gain(opened: Complex) -> Complex:
+    """The command is cut, the estimate is not."""
+    return np.asarray(-(opened[:, 0, 0] + opened[:, 0, 1] * opened[:, 1, 0]))
 
 
 def sampled_loop(axis: Axis, controller: AxisController, servo_period: float, carried_mass: float = 0.0) -> SampledLoop:
@@ -211,13 +213,10 @@ def _opened(name: str, whole: Schedule) -> Schedule:
 
 def _linear(axis: Axis, carried_mass: float) -> Axis:
     """Return the axis alone, without what is not linear."""
-    plant: Any = axis.plant
-    if carried_mass and "carried_mass" in plant.parameters:
-        plant = plant.replace(carried_mass=plant.carried_mass + carried_mass)
     drive, limit = axis.drive, axis.drive.parameters.get("limit")
     if limit is not None and limit.default == math.inf:
         drive = drive.replace(limit=math.inf)
-    return Axis(axis.name, plant, NoFriction(), drive, IdealSensor(), limits=axis.limits, substeps=axis.substeps)
+    return Axis(axis.name, axis.plant.loaded(carried_mass), NoFriction(), drive, IdealSensor(), limits=axis.limits, substeps=axis.substeps)
 
 
 def _without_hold(controller: Component) -> Component:

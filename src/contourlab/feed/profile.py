@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import cached_property
 from typing import NamedTuple
 
 import numpy as np
@@ -51,6 +52,11 @@ class Profile:
         for part in (self.t0, self.s0, self.v0, self.a0, self.j):
             part.flags.writeable = False
 
+    @cached_property
+    def ends(self) -> Array:
+        """Progress at the end of each span (n_span,) [m]."""
+        return np.append(self.s0[1:], self.length)
+
     @property
     def n_span(self) -> int:
         """Number of spans."""
@@ -75,8 +81,7 @@ class Profile:
         start_speed, start_acceleration, jerk = self.v0[span], self.a0[span], self.j[span]
         progress = dt * (start_speed + dt * (start_acceleration / 2.0 + dt * jerk / 6.0))
         # The end of a span is known exactly (it is where the next begins): rounding must not step over it.
-        ends = np.append(self.s0[1:], self.length)[span]
-        arc_length = np.minimum(self.s0[span] + progress, ends)
+        arc_length = np.minimum(self.s0[span] + progress, self.ends[span])
         speed = np.maximum(start_speed + dt * (start_acceleration + dt * jerk / 2.0), 0.0)
         acceleration, jerk = start_acceleration + dt * jerk, jerk + 0.0 * dt
         still = (time < 0.0) | (time >= self.duration)

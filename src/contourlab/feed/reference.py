@@ -88,6 +88,16 @@ def _differences(position: Array, servo_period: float, start: int, stop: int) ->
     return velocity, np.diff(around, 2, axis=0) / servo_period**2
 
 
+def along_path(path: Path, arc_length: Array, speed: Array, acceleration: Array, rows: Array) -> None:
+    """Fill rows (3 n_axis, n) with the position, velocity and acceleration of each axis of a motion (n,) along a path."""
+    n = path.n_axis
+    position, first, second = path.derivatives(arc_length, 2).transpose(0, 2, 1)
+    rows[:n] = position
+    np.multiply(first, speed, out=rows[n : 2 * n])
+    np.multiply(second, speed**2, out=rows[2 * n :])
+    rows[2 * n :] += first * acceleration
+
+
 @dataclass(frozen=True, eq=False, kw_only=True)
 class Reference:
     """What the axes are asked to do, sample by sample; sample k belongs to the time ``k * servo_period``.
@@ -187,11 +197,8 @@ class Reference:
             return
         assert self.profile is not None  # a reference is either planned or recorded
         motion = self.profile.motion(np.arange(start, stop, dtype=np.float64) * self.servo_period)
-        here, first, second = self.path.derivatives(motion.arc_length, 2).transpose(0, 2, 1)
-        position[:], rows[-2], rows[-1] = here, motion.arc_length, motion.speed
-        np.multiply(first, motion.speed, out=velocity)
-        np.multiply(second, motion.speed**2, out=acceleration)
-        acceleration += first * motion.acceleration
+        rows[-2], rows[-1] = motion.arc_length, motion.speed
+        along_path(self.path, motion.arc_length, motion.speed, motion.acceleration, rows[:-2])
 
     def source_line(self, arc_length: ArrayLike) -> NDArray[np.int64]:
         """Return the line of the program at some progress.

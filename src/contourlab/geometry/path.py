@@ -76,6 +76,7 @@ class Path:
     def _gather(self) -> None:
         kinds = np.array([0 if type(c) is Line else 1 if type(c) is Arc else 2 for c in self.curves])
         self._kind = kinds
+        self._kinds = np.unique(kinds).tolist()
         self._slot = np.zeros(len(kinds), dtype=np.int64)
         for kind in (0, 1, 2):
             self._slot[kinds == kind] = np.arange(np.count_nonzero(kinds == kind))
@@ -130,12 +131,11 @@ class Path:
     def _at(self, index: NDArray[np.int64], along: Array, order: int) -> Array:
         """Evaluate at places `along` the curves `index`: a view (order + 1, n, n_axis) of memory that holds each coordinate in one row."""
         evaluate = (self._on_lines, self._on_arcs, self._on_others)
-        first = int(self._kind[0])
-        if np.all(self._kind == first):
-            return evaluate[first](self._slot[index], along, order).transpose(0, 2, 1)
+        if len(self._kinds) == 1:
+            return evaluate[self._kinds[0]](self._slot[index], along, order).transpose(0, 2, 1)
         found = np.zeros((order + 1, self.n_axis, along.size))
         kind, slot = self._kind[index], self._slot[index]
-        for k in range(len(evaluate)):
+        for k in self._kinds:
             on = np.flatnonzero(kind == k)
             if on.size:
                 found[:, :, on] = evaluate[k](slot[on], along[on], order)

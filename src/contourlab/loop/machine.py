@@ -196,9 +196,8 @@ class Machine:
 
     def loaded_plant(self, name: str) -> SingleMass:
         """Return the plant of an axis with all that stands on it: what its drive and its controller feel."""
-        plant, carried = self.axis(name).plant, self.carried_mass(name)
-        own: float = plant.values().get("carried_mass", 0.0)
-        return plant.replace(carried_mass=own + carried) if carried else plant
+        plant: SingleMass = self.axis(name).plant.loaded(self.carried_mass(name))
+        return plant
 
     def swapped(self, name: str, other: Axis) -> Machine:
         """Return the machine with one axis exchanged for another module, which takes its name and place."""

@@ -8,6 +8,8 @@ from numpy.typing import NDArray
 from contourlab.engine.sampler import CURVE_FIELDS, along_curves, along_spans
 from contourlab.feed import Reference
 from contourlab.feed.profile import Profile
+from contourlab.feed.reference import along_path
+from contourlab.geometry import Path
 
 __all__ = ["sample_compiled"]
 
@@ -22,10 +24,7 @@ def sample_compiled(reference: Reference, start: int, stop: int, rows: Array) ->
     along_spans(
         _spans(reference.profile, reference.servo_period, start, stop), reference.servo_period, start, progress, speed, acceleration
     )
-    first_lap, last_lap = (int(x // path.length) for x in (progress[0], progress[-1])) if path.closed else (0, 0)
-    lap = np.repeat(np.arange(first_lap, last_lap + 1), len(path.curves))
-    curve = np.tile(np.arange(len(path.curves)), last_lap + 1 - first_lap)
-    offset = lap * path.length + path.breaks[curve]
+    curve, offset = _in_reach(path, progress)
     # A joint belongs to the curve that begins there; before the first and after the last one the end curves go on.
     border = np.concatenate([[0], np.searchsorted(progress, offset[1:], side="left"), [n]])
     used = np.flatnonzero(np.diff(border) > 0)
@@ -35,26 +34,29 @@ def sample_compiled(reference: Reference, start: int, stop: int, rows: Array) ->
     along_curves(records[plain], progress, speed, acceleration, rows[:-2])
     for i in used[~plain]:
         cut = slice(border[i], border[i + 1])
-        _on_curve(reference, progress[cut], speed[cut], acceleration[cut], rows[:-2, cut])
+        along_path(path, progress[cut], speed[cut], acceleration[cut], rows[:-2, cut])
+
+
+def _in_reach(path: Path, progress: Array) -> tuple[NDArray[np.int64], Array]:
+    """Return the curves that samples of rising progress may lie on, one more at each side, and the progress at which each begins."""
+    m, ends = len(path.curves), progress[[0, -1]]
+    lap = np.floor(ends / path.length).astype(np.int64) if path.closed else np.zeros(2, dtype=np.int64)
+    first, last = lap * m + path.curve_index(ends) + (-1, 1)
+    number = np.arange(first, last + 1) if path.closed else np.arange(max(first, 0), min(last, m - 1) + 1)
+    lap, curve = np.divmod(number, m)
+    return curve, lap * path.length + path.breaks[curve]
 
 
 def _spans(profile: Profile, period: float, start: int, stop: int) -> Array:
     """Return the records of the spans that samples lie in; samples are counted from `start`. The motion stands still after its end."""
-    t0 = np.append(profile.t0, profile.duration)
+    low, high = np.searchsorted(profile.t0, [start * period, stop * period], side="right")
+    part = slice(max(int(low) - 1, 0), int(high))
+    t0 = np.append(profile.t0[part], profile.duration)
     first = np.ceil(t0 / period)
     first += first * period < t0
     first -= (first - 1.0) * period >= t0
     border = np.clip(np.append(first, stop), start, stop) - start
     border[0] = 0.0
-    ends = np.append(profile.s0[1:], [profile.length] * 2)
-    parts = (np.append(part, last) for part, last in ((profile.s0, profile.length), (profile.v0, 0.0), (profile.a0, 0.0), (profile.j, 0.0)))
-    records = np.column_stack([border[:-1], border[1:], t0, *parts, ends])
-    return np.asarray(records[np.diff(border) > 0])
-
-
-def _on_curve(reference: Reference, progress: Array, speed: Array, acceleration: Array, rows: Array) -> None:
-    """Splines and other curves, as `Reference.block` does them."""
-    n = reference.n_axis
-    position, first, second = reference.path.derivatives(progress, 2).transpose(0, 2, 1)
-    rows[:n], rows[n : 2 * n] = position, first * speed
-    rows[2 * n :] = second * speed**2 + first * acceleration
+    last = ((profile.s0, profile.length), (profile.v0, 0.0), (profile.a0, 0.0), (profile.j, 0.0), (profile.ends, profile.length))
+    parts = [np.append(values[part], still) for values, still in last]
+    return np.asarray(np.column_stack([border[:-1], border[1:], t0, *parts])[np.diff(border) > 0])

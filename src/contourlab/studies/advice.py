@@ -14,15 +14,9 @@ from contourlab.components.observer.disturbance_observer import DisturbanceObser
 from contourlab.errors import ContourlabError
 from contourlab.feed import Reference
 from contourlab.loop import AxisController, Controller, Machine, simulate
-from contourlab.metrics import judge
+from contourlab.metrics import evaluation_window, judge
 
-__all__ = ["advice", "worst_window"]
-
-
-def worst_window(reference: Reference) -> slice:
-    """Return the samples among which the worst place is sought: the last lap, or all."""
-    start, stop = reference.laps[-1] if reference.laps else (0, reference.n_sample)
-    return slice(start, stop)
+__all__ = ["advice", "candidates"]
 
 
 def advice(
@@ -53,7 +47,8 @@ def advice(
             judged = judge(simulate(machine, trial, ref, seed=seed, signals=("tool_position", "reference", "arc_length")), ref)
         except ContourlabError:
             return  # a change that makes the loop run away is no advice
-        trials.append((float(np.abs(judged["part_error"][worst_window(ref)]).max()), words))
+        (start, stop), _ = evaluation_window(ref, judged.n_sample)
+        trials.append((float(np.abs(judged["part_error"][start:stop]).max()), words))
 
     for words, trial in candidates(machine, controller):
         attempt(words, trial, reference)

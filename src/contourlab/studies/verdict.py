@@ -9,9 +9,10 @@ import numpy as np
 
 from contourlab.feed import Reference
 from contourlab.loop import Controller, Machine
+from contourlab.metrics import evaluation_window
 from contourlab.metrics.coverage import left_out
 from contourlab.result import Result
-from contourlab.studies.advice import advice, worst_window
+from contourlab.studies.advice import advice
 from contourlab.studies.causes import Cause, causes
 
 __all__ = ["Cause", "Verdict", "Worst", "verdict"]
@@ -90,9 +91,8 @@ def verdict(
     seed : int
         The seed of the run.
     """
-    window = worst_window(reference)
-    magnitude = np.abs(judged["part_error"][window])
-    sample = (window.start or 0) + int(np.argmax(magnitude))
+    window, _ = evaluation_window(reference, judged.n_sample)
+    sample = window[0] + int(np.argmax(np.abs(judged["part_error"][slice(*window)])))
     worst = _place(judged, reference, sample, lines)
     missed = _missed(judged, reference, window, tolerance)
     passed = bool(worst.value <= tolerance) and not missed
@@ -104,9 +104,9 @@ def verdict(
     return Verdict(passed, tolerance, worst, found, best, untold, missed)
 
 
-def _missed(judged: Result, reference: Reference, window: slice, tolerance: float) -> float:
-    longest, at_end = left_out(judged, reference, (window.start, window.stop))
-    step = 3.0 * float(np.abs(np.diff(judged["arc_length"][window])).max(initial=0.0))
+def _missed(judged: Result, reference: Reference, window: tuple[int, int], tolerance: float) -> float:
+    longest, at_end = left_out(judged, reference, window)
+    step = 3.0 * float(np.abs(np.diff(judged["arc_length"][slice(*window)])).max(initial=0.0))
     # A tool within the tolerance may cut off several times as much at a sharp corner, but not at the end.
     if longest > max(10.0 * tolerance, step):
         return longest

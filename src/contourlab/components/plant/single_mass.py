@@ -53,6 +53,12 @@ class SingleMass(Component):
     def at_rest(self, position: float) -> tuple[dict[str, float], dict[str, float]]:
         return {"position": position}, {"position": position}
 
+    def loaded(self, mass: float) -> Any:
+        """Return the plant with more mass [kg] on it; one that is known by its response only stays as it is."""
+        if not mass or "carried_mass" not in self.parameters:
+            return self
+        return self.replace(carried_mass=self.values()["carried_mass"] + mass)
+
     def linearize(self) -> LinearModel:
         par = self.constants()
         mobility, decay = type(self).mobility(par), type(self).decay(par)
