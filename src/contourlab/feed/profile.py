@@ -83,7 +83,7 @@ class Profile:
         # The end of a span is known exactly (it is where the next begins): rounding must not step over it.
         arc_length = np.minimum(self.s0[span] + progress, self.ends[span])
         speed = np.maximum(start_speed + dt * (start_acceleration + dt * jerk / 2.0), 0.0)
-        acceleration, jerk = start_acceleration + dt * jerk, jerk + 0.0 * dt
+        acceleration, jerk = start_acceleration + dt * jerk, np.broadcast_to(jerk, dt.shape).copy()
         still = (time < 0.0) | (time >= self.duration)
         if np.any(still):
             arc_length[time >= self.duration] = self.length

@@ -10,13 +10,13 @@ from numpy.typing import NDArray
 from contourlab.feed import Reference
 from contourlab.feed.reference import ReferenceBlock
 from contourlab.loop import Machine
+from contourlab.loop.simulate import BLOCK, jit_enabled, sampler
 
 __all__ = ["MOST_SAMPLES", "check_motion"]
 
 Array = NDArray[np.float64]
 MOST_SAMPLES = 100_000_000
 """More than a day at 1 kHz; all of a run's signals then take some 30 GB."""
-_BLOCK = 1 << 16
 
 Fault = Callable[[str, int], Exception]
 
@@ -46,8 +46,10 @@ def check_motion(reference: Reference, machine: Machine, fault: Fault, *, bounde
 
 
 def _blocks(reference: Reference, stop: int) -> Iterator[ReferenceBlock]:
-    for start in range(0, stop, _BLOCK):
-        yield reference.block(start, min(start + _BLOCK, stop))
+    # The very blocks that a run will ask for, which the reference keeps.
+    fill = sampler(jit_enabled())
+    for start in range(0, stop, BLOCK):
+        yield reference.block(start, min(start + BLOCK, stop), fill)
 
 
 def _check_travel(reference: Reference, machine: Machine, fault: Fault) -> None:
