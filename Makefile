@@ -5,12 +5,13 @@ PYTHON ?= python3
 VENV ?= .venv
 WORKERS ?= 2
 ARGS ?=
+PROGRAMS ?=
 
 BIN := $(VENV)/bin
 STAMP := $(VENV)/.installed
 
 .DEFAULT_GOAL := help
-.PHONY: help install demo test check lint types imports docs bench clean
+.PHONY: help install demo programs test check lint types imports docs bench clean
 
 help:
 	@echo "make demo     run the demonstration; results in results/demo"
@@ -18,6 +19,7 @@ help:
 	@echo "              (in WORKERS=2 processes; WORKERS=0 for one that a debugger can enter)"
 	@echo "make check    ruff, mypy --strict, import contracts, documents"
 	@echo "make bench    measure the speed of the engine on this machine"
+	@echo "make programs run every part program of a folder; make programs PROGRAMS=my/folder"
 	@echo "make install  only make $(VENV); with another Python: make install PYTHON=python3.12"
 	@echo "make clean    remove $(VENV) and everything that was generated"
 
@@ -58,6 +60,9 @@ docs: $(STAMP)
 
 bench: $(STAMP)
 	$(BIN)/python benchmarks/run.py $(ARGS)
+
+programs: $(STAMP)
+	$(BIN)/python benchmarks/programs.py $(PROGRAMS) $(ARGS)
 
 clean:
 	rm -rf $(VENV) results benchmarks/out build dist .mypy_cache .ruff_cache .pytest_cache .import_linter_cache .hypothesis

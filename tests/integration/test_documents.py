@@ -31,7 +31,7 @@ def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
 
 
 def test_the_files_of_the_manual_make_a_scenario(folder: Path) -> None:
-    scenario, machine, axis, controller, program = blocks("docs/scenario-files.md", "toml")
+    scenario, machine, axis, controller, program, _ = blocks("docs/scenario-files.md", "toml")
     for name, text in (("scenario", scenario), ("machine", machine), ("axis1", axis), ("controller", controller)):
         (folder / f"{name}.toml").write_text(text, encoding="utf-8")
     found = cl.load_scenario("scenario.toml")
@@ -42,6 +42,21 @@ def test_the_files_of_the_manual_make_a_scenario(folder: Path) -> None:
     # The last block stands for `program = "part.ngc"`.
     (folder / "other.toml").write_text(scenario.replace('program = "part.ngc"', "").split("[schemes")[0] + program.replace('"z"', '"y"'))
     assert cl.load_scenario("other.toml").base.reference().n_sample == found.base.reference().n_sample
+
+
+def test_the_drawing_of_the_manual_makes_a_scenario(folder: Path) -> None:
+    import ezdxf
+
+    drawing = ezdxf.new()  # type: ignore[attr-defined]
+    drawing.header["$INSUNITS"] = 4
+    drawing.modelspace().add_circle((0, 0), 10, dxfattribs={"layer": "cut"})
+    drawing.modelspace().add_text("part 7", dxfattribs={"layer": "cut"})
+    drawing.modelspace().add_circle((0, 0), 30, dxfattribs={"layer": "blank"})
+    drawing.saveas(folder / "part.dxf")
+    (folder / "scenario.toml").write_text(blocks("docs/scenario-files.md", "toml")[-1], encoding="utf-8")
+    reference = cl.load_scenario("scenario.toml").base.reference()
+    assert reference.path.length == pytest.approx(0.02 * np.pi)
+    assert reference.duration == pytest.approx(2.0)
 
 
 def test_the_scenario_of_the_readme_and_its_python(folder: Path) -> None:

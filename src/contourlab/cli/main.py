@@ -14,6 +14,8 @@ from typing import Annotated
 
 import typer
 
+from contourlab.cli.commands.canon import canon
+from contourlab.cli.commands.check import check
 from contourlab.cli.commands.components import components
 from contourlab.cli.commands.demo import demo
 from contourlab.cli.commands.new import new
@@ -35,6 +37,8 @@ app = typer.Typer(
 )
 app.command("demo")(demo)
 app.command("run")(run_command)
+app.command("check")(check)
+app.command("canon")(canon)
 app.add_typer(reproduce, name="reproduce")
 app.command("components")(components)
 app.add_typer(new, name="new")

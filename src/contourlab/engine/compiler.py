@@ -18,10 +18,11 @@ from numba import cfunc, njit, types
 from numba.core.errors import NumbaError, UnsupportedBytecodeError
 
 from contourlab import primitives
-from contourlab.engine import intrinsics, memory, store, tuples
+from contourlab.engine import intrinsics, memory, tuples
 from contourlab.engine.intrinsics import INLINE, OPTIONS, lane_maths, scalar_maths
 from contourlab.engine.step import Port, Step, record
 from contourlab.errors import EngineError
+from contourlab.native import store
 
 __all__ = ["compile_step", "source_key"]
 

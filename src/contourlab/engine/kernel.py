@@ -2,25 +2,20 @@
 
 from __future__ import annotations
 
-import ctypes
-import hashlib
 import inspect
 from functools import cache
 from typing import Any
 
-from numba import cfunc, types
-
-from contourlab.engine import store as code_store
 from contourlab.engine.intrinsics import OPTIONS
 from contourlab.engine.memory import call_step, load, load_word, store
+from contourlab.native.door import compiled
 
 __all__ = ["NODE_FIELDS", "kernel"]
 
 NODE_FIELDS = ("function", "parameters", "tables", "state", "inputs", "outputs", "every", "phase", "repeat")
 _FIELDS = len(NODE_FIELDS)
 _WORDS = 13
-_SIGNATURE = types.void(*(types.int64,) * _WORDS, types.float64)
-_C_TYPE = ctypes.CFUNCTYPE(None, *(ctypes.c_int64,) * _WORDS, ctypes.c_double)
+_SIGNATURE = "i8 " * _WORDS + "f8"
 
 
 def _source(width: int) -> Any:
@@ -73,11 +68,5 @@ def kernel(width: int) -> Any:
     numbers lie between two ticks and between two signals; address of the signal table; address of the log (n_tick, n_log, width), of its
     row addresses, and their number; first tick, number of ticks; period [s].
     """
-    words = (
-        inspect.getsource(_source),
-        inspect.getsource(inspect.getmodule(call_step) or _source),
-        str(width),
-        code_store.toolchain(),
-    )
-    key = hashlib.sha256("\n".join(words).encode()).hexdigest()[:32]
-    return _C_TYPE(code_store.address(key, lambda: cfunc(_SIGNATURE, **OPTIONS)(_source(width)), "kernel"))
+    sources = (inspect.getsource(_source), inspect.getsource(inspect.getmodule(call_step) or _source), str(width))
+    return compiled(_source(width), _SIGNATURE, sources=sources, options=OPTIONS)

@@ -2,20 +2,17 @@
 
 from __future__ import annotations
 
-import ctypes
-import hashlib
 import inspect
 from functools import cache
 from typing import Any
 
 import numpy as np
-from numba import cfunc, types
 from numpy.typing import NDArray
 
 from contourlab.engine import intrinsics, memory
-from contourlab.engine import store as code_store
 from contourlab.engine.intrinsics import OPTIONS, maximum, minimum, poly_cos, poly_sin
 from contourlab.engine.memory import load_input, load_parameter, store_output, truncate
+from contourlab.native.door import compiled
 
 __all__ = ["CURVE_FIELDS", "SPAN_FIELDS", "along_curves", "along_spans"]
 
@@ -27,7 +24,6 @@ CURVE_FIELDS = ("first", "last", "offset", "angle", "rate")
 
 position = base + d s + u cos(angle + rate s) + v sin(angle + rate s).
 """
-_WORD = types.int64
 _SPANS, _CURVES = len(SPAN_FIELDS), len(CURVE_FIELDS)
 
 
@@ -66,12 +62,9 @@ def _curves(curves, n_curve, n_axis, progress, speed, acceleration, out, stride)
 
 
 @cache
-def _compiled(function: Any, *signature: Any) -> Any:
-    sources = (inspect.getsource(part) for part in (function, intrinsics, memory))
-    key = hashlib.sha256("\n".join((*sources, str((_SPANS, _CURVES)), code_store.toolchain())).encode()).hexdigest()[:32]
-    c_types: dict[Any, Any] = {types.int64: ctypes.c_int64, types.float64: ctypes.c_double}
-    prototype: Any = ctypes.CFUNCTYPE(None, *(c_types[kind] for kind in signature))
-    return prototype(code_store.address(key, lambda: cfunc(types.void(*signature), **OPTIONS)(function), function.__name__.strip("_")))
+def _compiled(function: Any, signature: str) -> Any:
+    sources = [inspect.getsource(part) for part in (function, intrinsics, memory)]
+    return compiled(function, signature, sources=[*sources, str((_SPANS, _CURVES))], options=OPTIONS)
 
 
 def along_spans(spans: Array, period: float, origin: int, progress: Array, speed: Array, acceleration: Array) -> None:
@@ -89,7 +82,7 @@ def along_spans(spans: Array, period: float, origin: int, progress: Array, speed
         Filled.
     """
     spans = np.ascontiguousarray(spans)
-    run = _compiled(_spans, _WORD, _WORD, types.float64, *(_WORD,) * 4)
+    run = _compiled(_spans, "i8 i8 f8 i8 i8 i8 i8")
     run(spans.ctypes.data, len(spans), period, origin, progress.ctypes.data, speed.ctypes.data, acceleration.ctypes.data)
 
 
@@ -106,6 +99,6 @@ def along_curves(curves: Array, progress: Array, speed: Array, acceleration: Arr
         Filled in the samples of the curves: positions, velocities, accelerations; each row is contiguous.
     """
     curves = np.ascontiguousarray(curves)
-    run = _compiled(_curves, *(_WORD,) * 8)
+    run = _compiled(_curves, " ".join(["i8"] * 8))
     addresses = (progress.ctypes.data, speed.ctypes.data, acceleration.ctypes.data, out.ctypes.data)
     run(curves.ctypes.data, len(curves), len(out) // 3, *addresses, out.strides[0] // out.itemsize)

@@ -1,10 +1,14 @@
 """Feed: from a path with its programmed feed and the limits of the axes to a sampled reference.
 
 Inside: `limits`; `route` (path and feed data); `bounds` (limits of axes -> limits along the path), `pieces` (where one
-set of them holds), `scurve` (speed changes in closed form), `profile` (spans of constant jerk), `planner`; `uniform`
+set of them holds), `scurve` (speed changes in closed form), `profile` (spans of constant jerk), `stretches`
+(from stop to stop), `smooth` with its `kernels` (stretches that are not straight), `planner`; `binding` (what holds the speed); `uniform`
 (the constant-frequency law); `reference` (samples on demand); `verify` (the independent judge).
 """
 
+from contourlab.feed.binding import Binding, limiting
+from contourlab.feed.blending import blended
+from contourlab.feed.correspondence import Correspondence
 from contourlab.feed.limits import AxisLimits
 from contourlab.feed.planner import plan
 from contourlab.feed.profile import Motion, Profile
@@ -15,6 +19,8 @@ from contourlab.feed.verify import LimitReport, Worst, limit_report
 
 __all__ = [
     "AxisLimits",
+    "Binding",
+    "Correspondence",
     "LimitReport",
     "Motion",
     "Profile",
@@ -22,7 +28,9 @@ __all__ = [
     "ReferenceBlock",
     "Route",
     "Worst",
+    "blended",
     "limit_report",
+    "limiting",
     "plan",
     "route_from_path",
     "route_from_program",

@@ -56,8 +56,8 @@ def curvature_jump(path: Path) -> Array:
 def joints(route: Route) -> Joints:
     """Find exact stops and jumps of curvature.
 
-    The motion stops where the tangent jumps, at a dwell, where rapid and feed moves meet, and at the end of an open
-    path.
+    The motion stops where the tangent jumps, at a dwell, where rapid and feed moves meet, where the route asks for it, and at the end of
+    an open path.
 
     Parameters
     ----------
@@ -68,7 +68,7 @@ def joints(route: Route) -> Joints:
     Joints
     """
     breaks = np.asarray(route.path.breaks)
-    stop = (route.dwell > 0.0) | (route.rapid != np.roll(route.rapid, -1))
+    stop = (route.dwell > 0.0) | route.exact_stop | (route.rapid != np.roll(route.rapid, -1))
     corners = np.asarray(route.path.corners, dtype=np.float64)
     # A corner lies at a break, to rounding; one at 0 is the closing point, the end of the last curve.
     nearest = np.searchsorted(0.5 * (breaks[1:] + breaks[:-1]), corners)

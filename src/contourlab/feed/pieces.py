@@ -18,8 +18,9 @@ from contourlab.feed.joints import NUDGE, Joints, joints
 from contourlab.feed.limits import AxisLimits
 from contourlab.feed.route import Route
 from contourlab.geometry import Arc, Curve, Line
+from contourlab.geometry.blend import Blend
 
-__all__ = ["Nodes", "Pieces", "Survey", "cut", "look", "survey"]
+__all__ = ["Nodes", "Pieces", "Survey", "chosen_nodes", "cut", "joint_speed", "look", "survey"]
 
 Array = NDArray[np.float64]
 Flags = NDArray[np.bool_]
@@ -27,6 +28,7 @@ Index = NDArray[np.intp]
 
 GROUP = 1.15  # the permitted speed changes by at most this factor within a piece of a general curve
 NODES_ARC = 128  # samples per turn of an arc: the worst direction is met within 0.03 %
+NODES_BLEND = 17  # samples of a blend, which bends once
 NODES_FIRST = 65  # samples of a general curve before refinement
 TURN = 0.05  # [rad] the tangent turns less than this between samples of a general curve ...
 STEP = 1.06  # ... and the permitted speed changes by less than this factor, ...
@@ -68,6 +70,11 @@ class Nodes(NamedTuple):
     third: Array
 
 
+def chosen_nodes(nodes: Nodes, rows: Flags | Index) -> Nodes:
+    """Return some of the nodes."""
+    return Nodes(nodes.curve[rows], nodes.place[rows], nodes.tangent[rows], nodes.second[rows], nodes.third[rows])
+
+
 def look(route: Route, curve: Index, place: Array) -> Nodes:
     """Evaluate the path at places within curves."""
     begin, end = route.path.breaks[curve], route.path.breaks[curve + 1]
@@ -77,15 +84,16 @@ def look(route: Route, curve: Index, place: Array) -> Nodes:
 
 
 def _kind(curve: Curve) -> int:
-    return 0 if isinstance(curve, Line) else 1 if isinstance(curve, Arc) else 2
+    return 0 if isinstance(curve, Line) else 1 if isinstance(curve, Arc) else 3 if isinstance(curve, Blend) else 2
 
 
 def _first_nodes(route: Route) -> tuple[Nodes, NDArray[np.int8]]:
-    """Sample every curve; kind 0 is a line, 1 an arc or helix, 2 any other."""
+    """Sample every curve; kind 0 is a line, 1 an arc or helix, 3 a blend, 2 any other."""
     kind = np.array([_kind(curve) for curve in route.path.curves], dtype=np.int8)
     middle = look(route, np.arange(route.n_curve), np.full(route.n_curve, 0.5))
     sweep = np.linalg.norm(middle.second, axis=1) * np.diff(route.path.breaks)
-    count = np.where(kind == 0, 2, np.where(kind == 1, 5 + np.ceil(NODES_ARC * sweep / (2.0 * np.pi)), NODES_FIRST))
+    of_arc = np.maximum(6, 2 + np.ceil(NODES_ARC * sweep / (2.0 * np.pi)))
+    count = np.choose(kind, [np.full_like(of_arc, 2), of_arc, np.full_like(of_arc, NODES_FIRST), np.full_like(of_arc, NODES_BLEND)])
     count = count.astype(np.intp)
     curve = np.repeat(np.arange(route.n_curve), count)
     first = np.repeat(np.cumsum(count) - count, count)
@@ -122,9 +130,9 @@ def _cells(nodes: Nodes, kind: NDArray[np.int8], permitted: Array, smooth_line: 
     """Return the node at which each piece ends, walking once over the cells of the general curves."""
     end_of_curve = np.append(nodes.curve[1:] != nodes.curve[:-1], True)
     ends = end_of_curve & ~smooth_line[nodes.curve]
-    if np.any(kind == 2):
+    if np.any(kind[nodes.curve] >= 2):
         ends = ends.copy()
-        general = np.flatnonzero(kind == 2)
+        general = np.unique(nodes.curve[kind[nodes.curve] >= 2])
         firsts = np.searchsorted(nodes.curve, general)
         lasts = np.searchsorted(nodes.curve, general, side="right")
         for first, last in zip(firsts.tolist(), lasts.tolist(), strict=True):
@@ -143,7 +151,7 @@ def _cells(nodes: Nodes, kind: NDArray[np.int8], permitted: Array, smooth_line: 
     return np.flatnonzero(ends)
 
 
-def _joint_speed(jump: Array, limits: AxisLimits, curvature_step: float) -> Array:
+def joint_speed(jump: Array, limits: AxisLimits, curvature_step: float) -> Array:
     """Return the ceiling of speed at each joint from the step of acceleration |jump| v^2."""
     with np.errstate(divide="ignore", invalid="ignore"):
         square = np.where(jump == 0.0, np.inf, curvature_step * limits.acceleration / np.abs(jump))
@@ -155,7 +163,7 @@ class Survey(NamedTuple):
 
     meet: Joints
     nodes: Nodes
-    kind: NDArray[np.int8]  # 0 line, 1 arc or helix, 2 any other
+    kind: NDArray[np.int8]  # 0 line, 1 arc or helix, 2 any other, 3 blend of a corner
     joint_speed: Array
 
 
@@ -176,11 +184,11 @@ def survey(route: Route, limits: AxisLimits, curvature_step: float) -> Survey:
     """
     meet = joints(route)
     nodes, kind = _first_nodes(route)
-    return Survey(meet, _refined(route, nodes, kind, limits), kind, _joint_speed(meet.jump, limits, curvature_step))
+    return Survey(meet, _refined(route, nodes, kind, limits), kind, joint_speed(meet.jump, limits, curvature_step))
 
 
-def cut(route: Route, seen: Survey, limits: AxisLimits) -> Pieces:
-    """Cut a route into pieces and find the limits of each.
+def cut(route: Route, seen: Survey, limits: AxisLimits, wanted: Flags) -> Pieces:
+    """Cut curves of a route into pieces and find the limits of each.
 
     Parameters
     ----------
@@ -188,12 +196,17 @@ def cut(route: Route, seen: Survey, limits: AxisLimits) -> Pieces:
     seen : Survey
     limits : AxisLimits
         For the path's number of axes.
+    wanted : ndarray (n_curve,) of bool
+        Curves to be cut; all curves from one stop to the next, or none of them.
 
     Returns
     -------
     Pieces
     """
-    meet, nodes, kind = seen.meet, seen.nodes, seen.kind
+    meet, kind = seen.meet, seen.kind
+    nodes = seen.nodes
+    if not np.all(wanted):
+        nodes = chosen_nodes(nodes, wanted[nodes.curve])
     samples = _samples(route, nodes)
     straight_on = kind == 0
     smooth_line = ~meet.stop & straight_on & np.roll(straight_on, -1) & (route.feedrate == np.roll(route.feedrate, -1))
@@ -204,7 +217,7 @@ def cut(route: Route, seen: Survey, limits: AxisLimits) -> Pieces:
     curve = nodes.curve[last]
     breaks = np.asarray(route.path.breaks)
     end = np.where(within, breaks[curve] + np.diff(breaks)[curve] * nodes.place[last], breaks[curve + 1])
-    start = np.concatenate([[0.0], end[:-1]])
+    start = np.where(np.append(False, within[:-1]), np.append(0.0, end[:-1]), breaks[nodes.curve[first]])
     stop = meet.stop[curve] & ~within
     counts = last - first + 1
     begins = np.cumsum(counts) - counts

@@ -1,14 +1,14 @@
 """Jerk-limited feed along a route, with exact stops at its corners.
 
-The route is cut into pieces with one set of limits each (`pieces`, `bounds`). Two passes over the pieces of each smooth
-stretch, forward for speeding up and backward for braking, give the speed at every border; then each piece is one move
-of at most seven spans of constant jerk (`scurve`). The tangential acceleration is zero at the borders of pieces.
-Stretches with general curves are planned a second way (`smooth`), and the faster of the two is taken.
+The route is divided at its stops into stretches (`stretches`). A straight stretch is planned in closed form: cut into pieces with one set
+of limits each (`pieces`, `bounds`), two passes over the pieces, forward for speeding up and backward for braking, for the speed at every
+border, and one move of at most seven spans of constant jerk a piece (`scurve`), without acceleration at the borders. All other stretches
+are planned together by `smooth`; of several motions of a stretch the fastest is taken.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -16,18 +16,27 @@ from numpy.typing import NDArray
 from contourlab.errors import FeedError
 from contourlab.feed.bounds import Bounds
 from contourlab.feed.limits import AxisLimits
-from contourlab.feed.pieces import Pieces, cut, survey
+from contourlab.feed.pieces import Pieces, Survey, cut, survey
 from contourlab.feed.profile import Profile
 from contourlab.feed.reference import Reference, lap_ranges, whole_samples
 from contourlab.feed.route import Route
-from contourlab.feed.scurve import move_spans, peak_speed, reachable_speed
-from contourlab.feed.smooth import Stretch, smooth_profile
-from contourlab.feed.stretches import general_stretches
-from contourlab.geometry import Path
+from contourlab.feed.scurve import N_SPAN, move_spans, peak_speed, reachable_speed
+from contourlab.feed.smooth import shaped
+from contourlab.feed.stretches import Stretches, ranges, sampled, stretches
 
 __all__ = ["plan", "plan_profile"]
 
 Array = NDArray[np.float64]
+Index = NDArray[np.intp]
+
+N_SHORT = 24  # curves of a stretch up to which the closed form is tried too
+
+
+class _Moves(NamedTuple):
+    """Motions of some stretches: spans (n, 5) as rows (duration, s0, v0, a0, j), and the stretch (n,) of each, rising."""
+
+    spans: Array
+    stretch: Index
 
 
 def _border_speeds(pieces: Pieces) -> tuple[Array, Array]:
@@ -62,31 +71,74 @@ def _border_speeds(pieces: Pieces) -> tuple[Array, Array]:
     return np.append(0.0, ceiling[:-1]), ceiling
 
 
-def _spans(moves: tuple[Array, ...], pieces: Pieces, rest_after: Array, length: float) -> Array:
-    """Return eight spans for each piece as rows (duration, s0, v0, a0, j): its move, and the rest after it."""
-    rows = np.zeros((pieces.start.size, 8, 5))
-    rows[:, :7] = np.stack(moves, axis=-1)
-    rows[:, :7, 1] += pieces.start[:, None]
-    rows[:, 7, 1] = np.append(pieces.start[1:], length)
-    rows[:, 7, 0] = rest_after
-    return rows.reshape(-1, 5)
+def _closed_form(route: Route, seen: Survey, limits: AxisLimits, parts: Stretches, chosen: Index) -> _Moves:
+    """Plan stretches as moves from border to border of their pieces."""
+    n_curve, lap_length = route.n_curve, float(route.path.length)
+    laps = int(parts.after[-1]) // n_curve
+    in_lap = np.zeros((laps, n_curve), dtype=bool)
+    in_lap.reshape(-1)[ranges(parts.first[chosen], parts.after[chosen] - parts.first[chosen])] = True
+    wanted = np.asarray(in_lap.any(axis=0))
+    pieces = _repeated(cut(route, seen, limits, wanted), laps, lap_length, n_curve)
+    start_speed, end_speed = _border_speeds(pieces)
+    bounds = pieces.bounds
+    shape = (bounds.acceleration, bounds.rise, bounds.taper)
+    peak = peak_speed(pieces.length, start_speed, end_speed, bounds.speed, *shape)
+    spans = np.stack(move_spans(pieces.length, start_speed, peak, end_speed, *shape), axis=-1)
+    spans[:, :, 1] += pieces.start[:, None]
+    stretch = np.searchsorted(parts.after, pieces.curve, side="right")
+    return _Moves(spans.reshape(-1, 5), np.repeat(stretch, N_SPAN))
 
 
-def _with_smooth_stretches(rows: Array, pieces: Pieces, path: Path, stretches: Iterable[Stretch], limits: AxisLimits) -> Array:
-    """Put the spans of smooth stretches in the place of their pieces, where they are faster."""
-    parts, done = [], 0
-    for stretch in stretches:
-        begin, end = float(stretch.arc_length[0]), float(stretch.arc_length[-1])
-        first, after = np.searchsorted(pieces.start, [begin - 1e-12, end - 1e-12])
-        top, bottom = 8 * int(first), 8 * int(after) - 1  # the last row is the rest after the stretch
-        profile = smooth_profile(path, stretch, limits, float(rows[top:bottom, 0].sum()))
-        if profile is None:
-            continue
-        lasting = np.diff(np.append(profile.t0, profile.duration))
-        new = np.stack([lasting, profile.s0 + begin, profile.v0, profile.a0, profile.j], axis=-1)
-        parts += [rows[done:top], new]
-        done = bottom
-    return np.concatenate([*parts, rows[done:]])
+def _fastest(parts: Stretches, moves: list[_Moves]) -> _Moves:
+    """Return of all motions of each stretch the one that takes the least time, in the order of travel."""
+    n = parts.first.size
+    time = np.full((len(moves), n), np.inf)
+    for row, found in zip(time, moves, strict=True):
+        lasting = np.bincount(found.stretch, found.spans[:, 0], n)
+        has = np.unique(found.stretch)
+        row[has] = lasting[has]
+    best = np.argmin(time, axis=0)
+    kept = [best[found.stretch] == k for k, found in enumerate(moves)]
+    stretch = np.concatenate([found.stretch[keep] for found, keep in zip(moves, kept, strict=True)])
+    spans = np.concatenate([found.spans[keep] for found, keep in zip(moves, kept, strict=True)])
+    order = np.argsort(stretch, kind="stable")
+    return _Moves(spans[order], stretch[order])
+
+
+def _with_rests(found: _Moves, route: Route, parts: Stretches) -> Array:
+    """Put the rests after the stretches in between their spans."""
+    curve = (parts.after - 1) % route.n_curve
+    rest = route.dwell[curve]
+    lasting = np.flatnonzero(rest > 0.0)
+    if lasting.size == 0:
+        return found.spans
+    rows = np.zeros((lasting.size, 5))
+    rows[:, 0] = rest[lasting]
+    rows[:, 1] = np.asarray(route.path.breaks)[curve[lasting] + 1] + (parts.after[lasting] - 1) // route.n_curve * route.path.length
+    after = np.searchsorted(found.stretch, lasting, side="right")
+    return np.insert(found.spans, after, rows, axis=0)
+
+
+def _motions(route: Route, seen: Survey, limits: AxisLimits, laps: int) -> Array:
+    """Return the spans of the whole route as rows (duration, s0, v0, a0, j)."""
+    parts = stretches(seen, laps)
+    bent = np.flatnonzero(~parts.straight)
+    moves = []
+    if bent.size:
+        samples = sampled(route, seen, limits, parts, bent)
+        for found in shaped(route.path, samples, limits):
+            of_stretch = np.repeat(np.arange(bent.size), np.diff(found.begin))
+            keep = found.good[of_stretch]
+            moves.append(_Moves(found.spans[keep], bent[of_stretch[keep]]))
+    # The closed form is exact on straight stretches; elsewhere it may win where there is little to look ahead to.
+    missing = np.ones(parts.first.size, dtype=bool)
+    for way in moves:
+        missing[way.stretch] = False
+    short = parts.after - parts.first <= N_SHORT
+    closed = np.flatnonzero(parts.straight | missing | short)
+    if closed.size:
+        moves.append(_closed_form(route, seen, limits, parts, closed))
+    return _with_rests(_fastest(parts, moves), route, parts)
 
 
 def _profile(rows: Array, rest_before: float, length: float) -> Profile:
@@ -97,8 +149,8 @@ def _profile(rows: Array, rest_before: float, length: float) -> Profile:
     return Profile(np.append(0.0, ends[:-1]), s0, v0, a0, j, duration=float(ends[-1]), length=length)
 
 
-def _repeated(pieces: Pieces, laps: int, lap_length: float) -> Pieces:
-    """Return the pieces of several laps."""
+def _repeated(pieces: Pieces, laps: int, lap_length: float, n_curve: int) -> Pieces:
+    """Return the pieces of several laps; their curves are counted on."""
     if laps == 1:
         return pieces
     start = np.concatenate([pieces.start + lap * lap_length for lap in range(laps)])
@@ -108,7 +160,7 @@ def _repeated(pieces: Pieces, laps: int, lap_length: float) -> Pieces:
         Bounds(*(np.tile(part, laps) for part in pieces.bounds)),
         np.tile(pieces.stop, laps),
         np.tile(pieces.joint_speed, laps),
-        np.tile(pieces.curve, laps),
+        np.concatenate([pieces.curve + lap * n_curve for lap in range(laps)]),
     )
 
 
@@ -138,16 +190,7 @@ def plan_profile(route: Route, limits: AxisLimits, *, laps: int = 1, curvature_s
             "give one of them a finite value, or use uniform(), which has no ramps"
         )
     seen = survey(route, limits, curvature_step)
-    pieces = _repeated(cut(route, seen, limits), laps, lap_length)
-    start_speed, end_speed = _border_speeds(pieces)
-    bounds = pieces.bounds
-    shape = (bounds.acceleration, bounds.rise, bounds.taper)
-    peak = peak_speed(pieces.length, start_speed, end_speed, bounds.speed, *shape)
-    moves = move_spans(pieces.length, start_speed, peak, end_speed, *shape)
-    rest = np.where(pieces.stop, route.dwell[pieces.curve], 0.0)
-    rows = _spans(moves, pieces, rest, laps * lap_length)
-    rows = _with_smooth_stretches(rows, pieces, route.path, general_stretches(route, seen, laps), limits)
-    return _profile(rows, route.dwell_before, laps * lap_length)
+    return _profile(_motions(route, seen, limits, laps), route.dwell_before, laps * lap_length)
 
 
 def plan(
@@ -193,6 +236,7 @@ def plan(
         n_sample=n_sample,
         path=route.path,
         programmed=route.programmed,
+        correspondence=route.correspondence,
         profile=profile,
         source_lines=route.source_line,
         laps=ranges,

@@ -12,6 +12,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from contourlab.errors import FeedError
+from contourlab.feed.correspondence import Correspondence, place_on_programmed
 from contourlab.feed.profile import Profile
 from contourlab.geometry import Path
 
@@ -118,6 +119,8 @@ class Reference:
     laps : tuple of (start, stop)
         Sample ranges [start, stop) of whole periods.
     recorded : Recorded or None
+    correspondence : Correspondence or None
+        Which programmed place belongs to a planned one, where the two paths differ.
     """
 
     servo_period: float
@@ -128,6 +131,7 @@ class Reference:
     source_lines: NDArray[np.int64]
     laps: tuple[tuple[int, int], ...] = ()
     recorded: Recorded | None = None
+    correspondence: Correspondence | None = None
     _kept: dict[tuple[int, int, Filler | None], ReferenceBlock] = field(default_factory=dict, init=False, repr=False)
 
     @property
@@ -215,6 +219,21 @@ class Reference:
         where = np.atleast_1d(np.asarray(arc_length, dtype=np.float64))
         return np.asarray(self.source_lines[self.path.curve_index(where)], dtype=np.int64)
 
+    def programmed_arc_length(self, arc_length: ArrayLike) -> Array:
+        """Return the progress along `programmed` that belongs to a progress along `path`.
+
+        Parameters
+        ----------
+        arc_length : array_like (n,) [m]
+            It may count the laps of a closed path.
+
+        Returns
+        -------
+        ndarray (n,) [m]
+            The same where the path is the programmed one.
+        """
+        return place_on_programmed(self.correspondence, self.path, self.programmed, arc_length)
+
     @property
     def digest(self) -> str:
         """Stable hash of all that decides the samples."""
@@ -224,6 +243,8 @@ class Reference:
         profile, parts = self.profile, tuple(self.recorded or ())
         if profile is not None:
             parts = (profile.t0, profile.s0, profile.v0, profile.a0, profile.j)
+        if self.correspondence is not None:
+            parts = (*parts, self.correspondence.planned, self.correspondence.programmed)
         for part in (*parts, self.source_lines):
             text.update(np.ascontiguousarray(part).tobytes())
         return text.hexdigest()
@@ -238,6 +259,7 @@ class Reference:
         arc_length: ArrayLike | None = None,
         programmed: Path | None = None,
         source_lines: ArrayLike | None = None,
+        correspondence: Correspondence | None = None,
     ) -> Reference:
         """Wrap positions that another planner or a log gave.
 
@@ -252,6 +274,8 @@ class Reference:
             positions without noise.
         programmed : Path, optional
         source_lines : array_like (n_curve,) of int, optional
+        correspondence : Correspondence, optional
+            Which programmed place belongs to one on `path`.
 
         Returns
         -------
@@ -286,4 +310,5 @@ class Reference:
             profile=None,
             source_lines=lines,
             recorded=Recorded(points, progress),
+            correspondence=correspondence,
         )

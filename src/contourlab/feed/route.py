@@ -4,19 +4,30 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from contourlab.errors import FeedError, ProgramError
-from contourlab.geometry import Arc, Curve, Line, Path
+from contourlab.feed.correspondence import Correspondence, place_on_programmed
+from contourlab.geometry import Arc, BSpline, Curve, Line, Nurbs, Path
 from contourlab.program import Arc as ArcMove
-from contourlab.program import Dwell, Program, Traverse
+from contourlab.program import Dwell, Program, Spline, Traverse
 
 __all__ = ["Route", "route_from_path", "route_from_program"]
 
 Array = NDArray[np.float64]
+_PER_CURVE: dict[str, Any] = {
+    "feedrate": float,
+    "rapid": bool,
+    "dwell": float,
+    "source_line": np.int64,
+    "corner_tolerance": float,
+    "merge_tolerance": float,
+    "exact_stop": bool,
+}
+"""What a route says of each curve."""
 
 
 def _per_curve(name: str, value: ArrayLike, n_curve: int, dtype: Any) -> NDArray[Any]:
@@ -47,11 +58,19 @@ class Route:
         The path as programmed, where `path` deviates from it (blended corners); by default the same.
     dwell_before : float [s], >= 0
         Time at rest before the first curve.
+    corner_tolerance : array_like (n_curve,) [m], >= 0
+        How far the corner at the end of each curve may be cut (G64 P); 0 where it is met exactly. See `blended`.
+    merge_tolerance : array_like (n_curve,) [m], >= 0
+        How far points between lines may be missed when they are merged (G64 Q); 0 where none are.
+    exact_stop : array_like (n_curve,) of bool
+        Whether the motion stops at the end of each curve even where the path goes on smoothly (G61.1).
+    correspondence : Correspondence, optional
+        Which programmed place belongs to a planned one, where the two paths differ.
 
     Raises
     ------
     FeedError
-        If a feedrate is not positive, a dwell negative, or a length does not fit the path.
+        If a feedrate is not positive, a dwell or a tolerance negative, or a length does not fit the path.
     """
 
     path: Path
@@ -61,10 +80,14 @@ class Route:
     source_line: NDArray[np.int64]
     programmed: Path = None  # type: ignore[assignment]  # replaced by `path` below
     dwell_before: float = 0.0
+    corner_tolerance: Array = 0.0  # type: ignore[assignment]  # one for each curve below
+    merge_tolerance: Array = 0.0  # type: ignore[assignment]
+    exact_stop: NDArray[np.bool_] = False  # type: ignore[assignment]
+    correspondence: Correspondence | None = None
 
     def __post_init__(self) -> None:
         n_curve = len(self.path.curves)
-        for name, dtype in (("feedrate", float), ("rapid", bool), ("dwell", float), ("source_line", np.int64)):
+        for name, dtype in _PER_CURVE.items():
             object.__setattr__(self, name, _per_curve(name, getattr(self, name), n_curve, dtype))
         object.__setattr__(self, "programmed", self.programmed or self.path)
         good = (self.feedrate > 0.0) & (np.isfinite(self.feedrate) | self.rapid)
@@ -76,11 +99,19 @@ class Route:
             )
         if not (np.all(np.isfinite(self.dwell) & (self.dwell >= 0.0)) and 0.0 <= self.dwell_before < np.inf):
             raise FeedError("dwell: every time at rest must be finite and >= 0 s")
+        for name in ("corner_tolerance", "merge_tolerance"):
+            values = getattr(self, name)
+            if not np.all(np.isfinite(values) & (values >= 0.0)):
+                raise FeedError(f"{name}: every tolerance must be finite and >= 0 m")
 
     @property
     def n_curve(self) -> int:
         """Number of curves."""
         return len(self.path.curves)
+
+    def programmed_arc_length(self, s: ArrayLike) -> Array:
+        """Return the arc lengths (n,) [m] on `programmed` that belong to arc lengths (n,) [m] on `path`."""
+        return place_on_programmed(self.correspondence, self.path, self.programmed, s)
 
 
 def _line(source_line: int) -> str:
@@ -125,12 +156,20 @@ def _point(values: Sequence[float], columns: list[int]) -> Array:
     return np.array([values[column] for column in columns])
 
 
+def _moved(move: Any) -> list[int]:
+    """Return the axes (0 = x, 1 = y, 2 = z) that a move moves."""
+    if isinstance(move, ArcMove):
+        found = {i for unit in move.directions()[:2] for i in range(3) if unit[i]}
+    elif isinstance(move, Spline):
+        found = {i for point in move.points for i in range(3) if point[i] != move.start[i]}
+    else:
+        found = set()
+    return sorted(found | {i for i in range(3) if move.start[i] != move.end[i]})
+
+
 def _check_axes(program: Program, move: Any, columns: list[int]) -> None:
     """Refuse a move of an axis that the machine lacks."""
-    lacking = [column for column in range(3) if column not in columns]
-    moved = [column for column in lacking if move.end[column] != move.start[column]]
-    if isinstance(move, ArcMove):
-        moved += [column for column in move.axes[:2] if column in lacking and column not in moved]
+    moved = [column for column in _moved(move) if column not in columns]
     if moved:
         names = ", ".join("XYZ"[column] for column in moved)
         have = ", ".join("XYZ"[column] for column in columns)
@@ -141,24 +180,51 @@ def _check_axes(program: Program, move: Any, columns: list[int]) -> None:
         )
 
 
-def _arc(move: ArcMove, columns: list[int]) -> Curve:
-    """Return the arc or helix of a move, in the machine's axes; it joins the programmed ends exactly."""
-    unit = np.eye(len(columns))
-    u, v = (unit[columns.index(axis)] for axis in move.axes[:2])
+def _bent(move: ArcMove | Spline, columns: list[int]) -> Curve:
+    """Return the arc, helix or spline of a move, in the machine's axes; it joins the programmed ends exactly."""
+    if isinstance(move, Spline):
+        points = np.array([_point(point, columns) for point in move.points])
+        if len(set(move.weights)) == 1:
+            return BSpline(move.degree, points, move.knots)
+        return Nurbs(move.degree, points, move.knots, move.weights)
+    u, v = (_point(unit, columns) for unit in move.directions()[:2])
     start, end, centre = (_point(point, columns) for point in (move.start, move.end, move.centre))
     return Arc.through(start, end, centre, move.sweep, u, v)
 
 
-def route_from_program(program: Program, axes: Sequence[str] = ("x", "y", "z")) -> Route:
-    """Return the route of a part program.
+class _Row(NamedTuple):
+    """What a route says of one move's curve."""
 
-    Moves without length are left out, their dwell is kept. A traverse (G0) is a straight line at rapid rate.
+    feedrate: float
+    rapid: bool
+    source_line: int
+    corner_tolerance: float
+    merge_tolerance: float
+    exact_stop: bool
+
+
+def _row(move: Any, default_tolerance: float) -> _Row:
+    mode, rapid = move.mode, isinstance(move, Traverse)
+    corner = merge = 0.0
+    if mode.control == "blend":
+        corner = default_tolerance if mode.tolerance is None else mode.tolerance
+        merge = mode.merge or 0.0
+    return _Row(np.inf if rapid else move.feedrate, rapid, move.source_line, corner, merge, mode.control == "exact_stop")
+
+
+def route_from_program(program: Program, axes: Sequence[str] = ("x", "y", "z"), *, default_tolerance: float = 0.0) -> Route:
+    """Return the route of a part program, as programmed: `blended` rounds its corners within their tolerances.
+
+    Moves without length are left out, their dwell is kept. A traverse (G0) is a straight line at rapid rate. The tolerance of a corner is
+    that of the move that ends there.
 
     Parameters
     ----------
     program : Program
     axes : sequence of str
         The machine's linear axes in their order, of ``x``, ``y``, ``z``.
+    default_tolerance : float [m], >= 0
+        Of corners under G64 without P; 0 meets them exactly.
 
     Returns
     -------
@@ -172,30 +238,35 @@ def route_from_program(program: Program, axes: Sequence[str] = ("x", "y", "z")) 
         If the program moves nothing, or `axes` is wrong.
     """
     columns = _axis_columns(axes)
-    curves: list[Curve] = []
-    rows: list[tuple[float, bool, int]] = []
+    bent: dict[int, Curve] = {}
+    ends: list[tuple[Sequence[float], Sequence[float]]] = []
+    rows: list[_Row] = []
     dwell: list[float] = []
     before = 0.0
     for move in program.moves:
         if isinstance(move, Dwell):
-            if curves:
+            if rows:
                 dwell[-1] += move.seconds
             else:
                 before += move.seconds
             continue
         _check_axes(program, move, columns)
-        if isinstance(move, ArcMove):
-            curves.append(_arc(move, columns))
-        else:
-            start, end = _point(move.start, columns), _point(move.end, columns)
-            if np.array_equal(start, end):
-                continue
-            curves.append(Line(start, end))
-        feedrate = np.inf if isinstance(move, Traverse) else move.feedrate
-        rows.append((feedrate, isinstance(move, Traverse), move.source_line))
+        if isinstance(move, ArcMove | Spline):
+            bent[len(rows)] = _bent(move, columns)
+        elif all(move.start[column] == move.end[column] for column in columns):
+            continue
+        ends.append((move.start, move.end))
+        rows.append(_row(move, default_tolerance))
         dwell.append(0.0)
-    if not curves:
+    if not rows:
         raise FeedError(f"{program.name}: the program moves no axis: there is nothing to drive along")
-    feedrates, rapid, lines = (np.array(column) for column in zip(*rows, strict=True))
-    path = Path(tuple(curves))
-    return Route(path, feedrates, rapid, np.array(dwell), lines, path, before)
+    path = Path(_curves(np.array(ends)[:, :, columns], bent))
+    says: dict[str, Any] = {name: np.array(column) for name, column in zip(_Row._fields, zip(*rows, strict=True), strict=True)}
+    return Route(path, dwell=np.array(dwell), programmed=path, dwell_before=before, **says)
+
+
+def _curves(ends: Array, bent: dict[int, Curve]) -> list[Curve]:
+    """Return a line between each pair of ends (n, 2, n_axis), but where there is another curve."""
+    straight = [i for i in range(len(ends)) if i not in bent]
+    lines = dict(zip(straight, Line.many(ends[straight, 0], ends[straight, 1]), strict=True)) if straight else {}
+    return [bent[i] if i in bent else lines[i] for i in range(len(ends))]

@@ -19,7 +19,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-__all__ = ["Ramps", "move_spans", "peak_speed", "ramp_distance", "ramps", "reachable_speed", "spans_end"]
+__all__ = ["N_SPAN", "Ramps", "move_spans", "peak_speed", "ramp_distance", "ramps", "reachable_speed", "spans_end"]
 
 Array = NDArray[np.float64]
 

@@ -1,231 +1,303 @@
-"""Feed along stretches with general curves (splines, ellipses), where limits change all the time.
+"""Feed along stretches that are not straight: near the least time, with limited jerk.
 
-Moves between borders without acceleration (`planner`) waste time there. Instead, for one stretch from stop to stop:
+For many stretches at once, each from rest to rest:
 
-1. a forward and a backward pass over the samples give the speed of limited acceleration, v(s), with parts of the
-   limits held back for jerk and for step 3;
-2. the ceiling of the speed is first widened at its narrows, by what step 3 looks ahead and back;
-3. the progress s(t) is sampled every h seconds and the steps are made the coefficients of a cubic B-spline. That is
-   a moving average of the motion: it keeps the length, bounds the acceleration, and has constant jerk in each span;
-4. the result is held against the true limits at many places. Where it breaks them, the limits used in step 1 are
-   lowered around that place, and all is done again.
+1. `reach` finds the fastest v^2 by arc length under the axes' accelerations, with their signs (the method of reachable sets: Pham and
+   Pham, "A new approach to time-optimal path parameterization based on reachability analysis", IEEE Transactions on Robotics 34(3),
+   2018). The jerk enters as a third family of limits, linear in the acceleration and in v^2: |t| a/T + 3 |k| v a + |c| v^3 <= J.
+2. The motion is averaged over the time T: its steps within T/`STEPS` each are averaged over `STEPS` neighbours and made the
+   coefficients of a cubic B-spline. That keeps the length, bounds the acceleration, and has constant jerk in each span. So that the average keeps to the
+   ceiling of the speed, each narrow of it is widened beforehand by what the average takes in there; and each summit of the speed is cut
+   off where it lasts T, so that the acceleration can change its sign.
+3. The result is held against the true limits in every span and at every sample. Around a place where it breaks one, the limits used in
+   step 1 are lowered, and all is done again; what lies elsewhere does not change. At last the path itself is asked.
 
-Only a motion that has passed step 4 is handed back.
+Only a stretch that has passed step 3 is handed back. Every step is linear in the number of samples.
 """
 
 from __future__ import annotations
 
-import math
+from collections.abc import Callable
+from functools import cache
 from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
 from contourlab.feed.limits import AxisLimits
-from contourlab.feed.profile import Motion, Profile
+from contourlab.feed.stretches import Samples
 from contourlab.geometry import Path
 
-__all__ = ["Stretch", "smooth_profile"]
+__all__ = ["Shaped", "shaped"]
 
 Array = NDArray[np.float64]
+Index = NDArray[np.intp]
 
-TURNING = 0.9  # part of the acceleration limit that turning may use at the ceiling of speed
-TURNING_JERK = 0.6  # part of the jerk limit for c v^3 at the ceiling of speed
-MIXED_JERK = 0.6  # part of the jerk limit for 3 k v a
-PERIODS = (0.35, 0.18, 0.7)  # periods h tried, in units of 2 A / J: at 1 a swing from -A to A keeps to the jerk
+PERIODS = (1.0, 0.7, 0.5, 0.35, 0.25)  # T tried, in units of A/J: at 1 the acceleration may rise to its limit within T
+STEPS = 4  # of the time grid in T
 ROUNDING = 1e-6  # of a limit
 CLOSE = 1e-3  # of a limit: what the path may show between the samples
-ROUNDS = 16  # corrections at most
-FINEST = 5e-3  # least unit of h, in sqrt(length / acceleration): finer gains no time where jerk is plentiful
-SPREAD = 2.0  # half width of the moving average, in periods
-PER_SPAN = 12  # places looked at in each span, besides the samples of the path
+ROUNDS = 40  # corrections at most
+HASTE = 2.5  # rounds after which a correction counts twice, then three times: what is left is stubborn
+PER_SPAN = 4  # places looked at in each span, besides the samples
+MOST_SPANS = 4_000_000  # where the jerk is plentiful, T is no shorter than this asks for
+MANY = (5_000, 200_000)  # samples above which only the two, and the one, most likely periods are tried
+CHUNK = 200_000  # places at which the path is asked at once
 
 
-class Stretch(NamedTuple):
-    """Samples of a path from one stop to the next, n in the order of travel.
+class Shaped(NamedTuple):
+    """Motions of several stretches.
 
-    arc_length : ndarray (n,) [m]
-    tangent, second, third : ndarray (n, n_axis)
-    ceiling : ndarray (n,) [m/s]
-        Programmed speed, and that at jumps of curvature.
+    spans : ndarray (n_span, 5)
+        Duration, arc length, speed, acceleration at the start of each span; its jerk.
+    begin : ndarray (n_stretch + 1,) of int
+        First span of each stretch.
+    good : ndarray (n_stretch,) of bool
+        Whether the motion of the stretch keeps to the limits.
     """
 
-    arc_length: Array
-    tangent: Array
-    second: Array
-    third: Array
-    ceiling: Array
+    spans: Array
+    begin: Index
+    good: NDArray[np.bool_]
+
+    @property
+    def duration(self) -> Array:
+        """Time that each stretch takes [s]."""
+        return np.asarray(np.add.reduceat(self.spans[:, 0], self.begin[:-1]))
 
 
-def _ceiling(stretch: Stretch, limits: AxisLimits, scale: Array) -> Array:
-    """Return the highest speed at each sample with parts of the limits held back."""
+def _ceiling(samples: Samples, limits: AxisLimits, shaped: bool) -> Array:
+    """Return the highest speed at each sample; zero where the stretches end.
+
+    A motion that is to be averaged must be able to hold it: without acceleration, turning alone is within the limits.
+    """
     with np.errstate(divide="ignore", invalid="ignore"):
-        velocity = limits.velocity / np.abs(stretch.tangent)
-        turning = np.sqrt(TURNING * scale[:, None] * limits.acceleration / np.abs(stretch.second))
-        jerk = np.cbrt(TURNING_JERK * scale[:, None] * limits.jerk / np.abs(stretch.third))
-    lowest = np.fmin(np.fmin(velocity, turning), jerk).min(axis=1)
-    return np.asarray(np.minimum(stretch.ceiling, lowest))
+        lowest = np.fmin.reduce(limits.velocity / np.abs(samples.tangent), axis=1)
+        if shaped:
+            lowest = np.fmin(lowest, np.sqrt(np.fmin.reduce(limits.acceleration / np.abs(samples.second), axis=1)))
+            lowest = np.fmin(lowest, np.cbrt(np.fmin.reduce(limits.jerk / np.abs(samples.third), axis=1)))
+        else:
+            # An axis that does not move along the path has no acceleration along it: its share of turning is a limit of speed.
+            still = np.where(np.abs(samples.tangent) < 1e-6, np.abs(samples.second), 0.0)
+            lowest = np.fmin(lowest, np.sqrt(np.fmin.reduce(limits.acceleration / still, axis=1)))
+    ceiling = np.minimum(samples.ceiling, lowest)
+    ceiling[samples.ends] = 0.0
+    return np.asarray(ceiling)
 
 
-def _lowest_within(place: Array, value: Array, width: Array) -> Array:
-    """Return the minimum of `value` over [place - width, place + width], for every place."""
-    first = np.searchsorted(place, place - width)
-    last = np.searchsorted(place, place + width, side="right")
-    levels = [value]
-    while 2 ** len(levels) <= value.size:
-        half = 2 ** (len(levels) - 1)
-        levels.append(np.minimum(levels[-1][:-half], levels[-1][half:]))
-    level = np.floor(np.log2(np.maximum(last - first, 1))).astype(np.intp)
-    result = np.empty_like(value)
-    for k, table in enumerate(levels):
-        of_level = np.flatnonzero(level == k)
-        result[of_level] = np.minimum(table[first[of_level]], table[last[of_level] - 2**k])
-    return result
+class _Kernels(NamedTuple):
+    """The compiled recursions of `kernels`."""
+
+    reach: Callable[..., None]
+    spread: Callable[..., None]
+    flatten: Callable[..., None]
+    demand: Callable[..., None]
+    clock: Callable[..., None]
+    steps: Callable[..., None]
+    lower: Callable[..., None]
 
 
-def _square_speed(stretch: Stretch, limits: AxisLimits, scale: Array, ceiling: Array) -> Array:
-    """Return v^2 at the samples: forward for speeding up, backward for braking."""
-    t = np.maximum(np.abs(stretch.tangent), 1e-6)
-    acceleration, jerk = scale[:, None] * limits.acceleration, scale[:, None] * limits.jerk
-    with np.errstate(divide="ignore", invalid="ignore"):
-        mixed = np.where(stretch.second == 0.0, np.inf, MIXED_JERK * jerk / (3.0 * np.abs(stretch.second)))
-    # One set of numbers for each interval, the more careful of its two ends.
-    base = np.minimum((acceleration / t)[1:], (acceleration / t)[:-1]).tolist()
-    slope = np.maximum((np.abs(stretch.second) / t)[1:], (np.abs(stretch.second) / t)[:-1]).tolist()
-    by_jerk = np.minimum(mixed[1:], mixed[:-1]).min(axis=1).tolist()
-    step = (2.0 * np.diff(stretch.arc_length)).tolist()
-    square = (ceiling**2).tolist()
-    square[0] = square[-1] = 0.0
+@cache
+def _kernels() -> _Kernels:
+    from contourlab.feed import kernels, looking
+    from contourlab.native.door import kernel  # the compiler is loaded when something is planned
 
-    def reached(b: float, i: int) -> float:
-        gain = min([p - q * b for p, q in zip(base[i], slope[i], strict=True)])
-        if b > 0.0:
-            gain = min(gain, by_jerk[i] / math.sqrt(b))
-        return float(b + step[i] * max(gain, 0.0))
-
-    for i in range(len(step)):
-        square[i + 1] = min(square[i + 1], reached(square[i], i))
-    for i in reversed(range(len(step))):
-        square[i] = min(square[i], reached(square[i + 1], i))
-    return np.array(square)
+    f, m, i = "f8[:]", "f8[:,:]", "i8[:]"
+    return _Kernels(
+        kernel(kernels.reach, " ".join([f, m, m, m, f, f, f, f, f, f, "f8", m, i, f, f])),
+        kernel(kernels.spread, " ".join([f, f, f, f, i])),
+        kernel(kernels.flatten, " ".join([f, f, "f8", f])),
+        kernel(looking.demand, " ".join([f, m, m, m, f, i, m, i, f, f, f, "i8", "f8", m, m, m, f, f, m, i])),
+        kernel(looking.clock, " ".join([f, f, f])),
+        kernel(looking.steps, " ".join([f, f, f, i, i, "f8", f])),
+        kernel(looking.lower, " ".join([f, m, m, "f8", "f8", m, m])),
+    )
 
 
-def _averaged(stretch: Stretch, square: Array, period: float) -> Profile:
-    """Turn v^2 at samples into spans of constant jerk, each one period long."""
-    place, speed = stretch.arc_length - stretch.arc_length[0], np.sqrt(square)
-    step = np.diff(place)
-    lasting = 2.0 * step / (speed[1:] + speed[:-1])
-    time = np.append(0.0, np.cumsum(lasting))
-    n = max(math.ceil(time[-1] / period), 2)
-    h = time[-1] / n
-    at = np.arange(1, n) * h
-    i = np.clip(np.searchsorted(time, at, side="right") - 1, 0, step.size - 1)
-    dt = at - time[i]
-    reached = place[i] + dt * (speed[i] + 0.5 * dt * (speed[i + 1] - speed[i]) / lasting[i])
-    mean = np.diff(np.concatenate([[0.0], reached, [place[-1]]])) / h
-    padded = np.concatenate([[0.0, 0.0], mean, [0.0, 0.0]])
-    older, old, new = padded[:-2], padded[1:-1], padded[2:]
-    v0, a0, j = 0.5 * (older + old), (old - older) / h, (new - 2.0 * old + older) / h**2
-    gone = np.cumsum(h * (v0 + h * (a0 / 2.0 + h * j / 6.0)))
-    s0 = np.minimum(np.append(0.0, gone[:-1]), place[-1])
-    return Profile(np.arange(n + 2) * h, s0, v0, a0, j, duration=(n + 2) * h, length=float(place[-1]))
+class _Memory(NamedTuple):
+    """What the kernel `reach` keeps from call to call."""
+
+    known: Array
+    flags: NDArray[np.int64]
+    behind: Array
+    square: Array
 
 
-def _places(stretch: Stretch, profile: Profile) -> Motion:
-    """Return the motion at many times: throughout every span, and at the samples of the path."""
-    # Both ends of every span are looked at from inside, for the jerk jumps there.
-    local = stretch.arc_length - stretch.arc_length[0]
-    per_span = min(max(math.ceil(2.0 * local.size / profile.n_span), 3), PER_SPAN)
-    h = profile.duration / profile.n_span
-    time = (profile.t0[:, None] + h * np.linspace(1e-9, 1.0 - 1e-9, per_span)).ravel()
-    along = profile.motion(time).arc_length
-    return profile.motion(np.sort(np.concatenate([time, np.interp(local[1:-1], along, time)])))
+def _memory(n: int) -> _Memory:
+    return _Memory(np.full((4, n), np.nan), np.zeros(n, dtype=np.int64), np.full(n, np.nan), np.full(n, np.nan))
 
 
-def _demand(stretch: Stretch, motion: Motion, limits: AxisLimits, path: Path | None) -> Array:
-    """Return the greatest demand at each place of a motion, as a part of the limits.
+class _Planner:
+    """Arrays that the rounds of one period share; `parts` are those of the limits that may be used at each sample:
 
-    The derivatives are those of the path; without it, those of the samples in between which the place lies.
+    of the acceleration, of the jerk for changes of the tangential acceleration, of the speed.
     """
-    local = stretch.arc_length - stretch.arc_length[0]
-    i = np.clip(np.searchsorted(local, motion.arc_length, side="right") - 1, 0, local.size - 2)
-    if path is None:
-        part = ((motion.arc_length - local[i]) / np.maximum(local[i + 1] - local[i], 1e-300))[:, None]
-        t, k, c = (value[i] + part * (value[i + 1] - value[i]) for value in stretch[1:4])
-    else:
-        _, t, k, c = path.derivatives(motion.arc_length + stretch.arc_length[0], 3)
-    v, a, j = (part[:, None] for part in motion[1:])
-    velocity = np.abs(t * v) / limits.velocity
-    acceleration = np.abs(t * a + k * v**2) / limits.acceleration
-    jerk = np.abs(t * j + 3.0 * k * v * a + c * v**3) / limits.jerk
-    of_axes = np.maximum(velocity, np.maximum(acceleration, jerk)).max(axis=1)
-    return np.asarray(np.maximum(of_axes, motion.speed / np.minimum(stretch.ceiling[i], stretch.ceiling[i + 1])))
+
+    def __init__(self, path: Path, samples: Samples, limits: AxisLimits, period: float) -> None:
+        n = samples.arc_length.size
+        self.run = _kernels()
+        self.path, self.samples, self.period = path, samples, period
+        self.velocity, self.acceleration, self.jerk = (np.array(part) for part in (limits.velocity, limits.acceleration, limits.jerk))
+        self.inverse = tuple(1.0 / part for part in (self.velocity, self.acceleration, self.jerk))
+        self.place = tuple(np.ascontiguousarray(part) for part in (samples.arc_length, samples.tangent, samples.second, samples.third))
+        self.base = _ceiling(samples, limits, period > 0.0)
+        self.begin = samples.begin.astype(np.int64)
+        self.queue = np.empty(n, dtype=np.int64)
+        self.half = 0.5 * period * (STEPS + 2) / STEPS  # what the average takes in on either side
+        self.parts, self.low = np.ones((3, n)), np.ones((3, n))
+        self.first, self.second = _memory(n), _memory(n)
+
+    def square(self) -> Array:
+        """Return v^2 at the samples."""
+        ceiling, wide = self.base * self.parts[2], np.empty_like(self.base)
+        limits = self.acceleration, self.jerk, self.period
+        if self.period == 0.0:
+            self.run.reach(*self.place, self.parts[0], self.parts[1], ceiling, ceiling, *limits, *self.first)
+            return self.first.square
+        self.run.spread(self.place[0], ceiling, ceiling * self.half, wide, self.queue)
+        self.run.reach(*self.place, self.parts[0], self.parts[1], wide, wide, *limits, *self.first)
+        speed = np.sqrt(self.first.square)
+        self.run.flatten(self.place[0], speed, self.period * (STEPS + 1) / STEPS, wide)
+        # The second time the shares of the jerk are reckoned at nearly the speed that is driven.
+        reference = np.minimum(wide, 1.05 * speed + 1e-9)
+        self.run.reach(*self.place, self.parts[0], self.parts[1], reference, wide, *limits, *self.second)
+        return self.second.square
+
+    def look(self, spans: Array, begin: Index) -> tuple[Array, Array]:
+        """Return the greatest demand of each stretch as a part of the limits, and the faults, as the kernel `demand` does."""
+        peak, faults = np.empty(begin.size - 1), np.empty((len(spans), 7))
+        work = *(np.empty((1, self.velocity.size)) for _ in range(3)), np.empty(4)
+        count = np.zeros(1, dtype=np.int64)
+        self.run.demand(
+            *self.place, self.samples.ceiling, self.begin, spans, begin.astype(np.int64), *self.inverse,
+            PER_SPAN, 1.0 + ROUNDING, *work, peak, faults, count,
+        )  # fmt: skip
+        return peak, faults[: int(count[0])]
+
+    def lower(self, faults: Array, haste: float) -> None:
+        """Lower the limits of the samples that the average at each fault takes in."""
+        of_speed, of_acceleration, of_jerk, turn = faults.T[3:]
+        with np.errstate(divide="ignore", invalid="ignore"):
+            ease = np.clip((0.99 - turn) / (of_jerk - turn), 0.7, 0.98)
+        slower = np.clip(1.0 - (of_jerk - 0.99) * turn / 3.0, 0.9, 1.0)
+        factors = (
+            np.where(of_acceleration > 1.0, 0.99 / of_acceleration, 1.0),
+            np.where(of_jerk > 1.0, ease, 1.0),
+            np.minimum(np.where(of_speed > 1.0, 0.999 / of_speed, 1.0), np.where(of_jerk > 1.0, slower, 1.0)),
+        )
+        self.run.lower(self.place[0], np.ascontiguousarray(faults), np.stack(factors), self.half, haste, self.low, self.parts)
+
+    def spans(self, square: Array) -> tuple[Array, Index]:
+        """Turn v^2 at the samples into spans; return them and the first of each stretch."""
+        time = np.empty_like(square)
+        self.run.clock(self.place[0], square, time)
+        return self._averaged(square, time) if self.period > 0.0 else self._plain(square, time)
+
+    def _plain(self, square: Array, time: Array) -> tuple[Array, Index]:
+        """Return spans of constant acceleration, one for each interval."""
+        lasting, step = np.diff(time), np.diff(self.place[0])
+        moves = (lasting > 0.0) & (step > 0.0)
+        moves[self.begin[1:-1] - 1] = False
+        acceleration = np.diff(square)[moves] / (2.0 * step[moves])
+        none = np.zeros_like(acceleration)
+        spans = np.stack([lasting[moves], self.place[0][:-1][moves], np.sqrt(square[:-1][moves]), acceleration, none], axis=-1)
+        return spans, np.append(0, np.cumsum(moves))[np.append(self.begin[:-1], moves.size)]
+
+    def _averaged(self, square: Array, time: Array) -> tuple[Array, Index]:
+        """Return spans of constant jerk, each a part of the period long."""
+        h, arc_length = self.period / STEPS, self.place[0]
+        first, last = self.begin[:-1], self.begin[1:] - 1
+        n_step = np.maximum(np.ceil((time[last] - time[first]) / h).astype(np.intp), 1)
+        # Steps of each stretch, and behind them zeros enough that no average reaches into the next.
+        begin = np.append(0, np.cumsum(n_step + STEPS + 1))
+        mean = np.zeros(int(begin[-1]))
+        self.run.steps(arc_length, square, time, self.begin, begin.astype(np.int64), h, mean)
+        padded = np.concatenate([np.zeros(STEPS + 1), mean])
+        box = padded[2 : 2 + mean.size].copy()
+        for k in range(1, STEPS):
+            box += padded[k + 2 : k + 2 + mean.size]
+        box = np.concatenate([[0.0, 0.0], box / STEPS])
+        older, old, new = box[:-2], box[1:-1], box[2:]
+        v0, a0, j = 0.5 * (older + old), (old - older) / h, (new - 2.0 * old + older) / h**2
+        gone = np.append(0.0, np.cumsum(h * (v0 + h * (a0 / 2.0 + h * j / 6.0))))
+        of_stretch = np.repeat(np.arange(first.size), np.diff(begin))
+        s0 = np.minimum(arc_length[first][of_stretch] + (gone[:-1] - gone[begin[:-1]][of_stretch]), arc_length[last][of_stretch])
+        return np.stack([np.full_like(v0, h), s0, v0, a0, j], axis=-1), begin
 
 
-def _corrected(path: Path, stretch: Stretch, limits: AxisLimits, period: float, beat: float) -> Profile | None:
-    """Plan with one period h, lowering the limits where the result breaks them, until it does not.
+def _by_path(planner: _Planner, spans: Array, begin: Index) -> tuple[Array, Array]:
+    """Return what `_Planner.look` does, by the derivatives of the path instead of those of the samples."""
+    per_span = PER_SPAN if planner.period > 0.0 else 2 * PER_SPAN
+    samples, stretch = planner.samples, np.repeat(np.arange(begin.size - 1), np.diff(begin))
+    peak, faults = np.zeros(begin.size - 1), []
+    inside = np.linspace(1e-9, 1.0 - 1e-9, per_span)
+    limits = planner.velocity, planner.acceleration, planner.jerk
+    rows = max(CHUNK // per_span, 1)
+    for start in range(0, len(spans), rows):
+        part = spans[start : start + rows]
+        dt = (part[:, :1] * inside).ravel()
+        s0, v0, a0, j = (np.repeat(column, per_span) for column in part[:, 1:].T)
+        place = s0 + dt * (v0 + dt * (a0 / 2.0 + dt * j / 6.0))
+        v, a = v0 + dt * (a0 + dt * j / 2.0), a0 + dt * j
+        _, t, k, c = planner.path.derivatives(place, 3)
+        turn = c * v[:, None] ** 3
+        needed = t * v[:, None], t * a[:, None] + k * v[:, None] ** 2, t * j[:, None] + 3.0 * k * (v * a)[:, None] + turn
+        ratio = np.stack([np.max(np.abs(value) / limit, axis=1) for value, limit in zip(needed, limits, strict=True)], axis=-1)
+        ratio = np.concatenate([ratio, np.max(np.abs(turn) / planner.jerk, axis=1)[:, None]], axis=-1).reshape(-1, per_span, 4)
+        worst = ratio[:, :, :3].max(axis=2)
+        np.maximum.at(peak, stretch[start : start + rows], worst.max(axis=1))
+        bad = np.flatnonzero(worst.max(axis=1) > 1.0 + CLOSE)
+        if bad.size:
+            at = bad * per_span + np.argmax(worst[bad], axis=1)
+            i = np.searchsorted(samples.arc_length, place[at], side="right") - 1
+            low, high = samples.begin[stretch[start + bad]], samples.begin[stretch[start + bad] + 1] - 2
+            faults.append(np.column_stack([np.clip(i, low, high), place[at], v[at], ratio[bad].max(axis=1)]))
+    return peak, np.concatenate(faults) if faults else np.empty((0, 7))
 
-    Gives up once it takes `beat` seconds: corrections only ever make it slower.
-    """
-    scale = np.ones_like(stretch.arc_length)
-    local = stretch.arc_length - stretch.arc_length[0]
-    for _ in range(ROUNDS):
-        ceiling = _ceiling(stretch, limits, scale)
-        speed = np.sqrt(_square_speed(stretch, limits, scale, ceiling))
-        ceiling = _lowest_within(local, ceiling, 1.05 * SPREAD * period * speed)
-        square = _square_speed(stretch, limits, scale, ceiling)
-        profile = _averaged(stretch, square, period)
-        if profile.duration >= beat:
-            return None
-        motion = _places(stretch, profile)
-        demand = _demand(stretch, motion, limits, None)
-        if np.max(demand) <= 1.0 + ROUNDING:
+
+def _corrected(planner: _Planner) -> Shaped:
+    """Lower the limits where the result breaks them, until it does not."""
+    for round_ in range(ROUNDS):
+        spans, begin = planner.spans(planner.square())
+        peak, faults = planner.look(spans, begin)
+        if len(faults) == 0 or round_ == ROUNDS - 1:
             # Good by the samples, which are cheap to ask; the path itself has the last word.
-            demand = _demand(stretch, motion, limits, path)
-            if np.max(demand) <= 1.0 + CLOSE:
-                return profile
-        place = motion.arc_length
-        bad = np.flatnonzero(demand > 1.0 + ROUNDING)
-        # Each offence lowers the limits of the samples that its span was averaged over.
-        reach = SPREAD * period * np.interp(place[bad], local, np.sqrt(square)) + 1e-3 * local[-1]
-        first = np.searchsorted(local, place[bad] - reach)
-        last = np.searchsorted(local, place[bad] + reach, side="right")
-        lower = np.ones_like(scale)
-        for i, k, by in zip(first.tolist(), last.tolist(), demand[bad].tolist(), strict=True):
-            np.minimum(lower[i:k], 0.98 / by, out=lower[i:k])
-        scale *= np.maximum(lower, 0.6)
-    return None
+            by_path, faults = _by_path(planner, spans, begin)
+            peak = np.maximum(peak, by_path)
+            if len(faults) == 0:
+                break
+        planner.lower(faults, 1.0 + round_ / HASTE)
+    return Shaped(spans, begin, peak <= 1.0 + CLOSE)
 
 
-def smooth_profile(path: Path, stretch: Stretch, limits: AxisLimits, beat: float = math.inf) -> Profile | None:
-    """Plan one stretch from rest to rest.
+def shaped(path: Path, samples: Samples, limits: AxisLimits) -> list[Shaped]:
+    """Plan stretches from rest to rest, in several ways.
 
     Parameters
     ----------
     path : Path
-    stretch : Stretch
+    samples : Samples
     limits : AxisLimits
-        With finite acceleration; the jerk may be unlimited.
-    beat : float [s]
-        Only a faster motion is wanted.
+        For the path's number of axes. The jerk may be unlimited.
 
     Returns
     -------
-    Profile or None
-        With progress counted from the start of the stretch; None where no faster motion passed the check, or where
-        the acceleration has no limit.
+    list of Shaped
+        One for each period tried; none where an acceleration has no limit.
     """
     if not np.all(np.isfinite(limits.acceleration)):
-        return None
-    t = np.maximum(np.abs(stretch.tangent), 1e-6)
-    along = (limits.acceleration / t).min(axis=1)
-    jerk = (limits.jerk / t).min(axis=1)
-    unit = float(np.max(2.0 * along / jerk))
-    length = float(stretch.arc_length[-1] - stretch.arc_length[0])
-    unit = max(unit, FINEST * math.sqrt(length / float(np.min(along))))
-    best = None
-    for part in PERIODS:
-        found = _corrected(path, stretch, limits, part * unit, beat)
-        if found is not None:
-            best, beat = found, found.duration
-    return best
+        return []
+    unit = float(np.max(limits.acceleration / limits.jerk))
+    if unit == 0.0:
+        return [_corrected(_Planner(path, samples, limits, 0.0))]
+    fastest = np.maximum(np.minimum(samples.ceiling, float(np.linalg.norm(limits.velocity))), 1e-12)
+    least = float(np.sum(np.diff(samples.arc_length) / np.minimum(fastest[1:], fastest[:-1])))
+    shortest = STEPS * least / MOST_SPANS
+    periods = sorted({max(part * unit, shortest) for part in PERIODS})
+    n_tried = 3 - int(np.searchsorted(MANY, samples.arc_length.size))
+    if n_tried < 3 and len(periods) > n_tried:
+        # What a motion takes before its corrections tells well enough which periods are worth them.
+        planners = (_Planner(path, samples, limits, period) for period in periods)
+        trials = [float(planner.spans(planner.square())[0][:, 0].sum()) for planner in planners]
+        periods = [periods[k] for k in np.argsort(trials)[:n_tried]]
+    return [_corrected(_Planner(path, samples, limits, period)) for period in periods]

@@ -1,28 +1,35 @@
 """Geometry: curves, paths by arc length, the exact foot point, and the engine's table of a path."""
 
 from contourlab.geometry.arc import Arc
-from contourlab.geometry.conics import Ellipse, Lemniscate, Star
+from contourlab.geometry.blend import Blend
+from contourlab.geometry.conics import Ellipse, EllipticalArc, Lemniscate, Spiral, Star
 from contourlab.geometry.curve import Curve
 from contourlab.geometry.foot import FootPoint
 from contourlab.geometry.library import contour, contour_names, contour_parameters
 from contourlab.geometry.line import Line
 from contourlab.geometry.nurbs import BSpline, Nurbs
 from contourlab.geometry.path import Path
+from contourlab.geometry.rework import backwards, with_ends
 from contourlab.geometry.table import PathTable
 
 __all__ = [
     "Arc",
     "BSpline",
+    "Blend",
     "Curve",
     "Ellipse",
+    "EllipticalArc",
     "FootPoint",
     "Lemniscate",
     "Line",
     "Nurbs",
     "Path",
     "PathTable",
+    "Spiral",
     "Star",
+    "backwards",
     "contour",
     "contour_names",
     "contour_parameters",
+    "with_ends",
 ]

@@ -3,14 +3,18 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from contourlab.errors import GeometryError
-from contourlab.geometry.curve import Curve, vector
+from contourlab.geometry.curve import Curve, Together, ends, of_each, rows, vector
 
-__all__ = ["Arc"]
+__all__ = ["Arc", "Arcs"]
+
+Array = NDArray[np.float64]
+Index = NDArray[np.int64]
 
 
 class Arc(Curve):
@@ -130,6 +134,17 @@ class Arc(Curve):
         rise = (b - a) - (e1 * chord[0] + e2 * chord[1])
         return cls(plane + height, radius, first, exact, e1, e2, rise)
 
+    @classmethod
+    def together(cls, curves: Sequence[Arc]) -> Arcs:
+        return Arcs(curves)
+
+    def part(self, low: float, high: float) -> Arc:
+        """Return the arc from arc length `low` to `high` [m] along this one, 0 <= low < high <= length."""
+        share, rise = (high - low) / self.length, self.rise / self.length
+        return Arc(
+            self.centre + low * rise, self.radius, self.start_angle + self.rate * low, self.sweep * share, self.u, self.v, self.rise * share
+        )
+
     def derivatives(self, s: ArrayLike, order: int = 3) -> NDArray[np.float64]:
         along = np.atleast_1d(np.asarray(s, dtype=float))
         angle = self.start_angle + self.rate * along
@@ -151,3 +166,59 @@ class Arc(Curve):
     def describe(self) -> tuple[object, ...]:
         vectors = (self.centre, self.u, self.v, self.rise)
         return ("arc", self.radius, self.start_angle, self.sweep, *(x for v in vectors for x in v.tolist()))
+
+
+class Arcs(Together):
+    """Many arcs and helices at once."""
+
+    def __init__(self, curves: Sequence[Arc]) -> None:
+        super().__init__(curves)
+        self.centre, self.u, self.v, self.rise = (rows(curves, name) for name in ("centre", "u", "v", "rise"))
+        self.radius, self.start_angle, self.rate = (
+            np.array([getattr(curve, name) for curve in curves]) for name in ("radius", "start_angle", "rate")
+        )
+        self.sixth = self.radius * np.abs(self.rate) ** 6
+        self.direct = ~np.any(self.rise != 0.0, axis=0)
+
+    def derivatives(self, slot: Index, along: Array, order: int) -> Array:
+        radius, angle, rate, length = (of_each(part, slot) for part in (self.radius, self.start_angle, self.rate, self.length))
+        angle = angle + rate * along
+        c, d = radius * np.cos(angle), radius * np.sin(angle)
+        found = np.empty((order + 1, self.n_axis, along.size))
+        parts = (of_each(part, slot) for part in (self.centre, self.u, self.v, self.rise))
+        for j, (centre, u, v, rise) in enumerate(zip(*parts, strict=True)):
+            spoke = c * u + d * v
+            found[0, j] = spoke + (centre + along / length * rise)
+            if order:
+                swing = rate * (c * v - d * u)
+                found[1, j] = swing + rise / length
+            if order > 1:
+                found[2, j] = -(rate**2) * spoke
+            if order > 2:
+                found[3, j] = -(rate**2) * swing
+        return found
+
+    def closest(self, slot: Index, points: Array, low: Array, high: Array, middle: Array) -> Array:
+        """The spoke through the point, in the turn nearest to the progress; else the nearer end."""
+        centre, u, v = self.centre.T[slot], self.u.T[slot], self.v.T[slot]
+        radius, rate = self.radius[slot], self.rate[slot]
+        out = points - centre
+        x, y = np.einsum("ij,ij->i", out, u), np.einsum("ij,ij->i", out, v)
+        turn = 2.0 * math.pi / np.abs(rate)
+        along = (np.arctan2(y, x) - self.start_angle[slot]) / rate
+        # From the centre all points of the arc are equally far.
+        along = np.where(np.hypot(x, y) <= 1e-13 * radius, middle, along)
+        along = along + turn * np.round((middle - along) / turn)
+        # The turn nearest to the progress may end outside where a neighbour lies inside.
+        for shift in (turn, -turn):
+            other = along + shift
+            along = np.where(((along < low) | (along > high)) & (other >= low) & (other <= high), other, along)
+        inside = (along >= low) & (along <= high)
+        gaps = [((points - self.derivatives(slot, end, 0)[0].T) ** 2).sum(axis=1) for end in (low, high)]
+        return np.asarray(np.where(inside, along, np.where(gaps[0] <= gaps[1], low, high)))
+
+    def marks(self) -> tuple[Array, Index]:
+        return ends(self.length)
+
+    def smallest_radii(self) -> Array:
+        return np.asarray(1.0 / (self.radius * self.rate**2))

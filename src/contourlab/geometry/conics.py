@@ -1,16 +1,17 @@
-"""Curves in closed form: ellipse, lemniscate, star."""
+"""Curves in closed form: ellipse, elliptical arc, lemniscate, spiral, star."""
 
 from __future__ import annotations
 
 import math
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
 from contourlab.errors import GeometryError
+from contourlab.geometry.curve import vector
 from contourlab.geometry.parametric import Parametric
 
-__all__ = ["Ellipse", "Lemniscate", "Star"]
+__all__ = ["Ellipse", "EllipticalArc", "Lemniscate", "Spiral", "Star"]
 
 Array = NDArray[np.float64]
 
@@ -47,6 +48,55 @@ class Ellipse(Parametric):
 
     def describe(self) -> tuple[object, ...]:
         return ("ellipse", self.a, self.b)
+
+
+class EllipticalArc(Parametric):
+    """r = c + p cos t + q sin t: a part of any ellipse, in the plane or in space.
+
+    Parameters
+    ----------
+    centre : array_like (n_axis,) [m]
+    p, q : array_like (n_axis,) [m]
+        Two conjugate half-diameters; at right angles to each other they are the semi-axes.
+    start, end : float [rad]
+        The parameter t, from start up to end; a full ellipse by default.
+
+    Raises
+    ------
+    GeometryError
+        If p and q lie on one line, the parameter does not rise, or a number is not finite.
+
+    >>> round(EllipticalArc((0, 0), (2, 0), (0, 2), 0.0, math.pi).length, 6)
+    6.283185
+    """
+
+    def __init__(self, centre: ArrayLike, p: ArrayLike, q: ArrayLike, start: float = 0.0, end: float = 2.0 * math.pi) -> None:
+        self.centre, self.p, self.q = vector(centre, "centre"), vector(p, "p"), vector(q, "q")
+        n = self.n_axis = self.centre.size
+        if n < 2 or self.p.size != n or self.q.size != n:
+            raise GeometryError(f"centre, p and q have {n}, {self.p.size} and {self.q.size} coordinates: two or more, the same for all")
+        size = np.linalg.norm([self.p, self.q], axis=1)
+        # The area of the parallelogram; a needle thinner than this cannot be told from a line that is run to and fro.
+        area = math.sqrt(max(0.0, float((size[0] * size[1]) ** 2 - (self.p @ self.q) ** 2)))
+        if not area > 1e-7 * float(size.max()) ** 2:
+            raise GeometryError(f"an ellipse with the half-diameters {self.p.tolist()} and {self.q.tolist()} has no width")
+        self.first, self.last = float(start), float(end)
+        if not (math.isfinite(self.first) and math.isfinite(self.last) and self.last > self.first):
+            raise GeometryError(f"an elliptical arc from {start!r} to {end!r} rad: the parameter must rise, between finite numbers")
+        self.measure()
+
+    def joints(self) -> Array:
+        return np.linspace(self.first, self.last, max(1, math.ceil((self.last - self.first) / (0.25 * math.pi) - 1e-9)) + 1)
+
+    def raw(self, u: Array, order: int) -> Array:
+        c, s = np.cos(u)[:, None], np.sin(u)[:, None]
+        spoke, swing = c * self.p + s * self.q, c * self.q - s * self.p
+        found = np.array([spoke, swing, -spoke, -swing][: order + 1])
+        found[0] += self.centre
+        return found
+
+    def describe(self) -> tuple[object, ...]:
+        return ("elliptical-arc", self.first, self.last, *(x for v in (self.centre, self.p, self.q) for x in v.tolist()))
 
 
 class Lemniscate(Parametric):
@@ -116,3 +166,44 @@ class Star(Parametric):
 
     def describe(self) -> tuple[object, ...]:
         return ("star", self.radius, self.lobes, self.depth)
+
+
+class Spiral(Parametric):
+    """Archimedean spiral around the origin: r = inner + pitch t / 2 pi at angle t, from 0 outwards, counter-clockwise.
+
+    Parameters
+    ----------
+    inner_radius : float [m], >= 0
+    pitch : float [m], > 0
+        How far the radius grows in a turn.
+    turns : float, > 0, at most 1000
+    """
+
+    n_axis = 2
+
+    def __init__(self, inner_radius: float, pitch: float, turns: float) -> None:
+        self.pitch, self.turns, self.inner_radius = _positive("pitch", pitch), _positive("turns", turns), float(inner_radius)
+        if not (self.inner_radius >= 0.0 and math.isfinite(self.inner_radius)):
+            raise GeometryError(f"inner_radius = {inner_radius!r}: must be >= 0 and finite")
+        if self.turns > 1000.0:
+            raise GeometryError(f"turns = {turns!r}: must be at most 1000")
+        self.first, self.last = 0.0, 2.0 * math.pi * self.turns
+        self.measure()
+
+    def joints(self) -> Array:
+        return np.linspace(self.first, self.last, max(1, math.ceil(4.0 * self.turns)) + 1)
+
+    def raw(self, u: Array, order: int) -> Array:
+        growth = self.pitch / (2.0 * math.pi)
+        rho, turn = (self.inner_radius + growth * u)[:, None], np.column_stack([np.cos(u), np.sin(u)])
+        left = np.column_stack([-turn[:, 1], turn[:, 0]])
+        rows = (
+            rho * turn,
+            growth * turn + rho * left,
+            2.0 * growth * left - rho * turn,
+            -3.0 * growth * turn - rho * left,
+        )
+        return np.array(rows[: order + 1])
+
+    def describe(self) -> tuple[object, ...]:
+        return ("spiral", self.inner_radius, self.pitch, self.turns)

@@ -3,15 +3,18 @@
 from __future__ import annotations
 
 from abc import ABC, abstractmethod
+from collections.abc import Sequence
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from contourlab.errors import GeometryError
 
-__all__ = ["Curve", "by_arc_length"]
+__all__ = ["Curve", "Together", "by_arc_length", "ends", "of_each", "rows"]
 
 Array = NDArray[np.float64]
+Index = NDArray[np.int64]
 
 
 class Curve(ABC):
@@ -43,6 +46,11 @@ class Curve(ABC):
         ndarray (order + 1, n, n_axis)
         """
 
+    @classmethod
+    def together(cls, curves: Sequence[Any]) -> Together:
+        """Return what evaluates many curves of this kind at once; a kind that comes in thousands brings its own."""
+        return Together(curves)
+
     @abstractmethod
     def describe(self) -> tuple[object, ...]:
         """Return all the numbers that make the curve, for its digest."""
@@ -55,6 +63,81 @@ class Curve(ABC):
         """Return an estimate of the smallest curvature radius [m], from samples; infinite for a line."""
         bend = np.linalg.norm(self.derivatives(np.linspace(0.0, self.length, 257), 2)[2], axis=1).max()
         return float(1.0 / bend) if bend > 0.0 else float("inf")
+
+
+class Together:
+    """Many curves of one kind, evaluated at once. This one asks each curve by itself; a kind of its own arrays does better.
+
+    Parameters
+    ----------
+    curves : sequence of Curve
+        At least one, all of one kind.
+
+    Attributes
+    ----------
+    sixth : ndarray (n_curve,) [1/m^5] or None
+        A proven bound of the sixth derivative by arc length along each curve; None where none is known.
+    direct : ndarray (n_curve,) of bool
+        Which of the curves know their closest point in closed form.
+    """
+
+    sixth: Array | None = None
+
+    def __init__(self, curves: Sequence[Any]) -> None:
+        self.curves = curves
+        self.n_axis: int = curves[0].n_axis
+        self.length = np.array([curve.length for curve in curves])
+        self.direct = np.zeros(len(curves), dtype=bool)
+
+    def derivatives(self, slot: Index, along: Array, order: int) -> Array:
+        """Return position and derivatives by arc length: ndarray (order + 1, n_axis, n), each coordinate in one row.
+
+        Parameters
+        ----------
+        slot : ndarray (n,) of int
+            Which of the curves.
+        along : ndarray (n,) [m]
+            Where on it.
+        order : int, 0 to 3
+        """
+        found = np.empty((order + 1, self.n_axis, along.size))
+        # Sorted once, so that the cost is that of the samples and not of samples times curves.
+        ranked = np.argsort(slot, kind="stable")
+        begins = np.flatnonzero(np.append(True, np.diff(slot[ranked]) > 0)) if slot.size else np.zeros(0, dtype=np.int64)
+        for mine in np.split(ranked, begins[1:]) if slot.size else ():
+            found[:, :, mine] = self.curves[int(slot[mine[0]])].derivatives(along[mine], order).transpose(0, 2, 1)
+        return found
+
+    def closest(self, slot: Index, points: Array, low: Array, high: Array, middle: Array) -> Array:
+        """Return the arc lengths (n,) between `low` and `high` closest to points (n, n_axis), of curves that are `direct`.
+
+        `middle` (n,) says which of several is wanted: the nearest to it.
+        """
+        raise NotImplementedError
+
+    def marks(self) -> tuple[Array, Index]:
+        """Return arc lengths at which a table of each curve has to be cut, its ends among them, one curve after another; and how many."""
+        each = [np.asarray(getattr(curve, "_marks", (0.0, curve.length)), dtype=float) for curve in self.curves]
+        return np.concatenate(each), np.array([len(marks) for marks in each])
+
+    def smallest_radii(self) -> Array:
+        """Return the smallest curvature radius (n_curve,) [m] of each curve."""
+        return np.array([curve.smallest_radius() for curve in self.curves])
+
+
+def rows(curves: Sequence[Any], name: str) -> Array:
+    """Return a vector of each curve as (n_axis, n_curve): each coordinate one contiguous row, so that evaluation is plain passes."""
+    return np.ascontiguousarray(np.concatenate([getattr(curve, name) for curve in curves]).reshape(len(curves), -1).T)
+
+
+def of_each(values: Array, slot: Index) -> Array:
+    """Return numbers (..., n_curve) of the curves in `slot`; those of one curve are broadcast, not gathered: circles are asked often."""
+    return values if values.shape[-1] == 1 else values[..., slot]
+
+
+def ends(length: Array) -> tuple[Array, Index]:
+    """Return both ends of each curve, and how many: what `Together.marks` says of curves without marks inside."""
+    return np.column_stack([np.zeros_like(length), length]).ravel(), np.full(length.size, 2)
 
 
 def vector(values: ArrayLike, name: str) -> Array:

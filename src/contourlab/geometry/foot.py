@@ -7,7 +7,6 @@ progress, which keeps to the right branch where the path crosses itself.
 
 from __future__ import annotations
 
-import math
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -42,7 +41,7 @@ class FootPoint(NamedTuple):
     signed: Array
 
 
-def foot_point(path: Path, points: ArrayLike, around: ArrayLike, window: float) -> FootPoint:
+def foot_point(path: Path, points: ArrayLike, around: ArrayLike, window: ArrayLike) -> FootPoint:
     """Return the closest point of the path to each point, within `window` of a given progress.
 
     Parameters
@@ -51,8 +50,8 @@ def foot_point(path: Path, points: ArrayLike, around: ArrayLike, window: float) 
     points : array_like (n, n_axis) [m]
     around : array_like (n,) [m]
         Progress along the path; on a closed path it may count laps.
-    window : float [m], > 0
-        How far from the progress to look. Cost grows with the number of curves in it.
+    window : float or array_like (n,) [m], > 0
+        How far from the progress to look, for all or for each. Cost grows with the number of curves in it.
 
     Returns
     -------
@@ -67,11 +66,13 @@ def foot_point(path: Path, points: ArrayLike, around: ArrayLike, window: float) 
     p, s = np.atleast_2d(np.asarray(points, dtype=float)), np.atleast_1d(np.asarray(around, dtype=float))
     if p.shape != (s.size, path.n_axis):
         raise GeometryError(f"points of shape {p.shape} with {s.size} values of progress: ({s.size}, {path.n_axis}) is wanted")
-    if not window > 0.0:
-        raise GeometryError(f"window = {window!r}: must be > 0 m")
+    reach = np.asarray(window, dtype=float)
+    if reach.shape not in ((), s.shape) or not (reach > 0.0).all():
+        raise GeometryError(f"window = {window!r}: must be > 0 m, one for all points or one for each")
+    reach = np.broadcast_to(reach, s.shape)
     if not (np.isfinite(p).all() and np.isfinite(s).all()):
         raise GeometryError("points and progress must be finite")
-    parts = [_chunk(path, p[i : i + _CHUNK], s[i : i + _CHUNK], float(window)) for i in range(0, s.size, _CHUNK)]
+    parts = [_chunk(path, p[i : i + _CHUNK], s[i : i + _CHUNK], reach[i : i + _CHUNK]) for i in range(0, s.size, _CHUNK)]
     return FootPoint(*(np.concatenate(columns) for columns in zip(*parts, strict=True))) if parts else _nothing(path)
 
 
@@ -79,21 +80,18 @@ def _nothing(path: Path) -> FootPoint:
     return FootPoint(np.zeros(0), np.zeros((0, path.n_axis)), np.zeros(0), np.zeros(0))
 
 
-def _chunk(path: Path, points: Array, around: Array, window: float) -> FootPoint:
+def _chunk(path: Path, points: Array, around: Array, window: Array) -> FootPoint:
     sample, curve, lap, low, high = _in_reach(path, around, window)
     local = np.empty(sample.size)
-    kinds = path._kind[curve]
-    flat = kinds == 1
-    if flat.any():
-        flat[flat] = ~np.any(path._arc["rise"].T[path._slot[curve[flat]]] != 0.0, axis=1)
     middle = np.clip(around[sample] - lap * path.length - path.breaks[curve], low, high)
-    on = np.flatnonzero(kinds == 0)
-    if on.size:
-        local[on] = _on_lines(path, points[sample[on]], path._slot[curve[on]], low[on], high[on])
-    on = np.flatnonzero(flat)
-    if on.size:
-        local[on] = _on_arcs(path, points[sample[on]], path._slot[curve[on]], low[on], high[on], middle[on])
-    on = np.flatnonzero((kinds != 0) & ~flat)
+    searched = []
+    for each, on, slot in path.kind_of(curve):
+        direct = each.direct[slot]
+        if direct.any():
+            here, at = on[direct], slot[direct]
+            local[here] = each.closest(at, points[sample[here]], low[here], high[here], middle[here])
+        searched.append(on[~direct])
+    on = np.concatenate(searched)
     if on.size:
         local[on] = _on_curves(path, points[sample[on]], curve[on], low[on], high[on], middle[on])
     feet = path._at(curve, local, 0)[0]
@@ -103,7 +101,7 @@ def _chunk(path: Path, points: Array, around: Array, window: float) -> FootPoint
     return _result(path, points, progress[best], curve[best], local[best], feet[best], np.sqrt(square[best]))
 
 
-def _in_reach(path: Path, around: Array, window: float) -> tuple[Index, Index, Array, Array, Array]:
+def _in_reach(path: Path, around: Array, window: Array) -> tuple[Index, Index, Array, Array, Array]:
     """Return pairs of sample and curve that overlap the window: sample, curve, lap, and the part of the curve."""
     first, last = around - window, around + window
     if path.closed:
@@ -128,39 +126,6 @@ def _in_reach(path: Path, around: Array, window: float) -> tuple[Index, Index, A
     low = np.clip(first[sample] - offset, 0.0, span)
     high = np.clip(last[sample] - offset, 0.0, span)
     return sample, curve, lap.astype(float), low, high
-
-
-def _on_lines(path: Path, points: Array, slot: Index, low: Array, high: Array) -> Array:
-    start, direction = path._line["start"].T[slot], path._line["direction"].T[slot]
-    return np.asarray(np.clip(np.einsum("ij,ij->i", points - start, direction), low, high))
-
-
-def _on_arcs(path: Path, points: Array, slot: Index, low: Array, high: Array, middle: Array) -> Array:
-    """The spoke through the point, in the turn nearest to the progress; else the nearer end."""
-    arc = {name: path._arc[name].T[slot] for name in ("centre", "u", "v", "radius", "start_angle", "rate")}
-    out = points - arc["centre"]
-    angle = np.arctan2(np.einsum("ij,ij->i", out, arc["v"]), np.einsum("ij,ij->i", out, arc["u"]))
-    turn = 2.0 * math.pi / np.abs(arc["rate"])
-    along = (angle - arc["start_angle"]) / arc["rate"]
-    # From the centre all points of the arc are equally far.
-    spoke = np.hypot(np.einsum("ij,ij->i", out, arc["u"]), np.einsum("ij,ij->i", out, arc["v"]))
-    along = np.where(spoke <= 1e-13 * arc["radius"], middle, along)
-    along = along + turn * np.round((middle - along) / turn)
-    # The turn nearest to the progress may end outside where a neighbour lies inside.
-    for shift in (turn, -turn):
-        other = along + shift
-        along = np.where(((along < low) | (along > high)) & (other >= low) & (other <= high), other, along)
-    inside = (along >= low) & (along <= high)
-    ends = np.array([_arc_gap(arc, points, end) for end in (low, high)])
-    end = np.where(ends[0] <= ends[1], low, high)
-    return np.where(inside, along, end)
-
-
-def _arc_gap(arc: dict[str, Array], points: Array, along: Array) -> Array:
-    angle = arc["start_angle"] + arc["rate"] * along
-    c, d = np.cos(angle)[:, None], np.sin(angle)[:, None]
-    at = arc["centre"] + arc["radius"][:, None] * (c * arc["u"] + d * arc["v"])
-    return np.asarray(((points - at) ** 2).sum(axis=1))
 
 
 def _on_curves(path: Path, points: Array, curve: Index, low: Array, high: Array, middle: Array) -> Array:
@@ -220,7 +185,7 @@ def _newton(points: Array, at: Any, pair: Index, s: Array, a: Array, b: Array, m
 
 def _near(path: Path) -> tuple[PathTable | None, Bends | None]:
     """Return the path's table where it has curves without a closed form by arc length, and its curvatures; made once."""
-    if not np.any(path._kind == 2):
+    if all(each.sixth is not None for each, _ in path.kinds):
         return None, None
     held: Any = path.__dict__.get("_near")
     if held is None:
@@ -233,7 +198,9 @@ def _radii(path: Path) -> Array:
     """Return the smallest radius of each curve; made once."""
     held: Any = path.__dict__.get("_radii")
     if held is None:
-        held = path.__dict__["_radii"] = np.array([curve.smallest_radius() for curve in path.curves])
+        held = path.__dict__["_radii"] = np.empty(len(path.curves))
+        for each, numbers in path.kinds:
+            held[numbers] = each.smallest_radii()
     return np.asarray(held)
 
 

@@ -12,7 +12,8 @@ import numpy as np
 from contourlab.errors import GeometryError
 from contourlab.geometry import butterfly as butterfly_data
 from contourlab.geometry.arc import Arc
-from contourlab.geometry.conics import Ellipse, Lemniscate, Star
+from contourlab.geometry.conics import Ellipse, Lemniscate, Spiral, Star
+from contourlab.geometry.curve import Curve
 from contourlab.geometry.line import Line
 from contourlab.geometry.nurbs import Nurbs
 from contourlab.geometry.path import Path
@@ -72,6 +73,79 @@ def line_line_circle(scale: float = 1.0) -> Path:
     return Path(curves)
 
 
+def _positive(**values: float) -> None:
+    for name, value in values.items():
+        if not (value > 0.0 and math.isfinite(value)):
+            raise GeometryError(f"{name} = {value!r}: must be > 0 m and finite")
+
+
+def _round_of(corners: list[tuple[float, float]]) -> Path:
+    return Path([Line(a, b) for a, b in pairwise([*corners, corners[0]])], closed=True)
+
+
+def square(side: float = 0.04) -> Path:
+    """Square around the origin, sides along the axes, counter-clockwise from its lower left corner: four lines, four corners."""
+    _positive(side=side)
+    h = 0.5 * side
+    return _round_of([(-h, -h), (h, -h), (h, h), (-h, h)])
+
+
+def rectangle(width: float = 0.06, height: float = 0.04, corner_radius: float = 0.0) -> Path:
+    """Rectangle around the origin, corners rounded by `corner_radius`, counter-clockwise from the lower left end of its lower side."""
+    _positive(width=width, height=height)
+    if not 0.0 <= corner_radius < 0.5 * min(width, height):
+        raise GeometryError(
+            f"corner_radius = {corner_radius!r} m: must be >= 0 and below half of the shorter side; a racetrack has round ends"
+        )
+    w, h, r = 0.5 * width, 0.5 * height, corner_radius
+    if r == 0.0:
+        return _round_of([(-w, -h), (w, -h), (w, h), (-w, h)])
+    curves: list[Curve] = []
+    start = (-w + r, -h)
+    for k, (sx, sy) in enumerate([(1.0, -1.0), (1.0, 1.0), (-1.0, 1.0), (-1.0, -1.0)]):
+        centre = (sx * (w - r), sy * (h - r))
+        ends = [(centre[0], sy * h), (sx * w, centre[1])]
+        before, after = ends if k % 2 == 0 else ends[::-1]
+        curves += [Line(start, before), Arc.through(before, after, centre, 0.5 * math.pi)]
+        start = after
+    return Path(curves, closed=True)
+
+
+def racetrack(length: float = 0.04, radius: float = 0.02) -> Path:
+    """Two straights of `length` and two half circles around the origin, counter-clockwise from the left end of the lower straight."""
+    _positive(length=length, radius=radius)
+    h, quarter = 0.5 * length, 0.5 * math.pi
+    curves = [
+        Line((-h, -radius), (h, -radius)),
+        Arc((h, 0.0), radius, -quarter, math.pi),
+        Line((h, radius), (-h, radius)),
+        Arc((-h, 0.0), radius, quarter, math.pi),
+    ]
+    return Path(curves, closed=True)
+
+
+def polygon(sides: float = 6, radius: float = 0.02) -> Path:
+    """Regular polygon in a circle of `radius` around the origin, counter-clockwise from the corner at (radius, 0)."""
+    _positive(radius=radius)
+    if not (float(sides).is_integer() and 3 <= sides <= 100_000):
+        raise GeometryError(f"sides = {sides!r}: a whole number from 3 to 100000 is wanted")
+    n = int(sides)
+    return _round_of([(radius * math.cos(2.0 * math.pi * k / n), radius * math.sin(2.0 * math.pi * k / n)) for k in range(n)])
+
+
+def spiral(inner_radius: float = 0.005, pitch: float = 0.005, turns: float = 3) -> Path:
+    """Archimedean spiral around the origin, outwards and counter-clockwise from (inner_radius, 0); its radius grows by `pitch` a turn."""
+    return Path([Spiral(inner_radius, pitch, turns)])
+
+
+def helix(radius: float = 0.02, pitch: float = 0.005, turns: float = 3) -> Path:
+    """Helix around the z axis from (radius, 0, 0), counter-clockwise and up by `pitch` a turn: a contour of three axes."""
+    _positive(radius=radius, turns=turns)
+    if not math.isfinite(pitch):
+        raise GeometryError(f"pitch = {pitch!r} m: must be finite")
+    return Path([Arc((0.0, 0.0, 0.0), radius, 0.0, 2.0 * math.pi * turns, rise=(0.0, 0.0, pitch * turns))])
+
+
 _MAKERS: dict[str, Callable[..., Path]] = {
     "circle": circle,
     "ellipse": ellipse,
@@ -80,8 +154,15 @@ _MAKERS: dict[str, Callable[..., Path]] = {
     "star": star,
     "butterfly": butterfly,
     "line-line-circle": line_line_circle,
+    "square": square,
+    "rectangle": rectangle,
+    "racetrack": racetrack,
+    "polygon": polygon,
+    "spiral": spiral,
+    "helix": helix,
 }
-_UNITS = {"radius": "m", "a": "m", "b": "m", "side": "m", "start_angle": "rad"}
+_LENGTHS = ("radius", "a", "b", "side", "width", "height", "corner_radius", "length", "inner_radius", "pitch")
+_UNITS = {**dict.fromkeys(_LENGTHS, "m"), "start_angle": "rad"}
 
 
 def contour_names() -> tuple[str, ...]:

@@ -81,6 +81,10 @@ class BSpline(Parametric):
     def raw(self, u: Array, order: int) -> Array:
         return np.array([self._spline(u, k) for k in range(order + 1)])
 
+    def _speed(self, u: Array) -> Array:
+        # The length is integrated from this alone: positions need not be worked out for it.
+        return np.asarray(np.linalg.norm(self._spline(u.ravel(), 1), axis=1).reshape(u.shape))
+
     def describe(self) -> tuple[object, ...]:
         return ("bspline", self.degree, *self.points.ravel().tolist(), *self.knots.tolist())
 

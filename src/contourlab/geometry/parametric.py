@@ -47,15 +47,17 @@ class Parametric(Curve):
         """Work out the length; a subclass calls it once its data stand."""
         left, right = self.joints()[:-1], self.joints()[1:]
         done: list[tuple[float, float, float]] = []
-        rough = float(self._lengths(left, right).sum())
+        whole = self._lengths(left, right)
+        rough = float(whole.sum())
         if not (np.isfinite(rough) and rough > 0.0):
             raise GeometryError(f"{type(self).__name__} of zero length, or with coordinates that are not finite")
         for _ in range(40):
             middle = 0.5 * (left + right)
-            whole, a, b = self._lengths(left, right), self._lengths(left, middle), self._lengths(middle, right)
+            a, b = self._lengths(left, middle), self._lengths(middle, right)
             good = np.abs(a + b - whole) <= 1e-14 * rough
             done += [(float(x), float(y), float(z)) for x, y, z in zip(left[good], right[good], (a + b)[good], strict=True)]
             left, right = np.concatenate([left[~good], middle[~good]]), np.concatenate([middle[~good], right[~good]])
+            whole = np.concatenate([a[~good], b[~good]])
             if left.size == 0:
                 break
         else:
@@ -135,6 +137,9 @@ class Parametric(Curve):
     def parameter(self, s: ArrayLike) -> Array:
         """Return the parameters (n,) of arc lengths (n,), good to 1e-13 of the length."""
         along = np.clip(np.atleast_1d(np.asarray(s, dtype=float)), 0.0, self.length)
+        if along.size <= 2 and np.all((along == 0.0) | (along == self.length)):
+            # Ends are asked for wherever curves are joined: they are known before the inverse is.
+            return np.where(along == 0.0, self.first, self.last)
         begin, rows = self._inverse
         i = np.clip(np.searchsorted(begin, along, side="right") - 1, 0, len(rows) - 1)
         low, high = begin[i], begin[i + 1]

@@ -4,17 +4,17 @@ from __future__ import annotations
 
 import hashlib
 import struct
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from functools import cached_property
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from contourlab.errors import GeometryError
-from contourlab.geometry.arc import Arc
-from contourlab.geometry.curve import Curve
-from contourlab.geometry.line import Line
+from contourlab.geometry.arc import Arcs
+from contourlab.geometry.curve import Curve, Together
+from contourlab.geometry.line import Lines
 
 if TYPE_CHECKING:
     from contourlab.geometry.foot import FootPoint
@@ -46,8 +46,9 @@ class Path:
 
     Notes
     -----
-    Lines and arcs are held in arrays, so that evaluating n samples over m of them costs n + m.
+    Curves of one kind are held together (`Curve.together`), so that evaluating n samples over m of them costs n + m.
 
+    >>> from contourlab.geometry.line import Line
     >>> square = Path([Line((0, 0), (1, 0)), Line((1, 0), (1, 1))])
     >>> square.length, square.corners.tolist()
     (2.0, [1.0])
@@ -74,23 +75,32 @@ class Path:
         return self.n_axis == 2
 
     def _gather(self) -> None:
-        kinds = np.array([0 if type(c) is Line else 1 if type(c) is Arc else 2 for c in self.curves])
-        self._kind = kinds
-        self._kinds = np.unique(kinds).tolist()
-        self._slot = np.zeros(len(kinds), dtype=np.int64)
-        for kind in (0, 1, 2):
-            self._slot[kinds == kind] = np.arange(np.count_nonzero(kinds == kind))
-        lines: list[Any] = [c for c in self.curves if type(c) is Line]
-        arcs: list[Any] = [c for c in self.curves if type(c) is Arc]
-        self._others = [c for c in self.curves if type(c) not in (Line, Arc)]
+        """Put the curves of each kind together: a curve is then a kind and a slot."""
+        kinds: dict[type[Curve], list[int]] = {}
+        for i, curve in enumerate(self.curves):
+            kinds.setdefault(type(curve), []).append(i)
+        self._kind = np.zeros(len(self.curves), dtype=np.int64)
+        self._slot = np.zeros(len(self.curves), dtype=np.int64)
+        self._sets: list[Together] = []
+        for number, (kind, members) in enumerate(kinds.items()):
+            self._kind[members], self._slot[members] = number, np.arange(len(members))
+            self._sets.append(kind.together([self.curves[i] for i in members]))
 
-        def rows(curves: list[Any], name: str) -> Array:
-            # Coordinates first, so that each is one contiguous row: evaluation is then a few passes over plain arrays.
-            return np.array([getattr(c, name) for c in curves]).reshape(len(curves), self.n_axis).T
+    @property
+    def kinds(self) -> list[tuple[Together, NDArray[np.int64]]]:
+        """The curves by kind: what evaluates them at once, and their numbers along the path in its order."""
+        return [(each, np.flatnonzero(self._kind == k)) for k, each in enumerate(self._sets)]
 
-        self._line = {name: rows(lines, name) for name in ("start", "direction")}
-        self._arc = {name: rows(arcs, name) for name in ("centre", "u", "v", "rise")}
-        self._arc |= {name: np.array([getattr(c, name) for c in arcs]) for name in ("radius", "start_angle", "rate", "length")}
+    def kind_of(self, curve: NDArray[np.int64]) -> Iterator[tuple[Together, NDArray[np.int64], NDArray[np.int64]]]:
+        """Yield, for numbers of curves (n,), by kind: what evaluates them, which of the n are meant, and their slots."""
+        if len(self._sets) == 1:
+            yield self._sets[0], np.arange(curve.size), self._slot[curve]
+            return
+        kind, slot = self._kind[curve], self._slot[curve]
+        for k, each in enumerate(self._sets):
+            on = np.flatnonzero(kind == k)
+            if on.size:
+                yield each, on, slot[on]
 
     def _check_joints(self) -> None:
         gap = np.linalg.norm(self._ends[0][:-1] - self._starts[0][1:], axis=1)
@@ -130,48 +140,12 @@ class Path:
 
     def _at(self, index: NDArray[np.int64], along: Array, order: int) -> Array:
         """Evaluate at places `along` the curves `index`: a view (order + 1, n, n_axis) of memory that holds each coordinate in one row."""
-        evaluate = (self._on_lines, self._on_arcs, self._on_others)
-        if len(self._kinds) == 1:
-            return evaluate[self._kinds[0]](self._slot[index], along, order).transpose(0, 2, 1)
-        found = np.zeros((order + 1, self.n_axis, along.size))
-        kind, slot = self._kind[index], self._slot[index]
-        for k in self._kinds:
-            on = np.flatnonzero(kind == k)
-            if on.size:
-                found[:, :, on] = evaluate[k](slot[on], along[on], order)
+        if len(self._sets) == 1:
+            return self._sets[0].derivatives(self._slot[index], along, order).transpose(0, 2, 1)
+        found = np.empty((order + 1, self.n_axis, along.size))
+        for each, on, slot in self.kind_of(index):
+            found[:, :, on] = each.derivatives(slot, along[on], order)
         return found.transpose(0, 2, 1)
-
-    def _on_lines(self, slot: NDArray[np.int64], along: Array, order: int) -> Array:
-        found = np.zeros((order + 1, self.n_axis, along.size))
-        for j, (start, direction) in enumerate(zip(*_of_each(self._line, slot, "start", "direction"), strict=True)):
-            found[0, j] = start + along * direction
-            if order:
-                found[1, j] = direction
-        return found
-
-    def _on_arcs(self, slot: NDArray[np.int64], along: Array, order: int) -> Array:
-        radius, angle, rate, length = _of_each(self._arc, slot, "radius", "start_angle", "rate", "length")
-        angle = angle + rate * along
-        c, d = radius * np.cos(angle), radius * np.sin(angle)
-        found = np.empty((order + 1, self.n_axis, along.size))
-        for j, (centre, u, v, rise) in enumerate(zip(*_of_each(self._arc, slot, "centre", "u", "v", "rise"), strict=True)):
-            spoke = c * u + d * v
-            found[0, j] = spoke + (centre + along / length * rise)
-            if order:
-                swing = rate * (c * v - d * u)
-                found[1, j] = swing + rise / length
-            if order > 1:
-                found[2, j] = -(rate**2) * spoke
-            if order > 2:
-                found[3, j] = -(rate**2) * swing
-        return found
-
-    def _on_others(self, slot: NDArray[np.int64], along: Array, order: int) -> Array:
-        found = np.empty((order + 1, self.n_axis, along.size))
-        for i in np.unique(slot):
-            mine = slot == i
-            found[:, :, mine] = self._others[i].derivatives(along[mine], order).transpose(0, 2, 1)
-        return found
 
     def coefficients(self, index: NDArray[np.int64]) -> tuple[Array, NDArray[np.bool_]]:
         """Return what lines and arcs have in common, for the engine: position = base + d s + u cos(a + b s) + v sin(a + b s).
@@ -189,22 +163,21 @@ class Path:
             Whether the curve is a line or an arc.
         """
         found = np.zeros((index.size, 2 + 4 * self.n_axis))
-        kind, slot = self._kind[index], self._slot[index]
+        plain = np.zeros(index.size, dtype=bool)
         parts = found[:, 2:].reshape(index.size, self.n_axis, 4)
-        on = np.flatnonzero(kind == 0)
-        parts[on, :, 0], parts[on, :, 1] = self._line["start"].T[slot[on]], self._line["direction"].T[slot[on]]
-        on = np.flatnonzero(kind == 1)
-        arc = {name: values.T[slot[on]] for name, values in self._arc.items()}
-        found[on, 0], found[on, 1] = arc["start_angle"], arc["rate"]
-        columns = (
-            arc["centre"],
-            arc["rise"] / arc["length"][:, None],
-            arc["radius"][:, None] * arc["u"],
-            arc["radius"][:, None] * arc["v"],
-        )
-        for i, column in enumerate(columns):
-            parts[on, :, i] = column
-        return found, kind < 2
+        for each, on, slot in self.kind_of(index):
+            if isinstance(each, Lines):
+                parts[on, :, 0], parts[on, :, 1] = each.start.T[slot], each.direction.T[slot]
+            elif isinstance(each, Arcs):
+                found[on, 0], found[on, 1] = each.start_angle[slot], each.rate[slot]
+                radius, length = each.radius[slot, None], each.length[slot, None]
+                columns = (each.centre.T[slot], each.rise.T[slot] / length, radius * each.u.T[slot], radius * each.v.T[slot])
+                for i, column in enumerate(columns):
+                    parts[on, :, i] = column
+            else:
+                continue
+            plain[on] = True
+        return found, plain
 
     def position(self, s: ArrayLike) -> Array:
         """Return positions (n, n_axis) [m]."""
@@ -240,7 +213,7 @@ class Path:
         size = np.linalg.norm(second, axis=1)
         return np.asarray(np.divide(np.einsum("ij,ij->i", second, third), size, out=np.zeros_like(size), where=size > 0.0))
 
-    def foot_point(self, points: ArrayLike, around: ArrayLike, window: float) -> FootPoint:
+    def foot_point(self, points: ArrayLike, around: ArrayLike, window: ArrayLike) -> FootPoint:
         """Return the closest points of the path; see `contourlab.geometry.foot`."""
         from contourlab.geometry.foot import foot_point
 
@@ -257,11 +230,7 @@ class Path:
         """A hash of the geometry: equal for equal curves, on any machine."""
         sha = hashlib.sha256(b"closed" if self.closed else b"open")
         for curve in self.curves:
-            for item in curve.describe():
-                sha.update(struct.pack("<d", item) if isinstance(item, float | int) else str(item).encode())
+            sha.update(
+                b"".join(struct.pack("<d", item) if isinstance(item, float | int) else str(item).encode() for item in curve.describe())
+            )
         return sha.hexdigest()
-
-
-def _of_each(curves: dict[str, Array], slot: NDArray[np.int64], *names: str) -> list[Array]:
-    """Return numbers of the curves in `slot`; those of a single curve are broadcast, not gathered: circles are evaluated often."""
-    return [values if values.shape[-1] == 1 else values[..., slot] for values in (curves[name] for name in names)]

@@ -1,10 +1,9 @@
 """The engine's view of a path: quintic pieces in arc length, found without a branch.
 
 Each piece matches position, tangent and curvature vector of the path at both its ends, and never crosses a joint of two curves. The
-remainder of
-quintic Hermite interpolation over a piece of length h is at most h^6 max|r^(6)| / 46080: proven in closed form for lines (0) and for arcs
-and helices, r^(6) = R rate^6; for other curves pieces are halved until the difference from the curve at points inside, doubled, is
-below the tolerance.
+remainder of quintic Hermite interpolation over a piece of length h is at most h^6 max|r^(6)| / 46080: proven in closed form for lines (0)
+and for arcs and helices, r^(6) = R rate^6; for other curves pieces are halved until the difference from the curve at points inside,
+doubled, is below the tolerance. All curves of a kind are divided at once.
 """
 
 from __future__ import annotations
@@ -15,15 +14,16 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from contourlab.errors import GeometryError
-from contourlab.geometry.arc import Arc
-from contourlab.geometry.curve import Curve
-from contourlab.geometry.line import Line
+from contourlab.geometry.curve import Together
 from contourlab.geometry.path import Path
 
 __all__ = ["MOST_CELLS", "PathTable", "path_table"]
 
 Array = NDArray[np.float64]
+Index = NDArray[np.int64]
 MOST_CELLS = 8_000_000
+_FREE_CELLS = 1 << 20
+"""A table of so many cells is taken without a thought; a larger one has to be worth its memory by its pieces."""
 _PROBES = np.array([0.14, 0.3, 0.5, 0.7, 0.86])
 
 
@@ -37,10 +37,13 @@ class PathTable:
         Arc length at which each piece begins; the last is the path's length.
     coefficients : ndarray (n_piece, n_axis, 6)
         Of powers of the arc length from the piece's start.
-    cell : ndarray (n_cell,)
-        First piece that touches each of n_cell equal cells of arc length. No cell holds more than one beginning of a piece inside it, so a
-        look-up is one division and one comparison: ``i = cell[int(s * inverse_cell)]; i += s >= start[i + 1]``.
+    cell : ndarray (n_cell + 1,)
+        First piece that touches each of n_cell equal cells of arc length, and the last piece. Where no cell holds more than one beginning
+        of a piece inside it, a look-up is one division and one comparison: ``i = cell[int(s * inverse_cell)]; i += s >= start[i + 1]``.
     inverse_cell : float [1/m]
+    halvings : int
+        0 for that; else the pieces from ``cell[i]`` to ``cell[i + 1]`` are halved so many times: very short pieces beside long ones
+        would want too many cells.
     error_bound : float [m]
         Largest distance of the table from the path.
     length : float [m]
@@ -54,15 +57,27 @@ class PathTable:
     error_bound: float
     length: float
     closed: bool
+    halvings: int = 0
+
+    def _find(self, along: Array) -> Index:
+        """Return the pieces on which arc lengths (n,) within the path lie, in the way that a compiled look-up goes."""
+        cell = np.minimum((along * self.inverse_cell).astype(np.int64), len(self.cell) - 2)
+        piece = self.cell[cell].astype(np.int64)
+        if not self.halvings:
+            return np.asarray(np.minimum(piece + (along >= self.start[piece + 1]), len(self.coefficients) - 1))
+        last = self.cell[cell + 1].astype(np.int64)
+        for _ in range(self.halvings):
+            middle = (piece + last + 1) // 2
+            right = along >= self.start[middle]
+            piece, last = np.where(right, middle, piece), np.where(right, last, np.maximum(middle - 1, piece))
+        return piece
 
     def evaluate(self, s: ArrayLike, order: int = 2) -> Array:
         """Return position and derivatives up to `order`, 0 to 2: ndarray (order + 1, n, n_axis)."""
         along = np.atleast_1d(np.asarray(s, dtype=float))
-        along = along - self.length * np.floor(along / self.length) if self.closed else along
+        along = along - self.length * np.floor(along * (1.0 / self.length)) if self.closed else along
         along = np.clip(along, 0.0, self.length)
-        cell = np.minimum((along * self.inverse_cell).astype(np.int64), len(self.cell) - 1)
-        piece = self.cell[cell].astype(np.int64)
-        piece = np.minimum(piece + (along >= self.start[piece + 1]), len(self.coefficients) - 1)
+        piece = self._find(along)
         h = (along - self.start[piece])[:, None]
         c = np.moveaxis(self.coefficients[piece], 2, 0)
         found = [c[0] + h * (c[1] + h * (c[2] + h * (c[3] + h * (c[4] + h * c[5]))))]
@@ -86,23 +101,24 @@ def path_table(path: Path, tolerance: float, pieces: int = 1) -> PathTable:
     Raises
     ------
     GeometryError
-        If the tolerance is not positive, or the shortest piece is too short for a table of 8 million cells.
+        If the tolerance is not positive, or below the digits of a curve.
     """
     if not tolerance > 0.0:
         raise GeometryError(f"tolerance = {tolerance!r}: must be > 0 m")
     longest = path.length / max(pieces, 1) * (1.0 + 1e-12)
-    owner, left, right, bound = [], [], [], 0.0
-    for i, curve in enumerate(path.curves):
-        marks, worst = _divide(curve, tolerance, longest)
-        owner.append(np.full(len(marks) - 1, i))
-        left.append(marks[:-1])
-        right.append(marks[1:])
+    parts, bound = [], 0.0
+    for each, numbers in path.kinds:
+        slot, left, right, worst = _evenly(each, tolerance, longest) if each.sixth is not None else _bisect(each, tolerance, longest)
+        parts.append((numbers[slot], left, right))
         bound = max(bound, worst)
-    index, a, b = np.concatenate(owner), np.concatenate(left), np.concatenate(right)
+    index, a, b = (np.concatenate(column) for column in zip(*parts, strict=True))
+    if len(parts) > 1:
+        order = np.lexsort([a, index])
+        index, a, b = index[order], a[order], b[order]
     coefficients = _hermite(path._at(index, a, 2), path._at(index, b, 2), b - a)
     start = np.concatenate([path.breaks[index] + a, [path.length]])
-    cell, inverse = _cells(start, path.length)
-    return PathTable(start, coefficients, cell, inverse, bound, path.length, path.closed)
+    cell, inverse, halvings = _cells(start, path.length)
+    return PathTable(start, coefficients, cell, inverse, bound, path.length, path.closed, halvings)
 
 
 def _hermite(low: Array, high: Array, h: Array) -> Array:
@@ -117,57 +133,81 @@ def _hermite(low: Array, high: Array, h: Array) -> Array:
     return np.ascontiguousarray(np.stack([low[0], low[1], 0.5 * low[2], c3, c4, c5], axis=2))
 
 
-def _divide(curve: Curve, tolerance: float, longest: float) -> tuple[Array, float]:
-    """Return piece ends along a curve, and a bound of the error."""
-    least = max(int(np.ceil(curve.length / longest - 1e-9)), 1)
-    if isinstance(curve, Line):
-        return np.linspace(0.0, curve.length, least + 1), 0.0
-    if isinstance(curve, Arc):
-        sixth = curve.radius * abs(curve.rate) ** 6
-        n = max(least, int(np.ceil(curve.length * (sixth / (46080.0 * tolerance)) ** (1.0 / 6.0))))
-        return np.linspace(0.0, curve.length, n + 1), sixth * (curve.length / n) ** 6 / 46080.0
-    return _bisect(curve, tolerance, longest)
+def _spread(n: Index) -> tuple[Index, Index]:
+    """Return, for n pieces of each of several, whose each piece is, and the how manieth of it."""
+    owner = np.repeat(np.arange(n.size), n)
+    return owner, np.arange(owner.size) - np.repeat(np.cumsum(n) - n, n)
 
 
-def _bisect(curve: Curve, tolerance: float, longest: float) -> tuple[Array, float]:
-    marks = getattr(curve, "_marks", np.array([0.0, curve.length]))
+def _evenly(curves: Together, tolerance: float, longest: float) -> tuple[Index, Array, Array, float]:
+    """Return pieces of curves whose sixth derivative is known: which curve, both ends, and a bound of the error."""
+    assert curves.sixth is not None  # the caller's choice
+    least = np.maximum(np.ceil(curves.length / longest - 1e-9), 1.0)
+    n = np.maximum(least, np.ceil(curves.length * (curves.sixth / (46080.0 * tolerance)) ** (1.0 / 6.0)))
+    width = curves.length / n
+    slot, part = _spread(n.astype(np.int64))
+    right = np.where(part + 1 == n[slot], curves.length[slot], (part + 1) * width[slot])
+    return slot, part * width[slot], right, float((curves.sixth * width**6).max() / 46080.0)
+
+
+def _first_pieces(curves: Together, tolerance: float, longest: float) -> tuple[Index, Array, Array]:
+    marks, count = curves.marks()
+    owner, _ = _spread(count)
+    inner = owner[1:] == owner[:-1]
+    slot, low, high = owner[:-1][inner], marks[:-1][inner], marks[1:][inner]
     # Each stretch is divided by itself: marks of two kinds laid over each other would leave slivers between them.
-    n = np.maximum(np.ceil(np.diff(marks) / longest - 1e-9), 1.0).astype(np.int64)
-    part = np.arange(n.sum()) - np.repeat(np.cumsum(n) - n, n)
-    marks = np.append(np.repeat(marks[:-1], n) + part * np.repeat(np.diff(marks) / n, n), curve.length)
-    left, right = marks[:-1], marks[1:]
+    n = np.maximum(np.ceil((high - low) / longest - 1e-9), 1.0)
+    stretch, part = _spread(n.astype(np.int64))
+    step = ((high - low) / n)[stretch]
+    left = low[stretch] + part * step
+    right = np.where(part + 1 == n[stretch], high[stretch], low[stretch] + (part + 1) * step)
     # Below the digits of the curve itself, halving would go on for ever.
-    digits = 1e-13 * curve.length + 16.0 * np.finfo(float).eps * float(np.abs(curve.position(marks)).max())
-    if tolerance < digits:
-        raise GeometryError(f"{type(curve).__name__}: no table of quintic pieces reaches {tolerance:g} m; {digits:.2g} m is within reach")
-    done: list[Array] = []
+    digits = 1e-13 * curves.length[owner] + 16.0 * np.finfo(float).eps * np.abs(curves.derivatives(owner, marks, 0)[0]).max(axis=0)
+    if tolerance < digits.max():
+        name = type(curves.curves[int(owner[int(np.argmax(digits))])]).__name__
+        raise GeometryError(f"{name}: no table of quintic pieces reaches {tolerance:g} m; {digits.max():.2g} m is within reach")
+    return slot[stretch], left, right
+
+
+def _bisect(curves: Together, tolerance: float, longest: float) -> tuple[Index, Array, Array, float]:
+    """Return pieces of other curves, halved until each is good: which curve, both ends, and the largest error."""
+    slot, left, right = _first_pieces(curves, tolerance, longest)
+    done: list[tuple[Index, Array, Array]] = []
     worst = 0.0
     for _ in range(40):
-        c = _hermite(curve.derivatives(left, 2), curve.derivatives(right, 2), right - left)
-        probe = (right - left)[:, None] * _PROBES
-        exact = curve.derivatives((left[:, None] + probe).ravel(), 0)[0].reshape(*probe.shape, -1)
-        table = sum(c[:, None, :, k] * probe[:, :, None] ** k for k in range(6))
-        error = 2.0 * np.linalg.norm(table - exact, axis=2).max(axis=1)
+        error = _errors(curves, slot, left, right)
         good = error <= tolerance
         worst = max(worst, float(error[good].max(initial=0.0)))
-        done.append(left[good])
-        middle = 0.5 * (left + right)
-        left, right = np.concatenate([left[~good], middle[~good]]), np.concatenate([middle[~good], right[~good]])
-        if left.size == 0:
-            return np.append(np.sort(np.concatenate(done)), curve.length), worst
-    raise GeometryError(f"{type(curve).__name__}: no table of quintic pieces reaches {tolerance:g} m")
+        done.append((slot[good], left[good], right[good]))
+        slot, low, high = slot[~good], left[~good], right[~good]
+        if slot.size == 0:
+            index, a, b = (np.concatenate(column) for column in zip(*done, strict=True))
+            order = np.lexsort([a, index])
+            return index[order], a[order], b[order], worst
+        middle = 0.5 * (low + high)
+        slot, left, right = np.concatenate([slot, slot]), np.concatenate([low, middle]), np.concatenate([middle, high])
+    raise GeometryError(f"{type(curves.curves[int(slot[0])]).__name__}: no table of quintic pieces reaches {tolerance:g} m")
 
 
-def _cells(start: Array, length: float) -> tuple[Array, float]:
-    shortest = float(np.diff(start).min())
-    n = int(np.ceil(length / shortest)) + 1
-    if n > MOST_CELLS:
-        where = float(start[int(np.argmin(np.diff(start)))])
-        raise GeometryError(
-            f"a piece of {shortest:.3g} m at arc length {where:.6g} m is too short for a path of {length:.6g} m: "
-            f"join what is shorter than {length / MOST_CELLS:.3g} m"
-        )
+def _errors(curves: Together, slot: Index, left: Array, right: Array) -> Array:
+    """Return twice the largest difference (n,) [m] between pieces and their curves, at places inside."""
+    low, high = (curves.derivatives(slot, at, 2).transpose(0, 2, 1) for at in (left, right))
+    c = _hermite(low, high, right - left)
+    probe = (right - left)[:, None] * _PROBES
+    exact = curves.derivatives(np.repeat(slot, _PROBES.size), (left[:, None] + probe).ravel(), 0)[0].T.reshape(*probe.shape, -1)
+    table = sum(c[:, None, :, k] * probe[:, :, None] ** k for k in range(6))
+    return np.asarray(2.0 * np.linalg.norm(table - exact, axis=2).max(axis=1))
+
+
+def _cells(start: Array, length: float) -> tuple[Array, float, int]:
+    """Return the first piece of each cell and the last of all, one over a cell's length, and the halvings of a look-up."""
+    pieces = len(start) - 1
+    wanted = np.ceil(length / float(np.diff(start).min())) + 1.0
+    plain = wanted <= min(MOST_CELLS, max(_FREE_CELLS, 64 * pieces))
+    n = int(wanted) if plain else min(max(8 * pieces, 4096), MOST_CELLS)
     inverse = n / length
     # The piece of a cell's left edge, by the same rounding that a look-up makes.
-    cell = np.searchsorted(start[:-1] * inverse, np.arange(n), side="right") - 1
-    return np.maximum(cell, 0).astype(float), inverse
+    cell = np.maximum(np.searchsorted(start[:-1] * inverse, np.arange(n), side="right") - 1, 0)
+    cell = np.append(cell, pieces - 1)
+    halvings = 0 if plain else int(np.diff(cell).max()).bit_length()
+    return cell.astype(float), inverse, halvings

@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 
 from contourlab.geometry.arc import Arc
 from contourlab.geometry.path import Path
-from contourlab.primitives import clip, cos, floor, lookup, sin
+from contourlab.primitives import clip, cos, floor, lookup, maximum, select, sin
 
 __all__ = ["PathView", "view_of"]
 
@@ -60,11 +60,11 @@ def view_of(path: Path, tolerance: float = 1e-10, pieces: int | None = None, ana
         "path_length": path.length,
         "path_inverse_length": 1.0 / path.length,
         "path_wrap": 1.0 if path.closed else 0.0,
-        "path_last_cell": float(len(table.cell) - 1),
+        "path_last_cell": float(len(table.cell) - 2),
         "path_last_piece": float(len(table.coefficients) - 1),
     }
     tables = {"path_start": table.start, "path_coefficients": table.coefficients, "path_cell": table.cell}
-    return PathView(_table_evaluator(path.n_axis), parameters, tables)
+    return PathView(_table_evaluator(path.n_axis, table.halvings), parameters, tables)
 
 
 def _circle(path: Path) -> PathView:
@@ -112,16 +112,37 @@ def _gather(n_axis: int) -> Callable[..., Any]:
 
 
 @cache
-def _table_evaluator(n_axis: int) -> Callable[[Any, float], Any]:
+def _table_evaluator(n_axis: int, halvings: int = 0) -> Callable[[Any, float], Any]:
     gather, stride = _gather(n_axis), 6.0 * n_axis
+    find = _finder(halvings) if halvings else _find
 
     def evaluate(par: Any, s: float) -> Any:
         # On a closed path s counts laps; on an open one it is held to the path.
         along = s - par.path_wrap * par.path_length * floor(s * par.path_inverse_length)
         along = clip(along, 0.0, par.path_length)
-        piece = lookup(par.path_cell, clip(floor(along * par.path_inverse_cell), 0.0, par.path_last_cell))
-        piece = piece + (1.0 if along >= lookup(par.path_start, piece + 1.0) else 0.0)
-        piece = clip(piece, 0.0, par.path_last_piece)
+        piece = find(par, along, clip(floor(along * par.path_inverse_cell), 0.0, par.path_last_cell))
         return gather(par.path_coefficients, stride * piece, along - lookup(par.path_start, piece))
 
     return evaluate
+
+
+def _find(par: Any, along: float, cell: float) -> float:
+    """Return the piece, where no cell holds more than one beginning of a piece."""
+    piece = lookup(par.path_cell, cell)
+    piece = piece + (1.0 if along >= lookup(par.path_start, piece + 1.0) else 0.0)
+    return clip(piece, 0.0, par.path_last_piece)
+
+
+@cache
+def _finder(halvings: int) -> Callable[[Any, float, float], float]:
+    """Return what finds the piece among those of a cell in so many halvings, always the same number: lanes go the same way."""
+
+    def find(par: Any, along: float, cell: float) -> float:
+        first, last = lookup(par.path_cell, cell), lookup(par.path_cell, cell + 1.0)
+        for _ in range(halvings):
+            middle = floor(0.5 * (first + last + 1.0))
+            right = along >= lookup(par.path_start, middle)
+            first, last = select(right, middle, first), select(right, last, maximum(middle - 1.0, first))
+        return first
+
+    return find

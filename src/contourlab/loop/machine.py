@@ -17,7 +17,8 @@ from contourlab.components.friction.none import NoFriction
 from contourlab.components.plant.single_mass import SingleMass
 from contourlab.components.sensor.ideal import IdealSensor
 from contourlab.components.velocity.true import TrueVelocity
-from contourlab.errors import ParameterError
+from contourlab.errors import FeedError, ParameterError
+from contourlab.feed import AxisLimits
 
 __all__ = ["Axis", "AxisController", "AxisError", "Controller", "Limits", "Machine"]
 
@@ -137,6 +138,20 @@ class Machine:
         for pair in self.squareness:
             if len(pair) != 2 or pair[0] == pair[1] or not set(pair) <= set(names):
                 raise ParameterError("squareness", "-".join(pair), "two different axes of the machine")
+
+    def planner_limits(self) -> AxisLimits:
+        """Return the limits of the axes, for the planner.
+
+        Raises
+        ------
+        FeedError
+            If an axis has no velocity limit.
+        """
+        free = [axis.name for axis in self.axes if not np.isfinite(axis.limits.velocity)]
+        if free:
+            raise FeedError(f"axis {free[0]} of {self.name} has no velocity limit to plan with: give it limits.velocity")
+        found = [axis.limits for axis in self.axes]
+        return AxisLimits([x.velocity for x in found], [x.acceleration for x in found], [x.jerk for x in found])
 
     def _check_masses(self, axis: Axis) -> None:
         """A plant that is known by its response only cannot be given more mass, nor tell what it moves."""

@@ -32,9 +32,15 @@ def sample_compiled(reference: Reference, start: int, stop: int, rows: Array) ->
     records = np.column_stack([border[used], border[used + 1], offset[used], table])
     assert records.shape[1] == len(CURVE_FIELDS) + 4 * path.n_axis
     along_curves(records[plain], progress, speed, acceleration, rows[:-2])
-    for i in used[~plain]:
-        cut = slice(border[i], border[i + 1])
-        along_path(path, progress[cut], speed[cut], acceleration[cut], rows[:-2, cut])
+    if not plain.all():
+        # The samples on all other curves at once: a blended path has thousands of them.
+        others = np.zeros(n + 1, dtype=np.int64)
+        np.add.at(others, border[used[~plain]], 1)
+        np.add.at(others, border[used[~plain] + 1], -1)
+        cut = np.flatnonzero(np.cumsum(others[:-1]))
+        found = np.empty((len(rows) - 2, cut.size))
+        along_path(path, progress[cut], speed[cut], acceleration[cut], found)
+        rows[:-2, cut] = found
 
 
 def _in_reach(path: Path, progress: Array) -> tuple[NDArray[np.int64], Array]:

@@ -219,7 +219,7 @@ def circles_of(result: Result, reference: Reference) -> tuple[CircleFigures, ...
 
 
 def _pass(result: Result, reference: Reference, low: float, high: float) -> NDArray[np.int64]:
-    along = result["arc_length"]
+    along = reference.programmed_arc_length(result["arc_length"])
     (start, stop), _ = evaluation_window(reference, result.n_sample, result.start)
     counted = np.arange(start, stop)
     path = reference.programmed

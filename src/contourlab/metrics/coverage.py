@@ -34,7 +34,7 @@ def left_out(result: Result, reference: Reference, window: tuple[int, int]) -> t
     cut = slice(*window)
     path = reference.programmed
     foot = result["foot_arc_length"][cut]
-    asked = result["arc_length"][cut] * (path.length / reference.path.length)
+    asked = reference.programmed_arc_length(result["arc_length"][cut])
     if path.closed and np.ptp(asked) > (1.0 - 2.0 / len(asked)) * path.length:
         foot = np.sort(np.mod(foot, path.length))
         return float(max(np.diff(foot).max(initial=0.0), foot[0] + path.length - foot[-1])), 0.0

@@ -66,7 +66,8 @@ def judge(result: Result, reference: Reference) -> Result:
     if programmed is planned:
         part, planning, part_foot = contour, np.zeros_like(contour), foot
     else:
-        planning, at = _errors(programmed, wanted, along * (programmed.length / planned.length), 0.02 * programmed.length)
+        place, window = _around(reference, wanted, along)
+        planning, at = _errors(programmed, wanted, place, window)
         part, part_foot = _errors(programmed, tool, at, reach(programmed, off) + float(np.abs(planning).max(initial=0.0)))
     # The servo's error is that of the axes; where they are the tool may still be off by the machine's error map.
     tracking = wanted - result["axis_position"] if "axis_position" in result.signals else off
@@ -80,6 +81,19 @@ def judge(result: Result, reference: Reference) -> Result:
     )
 
 
+def _around(reference: Reference, wanted: Array, along: Array) -> tuple[Array, Array]:
+    """Return where on the programmed path the reference is, and how far (n,) [m] its foot point may be from there.
+
+    The place that corresponds is a first guess at the foot point, good to the length of what was replaced there by one curve: a corner or
+    a merged piece. A foot point is no further away than that place is, and a path that bends back near there is longer than it is wide.
+    """
+    place = reference.programmed_arc_length(along)
+    if reference.correspondence is None:
+        return place, np.full(place.size, 0.02 * reference.programmed.length)
+    off = np.linalg.norm(wanted - reference.programmed.position(place), axis=1)
+    return place, reference.correspondence.span(along) + 3.0 * off + 1e-9
+
+
 def _check_finite(result: Result, name: str) -> None:
     good = np.isfinite(result[name])
     if not good.all():
@@ -88,6 +102,6 @@ def _check_finite(result: Result, name: str) -> None:
         raise ResultError(f"{name}{axis} is not finite at sample {int(where[0]) + result.start}: there is nothing to judge it by")
 
 
-def _errors(path: Path, points: Array, around: Array, window: float) -> tuple[Array, Array]:
+def _errors(path: Path, points: Array, around: Array, window: float | Array) -> tuple[Array, Array]:
     found = path.foot_point(points, around, window)
     return (found.signed if path.is_planar else found.distance), found.arc_length

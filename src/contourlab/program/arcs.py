@@ -44,7 +44,7 @@ def make_arc(block: Block, state: ModalState, end: Point, line: int) -> Arc:
     """
     words = block.words
     first, second, _ = PLANE_AXES[state.plane]
-    start = state.position
+    frame, start = state.frame, state.position
     here, there = (start[first], start[second]), (end[first], end[second])
     clockwise = state.motion == 20
     _check_words(block, state)
@@ -54,19 +54,25 @@ def make_arc(block: Block, state: ModalState, end: Point, line: int) -> Arc:
     turns = _turns(words.get("P"))
     return Arc(
         state.reached,
-        end,
-        (middle[0], middle[1], middle[2]),
+        frame.axes(end),
+        frame.axes((middle[0], middle[1], middle[2])),
         state.plane,
         -turns if clockwise else turns,
-        state.feedrate,
+        0.0 if state.feed_mode == "inverse_time" else state.path_feedrate(_column(block), "G2" if clockwise else "G3"),
         line,
+        state.mode,
+        0.0 if state.plane == "XY" else frame.rotation,
     )
+
+
+def _column(block: Block) -> int:
+    return block.codes["motion"].column if "motion" in block.codes else next(iter(block.words.values())).column
 
 
 def _check_words(block: Block, state: ModalState) -> None:
     words, (first, second, normal) = block.words, PLANE_AXES[state.plane]
     name, plane = "G2" if state.motion == 20 else "G3", f"{state.plane} plane"
-    column = block.codes["motion"].column if "motion" in block.codes else next(iter(words.values())).column
+    column = _column(block)
     if "IJK"[normal] in words:
         stray = words["IJK"[normal]]
         raise BlockError(f"{stray.letter} has no meaning for an arc in the {plane}: delete it", stray.column)

@@ -19,6 +19,8 @@ from contourlab.program.vocabulary import (
 
 __all__ = ["Block", "Code", "read_block"]
 
+_END_OF_MOTION = 800
+
 
 class Code(NamedTuple):
     """A G-code (its number times ten) or an M-code (its number), and its column."""
@@ -76,7 +78,11 @@ def _add_g(codes: dict[str, Code], word: Word) -> None:
     group = G_GROUPS.get(number)
     if group is None:
         raise BlockError(refuse_g(number), word.column)
-    if group in codes:
+    if group in codes and group == "motion" and _END_OF_MOTION in (number, codes[group].number):
+        # G80 beside another motion has no effect.
+        if number == _END_OF_MOTION:
+            return
+    elif group in codes:
         raise BlockError(
             f"{g_name(codes[group].number)} and {g_name(number)} exclude each other in one block: keep one of them",
             word.column,

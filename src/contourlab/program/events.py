@@ -1,46 +1,73 @@
-"""The words of a block that concern spindle, tool, coolant and overrides: checked and kept, in the order of execution."""
+"""The words of a block that concern spindle, tool, coolant, outputs and overrides: checked and kept, in the order of execution."""
 
 from __future__ import annotations
 
 from contourlab.program.block import Block
 from contourlab.program.fault import BlockError
+from contourlab.program.lexer import Word
 from contourlab.program.moves import Event
+from contourlab.program.offsets import show_tool
+from contourlab.program.state import ModalState
+from contourlab.program.tools import LARGEST_TOOL
 
-__all__ = ["OVERRIDES_WITH_P", "events_before_motion", "pause"]
+__all__ = ["execute_events", "pause"]
 
-LARGEST_TOOL = 99_999
-OVERRIDES_WITH_P = frozenset((50, 51, 52, 53))
-_GROUPS = ("tool", "spindle", "coolant", "overrides")
-_PAUSES = (0, 1)
+_GROUPS = ("output", "tool", "spindle", "coolant", "overrides")
+_LETTER_OF_VALUE = dict.fromkeys((50, 51, 52, 53, 62, 63, 64, 65, 19), "P") | dict.fromkeys((61, 67, 68), "Q")
+_NEEDED = (61, 62, 63, 64, 65, 67, 68)
+_SENSES = {3: 1, 4: -1, 5: 0}
+_PAUSES = (0, 1, 60)
 
 
-def events_before_motion(block: Block, line: int) -> list[Event]:
-    """Return speed, tool number, tool change, spindle, coolant and overrides, as RS274/NGC orders them.
+def execute_events(block: Block, state: ModalState, line: int) -> None:
+    """Keep speed, tool number, outputs, tool change, spindle, coolant and overrides, as RS274/NGC orders them.
 
     Raises
     ------
     BlockError
-        If a speed is negative, or a tool's number no whole number from 0.
+        If a speed is negative, a tool's number no whole number from 0, or a code lacks its number.
     """
-    found: list[Event] = []
-    speed, tool = block.words.get("S"), block.words.get("T")
+    codes, words = block
+    speed, tool = words.get("S"), words.get("T")
     if speed is not None:
         if speed.value < 0.0:
             raise BlockError(f"S{speed.value:g}: a spindle speed is not negative, M4 turns it the other way", speed.column)
-        found.append(Event("S", speed.value, line))
+        state.speed = speed.value
+        state.events.append(Event("S", speed.value, line))
     if tool is not None:
-        if tool.value != round(tool.value) or not 0 <= tool.value <= LARGEST_TOOL:
-            raise BlockError(f"T{tool.value:g}: a tool has a whole number from 0 to {LARGEST_TOOL}", tool.column)
-        found.append(Event("T", tool.value, line))
+        state.tools.selected = _tool_number(tool)
+        state.events.append(Event("T", tool.value, line))
+    if not codes:
+        return
     for group in _GROUPS:
-        if group in block.codes:
-            code = block.codes[group].number
-            p = block.words.get("P") if code in OVERRIDES_WITH_P else None
-            found.append(Event(f"M{code}", None if p is None else p.value, line))
-    return found
+        if group in codes:
+            _execute(block, state, line, codes[group].number, codes[group].column)
 
 
-def pause(block: Block, line: int) -> list[Event]:
-    """Return M0 or M1, which come after the motion of their block."""
+def _execute(block: Block, state: ModalState, line: int, code: int, column: int) -> None:
+    letter = _LETTER_OF_VALUE.get(code)
+    word = block.words.get(letter) if letter else None
+    if word is None and code in _NEEDED:
+        raise BlockError(f"M{code} has no {letter}: write its number", column)
+    index = block.words.get("E") if code in (67, 68) else None
+    if index is None and code in (67, 68):
+        raise BlockError(f"M{code} has no E: write the number of the output", column)
+    if code in (6, 61):
+        state.tools.current = state.tools.selected if code == 6 or word is None else _tool_number(word)
+        show_tool(state)
+    if code in _SENSES:
+        state.turning = _SENSES[code]
+    state.events.append(Event(f"M{code}", None if word is None else word.value, line, None if index is None else index.value))
+
+
+def _tool_number(word: Word) -> int:
+    if word.value != round(word.value) or not 0 <= word.value <= LARGEST_TOOL:
+        raise BlockError(f"{word.letter}{word.value:g}: a tool has a whole number from 0 to {LARGEST_TOOL}", word.column)
+    return int(word.value)
+
+
+def pause(block: Block, state: ModalState, line: int) -> None:
+    """Keep M0, M1 and M60, which come after the motion of their block."""
     code = block.codes.get("stop")
-    return [Event(f"M{code.number}", None, line)] if code is not None and code.number in _PAUSES else []
+    if code is not None and code.number in _PAUSES:
+        state.events.append(Event(f"M{code.number}", None, line))

@@ -1,51 +1,57 @@
 """Executes blocks: what a line does to the modal state, and the moves that it makes.
 
 Within a block RS274/NGC fixes the order, whatever the order of the words: feed mode, feedrate, spindle, tool, coolant, overrides, dwell,
-plane, units, distance modes, motion, pause or end of program. So F is read in the units that were in force before a G20 or G21 on its line,
-while X, Y and Z are read in the new ones; and G94 clears an earlier feedrate, but not the F on its own line.
+plane, units, tool length, work coordinate system, path control, distance modes, return level, offsets and home positions, motion, pause or
+end of program. So F is read in the units that were in force before a G20 or G21 on its line, while X, Y and Z are read in the new ones;
+and G94 clears an earlier feedrate, but not the F on its own line.
 """
 
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
+from dataclasses import replace
 
 from contourlab.program.arcs import make_arc
-from contourlab.program.block import Block
-from contourlab.program.events import OVERRIDES_WITH_P, events_before_motion, pause
+from contourlab.program.block import Block, Code
+from contourlab.program.cycles import drill
+from contourlab.program.events import execute_events, pause
 from contourlab.program.fault import BlockError
-from contourlab.program.moves import Dwell, Event, Feed, Move, Traverse
-from contourlab.program.state import SETTERS, ModalState
+from contourlab.program.lexer import Word
+from contourlab.program.moves import Dwell, Mode, Move, Plane
+from contourlab.program.offsets import go_home, machine_target, select_system, set_data, set_shift, set_tool_length
+from contourlab.program.splines import add_control_point, bezier, close_curve
+from contourlab.program.state import LARGEST_FEEDRATE, ModalState
+from contourlab.program.vocabulary import AXIS_WORDS, CYCLES, SPLINES, USERS, g_name
 
-__all__ = ["SHORTEST_MOVE", "execute"]
+__all__ = ["execute"]
 
-SHORTEST_MOVE = 1e-12
-"""Straight moves of at most this length [m] are rounding, and no moves."""
-LARGEST_FEEDRATE = 1e3
-"""Feedrates beyond this [m/s] are a slip."""
 LONGEST_DWELL = 86_400.0
 """Dwells beyond this [s] are a slip."""
+LEAST_TIMED_RATE = 0.1
+"""Inverse-time moves are no slower than this, in program units per minute, as in LinuxCNC."""
 
 _ARCS = (20, 30)
-_ARC_LETTERS = frozenset("IJKRP")
+_NO_MOTION = 800
+_PLAIN_LETTERS = frozenset("XYZF@^ST")
+_FEED_MODES = {930: "inverse_time", 940: "per_minute", 950: "per_turn"}
+_PLANES: dict[int, Plane] = {170: "XY", 180: "ZX", 190: "YZ"}
 
 
-def execute(block: Block, state: ModalState, line: int, events: list[Event]) -> list[Move]:
+def execute(block: Block, state: ModalState, line: int) -> list[Move]:
     """Execute one block.
 
     Parameters
     ----------
     block : Block
     state : ModalState
-        Changed in place.
+        Changed in place; its events are added to.
     line : int
         Source line of the block, for its moves.
-    events : list of Event
-        What the block asks for besides motion is added to it.
 
     Returns
     -------
     list of Move
-        None, one, or a dwell and a move.
 
     Raises
     ------
@@ -56,31 +62,81 @@ def execute(block: Block, state: ModalState, line: int, events: list[Event]) -> 
     moves: list[Move] = []
     if state.plane != "XY" and ("@" in words or "^" in words):
         raise BlockError("polar coordinates lie in the XY plane: write G17 on a line before", (words.get("@") or words["^"]).column)
+    motion = _motion_to_be(block, state)
+    _check_letters(block, motion)
     if "feed_mode" in codes:
-        state.feedrate = 0.0
-    if "F" in words:
+        state.feed_mode = _FEED_MODES[codes["feed_mode"].number]  # type: ignore[assignment]  # the table holds the three
+        if state.feed_mode != "inverse_time":
+            state.feedrate = 0.0
+    if "F" in words and state.feed_mode != "inverse_time":
         _set_feedrate(block, state)
-    events += events_before_motion(block, line)
-    if "dwell" in codes:
-        moves += _dwell(block, line)
+    execute_events(block, state, line)
     if codes:
-        for group, setter in SETTERS.items():
-            if group in codes:
-                setter(state, codes[group].number)
-    if "motion" in codes:
-        state.motion = codes["motion"].number
-    elif "cycle_end" in codes:
-        state.motion = None
-    _check_letters(block, state)
-    if _moves(block, state):
-        moves += _motion(block, state, line)
-    events += pause(block, line)
+        moves += _set_modes(block, state, line)
+    if motion is not None:
+        before, state.motion = state.motion, motion
+        if motion not in CYCLES:
+            state.cycle.level = None
+        if motion != _NO_MOTION:
+            moves += _motion(block, state, line, before)
+    pause(block, state, line)
     return moves
+
+
+def _motion_to_be(block: Block, state: ModalState) -> int | None:
+    """Return the motion that the block makes: its own, or the one in force where its words ask for it."""
+    codes, words = block
+    own, other = codes.get("motion"), codes.get("other")
+    takes_axes = other is not None and other.number in AXIS_WORDS
+    axes = "X" in words or "Y" in words or "Z" in words or "@" in words or "^" in words
+    if own is not None:
+        if own.number != _NO_MOTION and takes_axes and other is not None:
+            names = f"{g_name(other.number)} and {g_name(own.number)}"
+            raise BlockError(f"{names} would both take the axis words: write each on a line of its own", own.column)
+        if own.number == _NO_MOTION and axes and not takes_axes:
+            word = next(words[letter] for letter in "XYZ@^" if letter in words)
+            raise BlockError(f"{word.letter} with G80, which ends all motion: delete it, or write G0 or G1 too", word.column)
+        _check_axes_given(own, words, axes)
+        return own.number
+    if takes_axes:
+        return None
+    if axes:
+        if "tool_length" in codes and codes["tool_length"].number in (431, 432):
+            return None
+        if state.motion is None or state.motion == _NO_MOTION:
+            word = next(words[letter] for letter in "XYZ@^" if letter in words)
+            raise BlockError(f"{word.letter} without a motion: write G0, G1, G2 or G3 before it", word.column)
+        return state.motion
+    if state.motion in _ARCS and ("I" in words or "J" in words or "K" in words):
+        return state.motion
+    return None
+
+
+def _check_axes_given(own: Code, words: dict[str, Word], axes: bool) -> None:
+    # G0 and G1 may stand alone; full circles and the first line of a NURBS need no end point.
+    if not axes and own.number not in (0, 10, *_ARCS, 52, _NO_MOTION):
+        raise BlockError(f"{g_name(own.number)} has no axis: write X, Y or Z", own.column)
+
+
+def _check_letters(block: Block, motion: int | None) -> None:
+    """Refuse words that no code of the block uses."""
+    if block.words.keys() <= _PLAIN_LETTERS:
+        return
+    active: set[int | str] = {code.number if group in _G_GROUPS else f"M{code.number}" for group, code in block.codes.items()}
+    if motion is not None:
+        active.add(motion)
+    if "P" in block.words and 40 in active and active & {20, 30}:
+        raise BlockError("G4 and an arc in one block would share P: write G4 on a line of its own", block.words["P"].column)
+    for letter, word in block.words.items():
+        if letter in USERS and not USERS[letter][0] & active:
+            raise BlockError(f"{letter} has no {USERS[letter][1]} to use it: delete it, or write the code before it", word.column)
 
 
 def _set_feedrate(block: Block, state: ModalState) -> None:
     word = block.words["F"]
-    feedrate = state.length(word.value) / 60.0
+    feedrate = state.length(word.value)
+    if state.feed_mode == "per_minute":
+        feedrate /= 60.0
     if feedrate < 0.0:
         raise BlockError(f"F{word.value:g}: a feedrate cannot be negative", word.column)
     if feedrate > LARGEST_FEEDRATE:
@@ -91,58 +147,142 @@ def _set_feedrate(block: Block, state: ModalState) -> None:
 def _dwell(block: Block, line: int) -> list[Move]:
     word = block.words.get("P")
     if word is None:
-        raise BlockError("G4 has no time: write for example G4 P0.5 for half a second", block.codes["dwell"].column)
+        raise BlockError("G4 has no time: write for example G4 P0.5 for half a second", block.codes["other"].column)
     if not 0.0 <= word.value <= LONGEST_DWELL:
         raise BlockError(f"G4 P{word.value:g}: P is in seconds and lies between 0 and {LONGEST_DWELL:g}", word.column)
     return [Dwell(word.value, line)] if word.value > 0.0 else []
 
 
-def _moves(block: Block, state: ModalState) -> bool:
-    """Tell whether the block makes a motion, explicit or modal."""
-    words = block.words
-    if "X" in words or "Y" in words or "Z" in words or "@" in words or "^" in words:
-        return True
-    if state.motion in _ARCS:
-        # Unlike G0 and G1, which may stand alone, an arc asked for by name must come whole.
-        return "motion" in block.codes or "I" in words or "J" in words or "K" in words
-    return False
-
-
-def _check_letters(block: Block, state: ModalState) -> None:
-    """Refuse words that no code of the block uses."""
-    motion = state.motion in _ARCS and _moves(block, state)
-    for letter, word in block.words.items():
-        if letter not in _ARC_LETTERS:
-            continue
-        if letter == "P" and "overrides" in block.codes and block.codes["overrides"].number in OVERRIDES_WITH_P:
-            if motion or "dwell" in block.codes:
-                raise BlockError("two codes of one block would share P: write each on a line of its own", word.column)
-        elif letter == "P" and "dwell" in block.codes:
-            if motion:
-                raise BlockError("G4 and an arc in one block would share P: write G4 on a line of its own", word.column)
-        elif not motion:
-            user = "G4, G2 or G3" if letter == "P" else "G2 or G3"
-            raise BlockError(f"{letter} has no {user} to use it: delete it, or write the code before it", word.column)
-
-
-def _motion(block: Block, state: ModalState, line: int) -> list[Move]:
-    if state.motion is None:
-        word = next(block.words[letter] for letter in "XYZ@^" if letter in block.words)
-        raise BlockError(f"{word.letter} without a motion: write G0, G1, G2 or G3 before it", word.column)
-    end = state.target(block.words)
-    if state.motion != 0 and state.feedrate == 0.0:
-        at = block.codes.get("motion") or next(iter(block.words.values()))
-        cure = "write F (length per minute) on its line or before it; G94 clears an earlier one"
-        raise BlockError(f"G{state.motion // 10} without a feedrate: {cure}", at.column)
+def _set_modes(block: Block, state: ModalState, line: int) -> list[Move]:
+    """Execute the codes of a block other than its motion, in their order."""
+    codes = block.codes
     moves: list[Move] = []
-    if state.motion in _ARCS:
-        moves.append(make_arc(block, state, end, line))
-    elif math.dist(state.reached, end) > SHORTEST_MOVE:
-        if state.motion == 0:
-            moves.append(Traverse(state.reached, end, line))
-        else:
-            moves.append(Feed(state.reached, end, state.feedrate, line))
-    state.position = end
-    if moves:
-        state.reached = end
+    other = codes.get("other")
+    if other is not None and other.number == 40:
+        moves += _dwell(block, line)
+    for group, setter in _SETTERS.items():
+        if group in codes:
+            setter(block, state, codes[group].number)
+    if other is None:
+        return moves
+    if other.number == 100:
+        set_data(block, state)
+    elif other.number in (280, 281, 300, 301):
+        moves += go_home(block, state, other.number, line)
+    elif other.number in (520, 920, 921, 922, 923):
+        set_shift(block, state, other)
+    elif other.number == 53:
+        moves += close_curve(block, state, line)
     return moves
+
+
+def _set_control(block: Block, state: ModalState, code: int) -> None:
+    if code != 640:
+        state.mode = Mode("exact_path" if code == 610 else "exact_stop", None, None, state.mode.tool)
+        return
+    lengths: list[float | None] = []
+    for letter in "PQ":
+        word = block.words.get(letter)
+        if word is not None and word.value < 0.0:
+            raise BlockError(f"{letter}{word.value:g}: a tolerance of G64 is not negative", word.column)
+        lengths.append(None if word is None else state.length(word.value))
+    tolerance, merge = lengths
+    state.mode = Mode("blend", tolerance, tolerance if merge is None else merge, state.mode.tool)
+
+
+def _set_plane(block: Block, state: ModalState, code: int) -> None:
+    state.plane = _PLANES[code]
+
+
+def _set_units(block: Block, state: ModalState, code: int) -> None:
+    state.millimetres = code == 210
+
+
+def _set_diameter(block: Block, state: ModalState, code: int) -> None:
+    state.diameter = code == 70
+
+
+def _set_system(block: Block, state: ModalState, code: int) -> None:
+    select_system(state, code)
+
+
+def _set_distance(block: Block, state: ModalState, code: int) -> None:
+    state.absolute = code == 900
+
+
+def _set_arc_distance(block: Block, state: ModalState, code: int) -> None:
+    state.absolute_centre = code == 901
+
+
+def _set_return(block: Block, state: ModalState, code: int) -> None:
+    state.back_to_clearance = code == 990
+
+
+_SETTERS: dict[str, Callable[[Block, ModalState, int], None]] = {
+    "plane": _set_plane,
+    "units": _set_units,
+    "diameter": _set_diameter,
+    "tool_length": set_tool_length,
+    "system": _set_system,
+    "control": _set_control,
+    "distance": _set_distance,
+    "arc_distance": _set_arc_distance,
+    "return": _set_return,
+}
+"""Groups that only set the state, in the order in which RS274/NGC executes them within a block.
+
+The feed mode is set before the feedrate, thus not here.
+"""
+_G_GROUPS = frozenset((*_SETTERS, "other", "motion", "feed_mode", "cutter", "spindle_mode"))
+
+
+def _motion(block: Block, state: ModalState, line: int, before: int | None) -> list[Move]:
+    """Make the motion of a block; `before` is the motion that was in force."""
+    motion = state.motion
+    if motion != 52 and state.curve.points:
+        raise BlockError("the NURBS begun with G5.2 is not closed: write G5.3 before the next motion", _column(block))
+    if motion in CYCLES:
+        return drill(block, state, line, again=before == motion)
+    if motion in SPLINES:
+        if state.feed_mode == "inverse_time":
+            raise BlockError("splines do not go with inverse-time feed: write G94 and F", _column(block))
+        if motion == 52:
+            add_control_point(block, state)
+            return []
+        moves = bezier(block, state, line)
+        state.motion = before  # G5 and G5.1 hold for their own block only
+        return moves
+    state.tangent = None
+    other = block.codes.get("other")
+    in_machine = other is not None and other.number == 530
+    end = machine_target(block, state) if in_machine else state.target(block.words)
+    if motion == 0:
+        return state.straight(end, line)
+    if motion == 10:
+        return state.straight(end, line, _feedrate(block, state, math.dist(state.position, end)))
+    arc = make_arc(block, state, end, line)
+    if state.feed_mode == "inverse_time":
+        rise = end[arc.axes[2]] - state.position[arc.axes[2]]
+        arc = replace(arc, feedrate=_feedrate(block, state, math.hypot(arc.sweep * arc.radius, rise)))
+    state.position, state.reached = end, arc.end
+    return [arc]
+
+
+def _column(block: Block) -> int:
+    at = block.codes.get("motion") or next(iter(block.words.values()), None)
+    return at.column if at else 0
+
+
+def _feedrate(block: Block, state: ModalState, length: float) -> float:
+    """Return the feedrate [m/s] of a move of some length [m]; with G93 its F is one over the time in minutes."""
+    assert state.motion is not None  # it is about to be made
+    column, name = _column(block), f"G{state.motion // 10}"
+    if state.feed_mode != "inverse_time":
+        return state.path_feedrate(column, name)
+    word = block.words.get("F")
+    if word is None:
+        raise BlockError(f"{name} with G93 has no F: each move takes its own, one over its time in minutes", column)
+    if word.value <= 0.0:
+        raise BlockError(f"F{word.value:g}: with G93, F is one over the time in minutes and greater than 0", word.column)
+    state.feedrate = max(length * word.value, state.length(LEAST_TIMED_RATE)) / 60.0
+    return state.feedrate

@@ -13,7 +13,7 @@ from contourlab.program.expressions import Cursor, read_assignment, read_value
 from contourlab.program.fault import BlockError
 from contourlab.program.parameters import Key, Parameters
 
-__all__ = ["LARGEST_NUMBER", "Word", "read_words"]
+__all__ = ["LARGEST_NUMBER", "Word", "read_words", "without_blanks"]
 
 LARGEST_NUMBER = 1e9
 """No word of a part program means anything beyond this, in any unit: such a number is a slip."""
@@ -27,9 +27,9 @@ _MORE_THAN_NUMBERS = re.compile(r"[#\[]|[+-][ \t]*[+-]")
 _BAD = {
     "]": "']' closes no expression: delete it, or write '[' where the expression starts",
     "=": "'=' has no parameter before it: write #1 = 2, at the start of a line or between words",
-    "<": "'<' belongs to a named parameter, as in #<depth>; O<name> is not supported yet",
-    ">": "'>' belongs to a named parameter, as in #<depth>; O<name> is not supported yet",
-    "/": "block delete (/) is not supported yet: delete the line or the stroke",
+    "<": "'<' belongs to a named parameter, as in #<depth>, or to O<name> at the start of a line",
+    ">": "'>' belongs to a named parameter, as in #<depth>, or to O<name> at the start of a line",
+    "/": "/ (block delete) stands first on its line, or divides within [ ]: move or delete it",
     "%": "% may only stand alone on the first line and on the last: delete it here",
     "*": "* has no meaning here: checksums of printers are not part of RS274/NGC, delete it",
     ")": "')' closes no comment: delete it, or write '(' where the comment starts",
@@ -89,7 +89,7 @@ def read_words(line: str, parameters: Parameters | None = None) -> list[Word]:
 
 def _words_and_values(line: str, parameters: Parameters) -> list[Word]:
     """Read a line that holds more than plain numbers."""
-    cursor = _without_blanks(line)
+    cursor = without_blanks(line)
     words: list[Word] = []
     settings: list[tuple[Key, float]] = []
     while cursor.next:
@@ -99,7 +99,6 @@ def _words_and_values(line: str, parameters: Parameters) -> list[Word]:
             settings.append(read_assignment(cursor, parameters))
         elif letter in _LETTERS:
             cursor.at += 1
-            _refuse_o(letter, column)
             if letter == "N" and not cursor.next.isdigit():
                 raise BlockError("a line number is written in digits: write for example N10", column)
             value = read_value(cursor, parameters)
@@ -113,7 +112,14 @@ def _words_and_values(line: str, parameters: Parameters) -> list[Word]:
     return words
 
 
-def _without_blanks(line: str) -> Cursor:
+def without_blanks(line: str) -> Cursor:
+    """Return a cursor over a line in small letters, without blanks and comments.
+
+    Raises
+    ------
+    BlockError
+        If a comment has no end, or stands in another.
+    """
     kept: list[int] = []
     at = 0
     while at < len(line) and line[at] != ";":
@@ -128,15 +134,9 @@ def _without_blanks(line: str) -> Cursor:
     return Cursor("".join(line[i] for i in kept).lower(), [i + 1 for i in kept])
 
 
-def _refuse_o(letter: str, column: int) -> None:
-    if letter == "O":
-        raise BlockError("O-words (subprograms, loops, conditions) are not supported yet: write the moves out", column)
-
-
 def _number(line: str, token: re.Match[str]) -> float:
     """Read the number of a word, which may have blanks anywhere."""
     name, digits, column = token[1].upper(), token["digits"], token.start() + 1
-    _refuse_o(name, column)
     try:
         value = float(digits)
     except ValueError:

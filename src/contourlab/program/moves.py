@@ -7,10 +7,28 @@ from dataclasses import dataclass, field
 from functools import cached_property
 from typing import Literal, TypeAlias
 
-__all__ = ["FULL_CIRCLE_BELOW", "PLANE_AXES", "Arc", "Dwell", "Event", "Feed", "Move", "Plane", "Point", "Program", "Traverse"]
+__all__ = [
+    "FULL_CIRCLE_BELOW",
+    "PLAIN",
+    "PLANE_AXES",
+    "Arc",
+    "Control",
+    "Dwell",
+    "Event",
+    "Feed",
+    "Mode",
+    "Move",
+    "Notice",
+    "Plane",
+    "Point",
+    "Program",
+    "Spline",
+    "Traverse",
+]
 
 Point: TypeAlias = tuple[float, float, float]
 Plane: TypeAlias = Literal["XY", "YZ", "ZX"]
+Control: TypeAlias = Literal["exact_path", "exact_stop", "blend"]
 
 PLANE_AXES: dict[Plane, tuple[int, int, int]] = {"XY": (0, 1, 2), "YZ": (1, 2, 0), "ZX": (2, 0, 1)}
 """First axis, second axis and normal of each plane (0 = x, 1 = y, 2 = z); each triple is right-handed."""
@@ -20,18 +38,47 @@ FULL_CIRCLE_BELOW = 1e-6
 
 
 @dataclass(frozen=True, slots=True)
+class Mode:
+    """What else was in force when a move was programmed.
+
+    Parameters
+    ----------
+    control : {"exact_path", "exact_stop", "blend"} or None
+        G61, G61.1, G64; None as long as the program has not said.
+    tolerance : float [m] or None
+        P of G64: how far the path may leave a corner; None where G64 has no P.
+    merge : float [m] or None
+        Q of G64, which is P where it is not given: how far lines that are joined may lie off.
+    tool : (x, y, z) [m]
+        Tool offset in force: positions of the axes less this are those of the tool's tip.
+    """
+
+    control: Control | None = None
+    tolerance: float | None = None
+    merge: float | None = None
+    tool: Point = (0.0, 0.0, 0.0)
+
+
+PLAIN = Mode()
+"""The mode at the start of a program."""
+
+
+@dataclass(frozen=True, slots=True)
 class Traverse:
     """Straight rapid move (G0).
 
     Parameters
     ----------
     start, end : (x, y, z) [m]
+        Positions of the axes.
     source_line : int, >= 1
+    mode : Mode
     """
 
     start: Point
     end: Point
     source_line: int
+    mode: Mode = PLAIN
 
 
 @dataclass(frozen=True, slots=True)
@@ -43,12 +90,14 @@ class Feed:
     start, end : (x, y, z) [m]
     feedrate : float [m/s], > 0
     source_line : int, >= 1
+    mode : Mode
     """
 
     start: Point
     end: Point
     feedrate: float
     source_line: int
+    mode: Mode = PLAIN
 
 
 @dataclass(frozen=True, slots=True)
@@ -67,6 +116,9 @@ class Arc:
         circles come on top of the arc from start to end.
     feedrate : float [m/s], > 0
     source_line : int, >= 1
+    mode : Mode
+    turned : float [degrees]
+        By how much the plane is turned about the Z axis (rotation of the work coordinate system); of consequence for YZ and ZX only.
 
     Notes
     -----
@@ -85,6 +137,8 @@ class Arc:
     turns: int
     feedrate: float
     source_line: int
+    mode: Mode = PLAIN
+    turned: float = 0.0
 
     @property
     def axes(self) -> tuple[int, int, int]:
@@ -104,17 +158,72 @@ class Arc:
     @property
     def sweep(self) -> float:
         """Angle travelled [rad], > 0 counterclockwise, < 0 clockwise; never 0."""
-        first, second, _ = self.axes
-        angles = [math.atan2(point[second] - self.centre[second], point[first] - self.centre[first]) for point in (self.start, self.end)]
+        spokes = [self._spoke(point) for point in (self.start, self.end)]
+        angles = [math.atan2(second, first) for first, second in spokes]
         sense = 1.0 if self.turns > 0 else -1.0
         once = (sense * (angles[1] - angles[0])) % (2.0 * math.pi)
         if once < FULL_CIRCLE_BELOW:
             once += 2.0 * math.pi
         return sense * (once + 2.0 * math.pi * (abs(self.turns) - 1))
 
+    def directions(self) -> tuple[Point, Point, Point]:
+        """Return the unit vectors of the plane's first axis, second axis and normal, in the machine's axes."""
+        c, s = math.cos(math.radians(self.turned)), math.sin(math.radians(self.turned))
+        units = ((c, s, 0.0), (-s, c, 0.0), (0.0, 0.0, 1.0)) if self.turned and self.plane != "XY" else _UNITS
+        first, second, normal = self.axes
+        return units[first], units[second], units[normal]
+
     def _radius_to(self, point: Point) -> float:
-        first, second, _ = self.axes
-        return math.hypot(point[first] - self.centre[first], point[second] - self.centre[second])
+        return math.hypot(*self._spoke(point))
+
+    def _spoke(self, point: Point) -> tuple[float, float]:
+        """Return a point less the centre, in the plane."""
+        spoke = (point[0] - self.centre[0], point[1] - self.centre[1], point[2] - self.centre[2])
+        if not self.turned or self.plane == "XY":
+            first, second, _ = self.axes
+            return spoke[first], spoke[second]
+        u, v, _ = self.directions()
+        return (
+            spoke[0] * u[0] + spoke[1] * u[1] + spoke[2] * u[2],
+            spoke[0] * v[0] + spoke[1] * v[1] + spoke[2] * v[2],
+        )
+
+
+@dataclass(frozen=True, slots=True)
+class Spline:
+    """Rational or polynomial spline (G5, G5.1, G5.2 with G5.3), kept as a curve.
+
+    Parameters
+    ----------
+    degree : int, >= 1
+    points : tuple of (x, y, z) [m]
+        Control points; the first is the start of the move, the last its end.
+    weights : tuple of float, > 0
+        One for each control point; all 1 where the spline is polynomial.
+    knots : tuple of float
+        ``len(points) + degree + 1`` of them, not falling; clamped at both ends.
+    feedrate : float [m/s], > 0
+    source_line : int, >= 1
+    mode : Mode
+    """
+
+    degree: int
+    points: tuple[Point, ...]
+    weights: tuple[float, ...]
+    knots: tuple[float, ...]
+    feedrate: float
+    source_line: int
+    mode: Mode = PLAIN
+
+    @property
+    def start(self) -> Point:
+        """Where the move begins [m]."""
+        return self.points[0]
+
+    @property
+    def end(self) -> Point:
+        """Where the move ends [m]."""
+        return self.points[-1]
 
 
 @dataclass(frozen=True, slots=True)
@@ -131,7 +240,9 @@ class Dwell:
     source_line: int
 
 
-Move: TypeAlias = Traverse | Feed | Arc | Dwell
+Move: TypeAlias = Traverse | Feed | Arc | Spline | Dwell
+
+_UNITS = ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0))
 
 
 @dataclass(frozen=True, slots=True)
@@ -143,13 +254,31 @@ class Event:
     word : str
         ``"S"``, ``"T"``, or an M-code such as ``"M3"``.
     value : float or None
-        Number of S (turns per minute) and T, the P of M50 to M53; None where there is none.
+        Number of S (turns per minute) and T, the P of M50 to M53 and M62 to M65, the Q of M61, M67 and M68; None where there is none.
     source_line : int, >= 1
+    index : float or None
+        The E of M67 and M68: the number of the output.
     """
 
     word: str
     value: float | None
     source_line: int
+    index: float | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class Notice:
+    """Where the reader was lenient.
+
+    Parameters
+    ----------
+    message : str
+    line, column : int, >= 1
+    """
+
+    message: str
+    line: int
+    column: int
 
 
 @dataclass(frozen=True)
@@ -166,12 +295,15 @@ class Program:
         The source text; a move came from ``lines[move.source_line - 1]``.
     events : tuple of Event
         Spindle, tool, coolant and the like, in the order of execution; they take no time.
+    notices : tuple of Notice
+        Where the dialect was lenient.
     """
 
     name: str
     moves: tuple[Move, ...]
     lines: tuple[str, ...] = field(repr=False)
     events: tuple[Event, ...] = ()
+    notices: tuple[Notice, ...] = ()
 
     @cached_property
     def used_axes(self) -> tuple[str, ...]:
@@ -185,7 +317,9 @@ class Program:
             if isinstance(move, Dwell):
                 continue
             if isinstance(move, Arc):
-                used.update(move.axes[:2])
+                used.update(i for unit in move.directions()[:2] for i in range(3) if unit[i])
+            elif isinstance(move, Spline):
+                used.update(i for point in move.points for i in range(3) if point[i] != move.start[i])
             used.update(i for i in range(3) if move.start[i] != move.end[i])
             if len(used) == 3:
                 break

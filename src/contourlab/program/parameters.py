@@ -1,8 +1,8 @@
-"""Numbered and named parameters of a part program: #1, #<name>, and the few that the interpreter itself keeps."""
+"""Numbered and named parameters of a part program: #1, #<name>, and those that the interpreter itself keeps."""
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from typing import TypeAlias
 
 from contourlab.program.fault import BlockError
@@ -10,9 +10,11 @@ from contourlab.program.fault import BlockError
 __all__ = ["LARGEST_PARAMETER", "Key", "Parameters"]
 
 LARGEST_PARAMETER = 5601
-_FIRST_OF_THE_SYSTEM = 5061
-_SELECTED_SYSTEM = 5220
+SELECTED_SYSTEM = 5220
+LOCAL = range(1, 31)
+"""Each call of a subprogram has its own of these."""
 _POSITION = (5420, 5421, 5422)
+_READ_ONLY = frozenset((*range(5400, 5414), *range(5420, 5429)))
 
 Key: TypeAlias = int | str
 """Number of a parameter, or its name in small letters without blanks."""
@@ -25,12 +27,32 @@ class Parameters:
     ----------
     position : callable
         Returns the programmed point in the units in force, for #5420 to #5422.
+    own : mapping, optional
+        Names that the interpreter keeps, with what returns their values.
+
+    Attributes
+    ----------
+    returned : float or None
+        What the last subprogram returned.
     """
 
-    def __init__(self, position: Callable[[], tuple[float, float, float]] = lambda: (0.0, 0.0, 0.0)) -> None:
+    def __init__(
+        self,
+        position: Callable[[], tuple[float, float, float]] = lambda: (0.0, 0.0, 0.0),
+        own: Mapping[str, Callable[[], float]] | None = None,
+    ) -> None:
         self._position = position
-        self._numbered: dict[int, float] = {}
-        self._named: dict[str, float] = {}
+        self.own = own or {}
+        self._numbered: dict[int, float] = {SELECTED_SYSTEM: 1.0}
+        self._global: dict[str, float] = {}
+        self._local: dict[str, float] = {}
+        self._callers: list[tuple[dict[str, float], dict[int, float] | None]] = []
+        self.returned: float | None = None
+
+    @property
+    def depth(self) -> int:
+        """How many calls one is in."""
+        return len(self._callers)
 
     def read(self, key: Key, column: int) -> float:
         """Return a parameter's value.
@@ -41,18 +63,24 @@ class Parameters:
             If there is no such number, or nothing was ever given this name.
         """
         if isinstance(key, str):
-            if key not in self._named:
+            if key in self.own:
+                return self.own[key]()
+            names = self._names(key)
+            if key not in names:
                 raise BlockError(f"#<{key}> has no value yet: write #<{key}> = ... on a line before", column)
-            return self._named[key]
+            return names[key]
         _check_number(key, column)
+        return self.number(key)
+
+    def number(self, key: int) -> float:
+        """Return the value of a numbered parameter that is known to exist."""
         if key in _POSITION:
             return self._position()[key - _POSITION[0]]
-        # The work offsets are all zero, and the first of them is in force.
-        return self._numbered.get(key, 1.0 if key == _SELECTED_SYSTEM else 0.0)
+        return self._numbered.get(key, 0.0)
 
     def exists(self, name: str) -> bool:
         """Tell whether a named parameter has a value."""
-        return name in self._named
+        return name in self.own or name in self._names(name)
 
     def check(self, key: Key, column: int) -> None:
         """Refuse what a program cannot set.
@@ -60,20 +88,41 @@ class Parameters:
         Raises
         ------
         BlockError
-            If there is no such number, or if it stands for offsets and tools.
+            If there is no such number, or if it stands for the tool or the position.
         """
         if isinstance(key, str):
+            if key in self.own:
+                raise BlockError(f"#<{key}> is the interpreter's own, a program cannot set it: choose another name", column)
             return
         _check_number(key, column)
-        if key >= _FIRST_OF_THE_SYSTEM:
-            raise BlockError(f"#{key} is one of the interpreter's own (offsets, tools, position): setting it is not supported yet", column)
+        if key in _READ_ONLY:
+            raise BlockError(f"#{key} is the interpreter's own (tool, position), a program cannot set it: choose another number", column)
 
     def write(self, key: Key, value: float) -> None:
         """Set a parameter that `check` has let pass."""
         if isinstance(key, str):
-            self._named[key] = value
+            self._names(key)[key] = value
         else:
             self._numbered[key] = value
+
+    def _names(self, key: str) -> dict[str, float]:
+        return self._global if key.startswith("_") else self._local
+
+    def enter(self, arguments: list[float] | None) -> None:
+        """Enter a subprogram: names of its own, and #1 to #30 with the arguments in front (None: those of the caller, as M98 has it)."""
+        numbers = None
+        if arguments is not None:
+            numbers = {number: self._numbered.get(number, 0.0) for number in LOCAL}
+            for number in LOCAL:
+                self._numbered[number] = arguments[number - 1] if number <= len(arguments) else 0.0
+        self._callers.append((self._local, numbers))
+        self._local = {}
+
+    def leave(self) -> None:
+        """Return to the caller's."""
+        self._local, numbers = self._callers.pop()
+        if numbers is not None:
+            self._numbered |= numbers
 
 
 def _check_number(number: int, column: int) -> None:

@@ -1,29 +1,74 @@
-"""Part programs from files and text: framing, line numbers, and the end of a program."""
+"""Part programs from files and text: framing, line numbers, dialects, and the end of a program."""
 
 from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Iterator
+from dataclasses import dataclass
 from pathlib import Path
+from typing import Literal, TypeAlias, get_args
 
 from contourlab.errors import ProgramError
-from contourlab.program.block import read_block
+from contourlab.program.block import Block, read_block
 from contourlab.program.fault import BlockError
+from contourlab.program.flow import Tape
+from contourlab.program.grbl import tolerated
 from contourlab.program.interpreter import execute
-from contourlab.program.moves import Dwell, Event, Move, Program
+from contourlab.program.moves import Dwell, Move, Notice
+from contourlab.program.own_names import own_names
 from contourlab.program.parameters import Parameters
+from contourlab.program.source import read_text, split_lines
 from contourlab.program.state import ModalState
+from contourlab.program.tools import Tools, read_tools
+from contourlab.program.walker import Walker
 
-__all__ = ["iter_moves", "parse_program", "read_program"]
+__all__ = ["Dialect", "Reader", "Reading"]
 
-PROGRAM_ENDS = (2, 30)
-_LINE_BREAK = re.compile(r"\r\n|\n|\r")
+Dialect: TypeAlias = Literal["linuxcnc", "grbl"]
+MOST_PROBLEMS = 100
+"""So many faults are kept at most."""
+_PROGRAM_ENDS = (2, 30)
+_RETURN = 99
 
 
-def iter_moves(
-    lines: Iterable[str], name: str | Path = "<text>", *, require_end: bool = True, events: list[Event] | None = None
-) -> Iterator[Move]:
-    """Read a part program line by line, holding no more than one line.
+@dataclass(frozen=True, kw_only=True)
+class Reading:
+    """How a program is to be read.
+
+    Parameters
+    ----------
+    dialect : {"linuxcnc", "grbl"}
+        With ``"grbl"`` a program need not say where it ends, the first motion is G0 where none is given, comments need no end, and lines
+        for the controller itself ($...) are passed over; each of these is told in a `Notice`.
+    require_end : bool
+        Whether a program must say where it ends: by M2, by M30, by M99, or by standing between two lines of ``%``. LinuxCNC does;
+        without it, the end of the text is the end of the program.
+    block_delete : bool
+        Whether lines that begin with / are passed over; LinuxCNC executes them unless the operator's switch is on.
+    tools : str, Path, or None
+        LinuxCNC tool table, for G43; tools that it does not hold, and all without it, have no length.
+    folder : Path or None
+        Where subprograms in files of their own are looked for; by default beside the program.
+
+    Raises
+    ------
+    ProgramError
+        If the dialect is unknown.
+    """
+
+    dialect: Dialect = "linuxcnc"
+    require_end: bool = True
+    block_delete: bool = False
+    tools: str | Path | None = None
+    folder: Path | None = None
+
+    def __post_init__(self) -> None:
+        if self.dialect not in get_args(Dialect):
+            raise ProgramError(f"no dialect {self.dialect!r}: there are {', '.join(get_args(Dialect))}")
+
+
+class Reader:
+    """Reads a part program line by line, holding no more lines than something may lead back to.
 
     Parameters
     ----------
@@ -31,146 +76,154 @@ def iter_moves(
         With or without line breaks, for example an open text file.
     name : str or Path
         What error messages call the program.
-    require_end : bool
-        Whether a program must say where it ends: by M2, by M30, or by standing between two lines of ``%``. LinuxCNC
-        does; without it, the end of the text is the end of the program.
-    events : list of Event, optional
-        What is asked for besides motion is added to it as the lines are read.
+    reading : Reading, optional
+    still : bool
+        Whether moves of no length are yielded, too.
+    problems : list of ProgramError, optional
+        Faults are added to it and the faulty line is passed over, up to `MOST_PROBLEMS`; without it the first fault is raised.
 
-    Yields
-    ------
-    Move
-        In the order of execution; moves of no length are left out.
-
-    Raises
-    ------
-    ProgramError
-        With file, line and column, when the faulty line is reached; at the end if there is no motion at all.
-
-    Notes
-    -----
-    The language is RS274/NGC as LinuxCNC 2.9 reads it. The program starts at machine zero (0, 0, 0) in G17, G21, G90,
-    G91.1 and G94, with no motion and no feedrate. Supported: G0, G1, G2, G3 (I, J, K or R, and P turns), G4, G17, G18,
-    G19, G20, G21, G90, G91, G90.1, G91.1, G94, F, M2, M30, N, ``%``, comments, parameters, expressions, functions, and polar
-    coordinates (@ and ^). S,
-    T, M0, M1, M3 to M9 and M48 to M53 are kept as events. G40, G49, G54 to G59.3 (no offset can be set), G61, G61.1 (every
-    corner is met exactly), G80, G97, G98 and G99 change nothing here. Everything else is refused.
-
-    Stricter than LinuxCNC: a feedrate must be given before G1, G2 or G3 with words, and numbers beyond any machine are
-    refused. More tolerant: lines may be longer than 255 characters.
-
-    References
+    Attributes
     ----------
-    T. R. Kramer, F. M. Proctor, E. Messina, *The NIST RS274/NGC Interpreter, Version 3*, NISTIR 6556, 2000.
-
-    >>> [move.end for move in iter_moves(["G0 X10", "Y20", "M2"])]
-    [(0.01, 0.0, 0.0), (0.01, 0.02, 0.0)]
+    state : ModalState
+        What is in force after the block whose moves were yielded last.
+    notices : list of Notice
     """
-    state, frame, moved = ModalState(), _Frame(), False
-    parameters = Parameters(state.shown_position)
-    told: list[Event] = [] if events is None else events
-    for number, line in frame.blocks(lines):
-        try:
-            block = read_block(line, parameters)
-            moves = execute(block, state, number, told)
-        except BlockError as fault:
-            raise ProgramError(fault.message, file=name, line=number, column=fault.column) from None
-        for move in moves:
-            moved = moved or not isinstance(move, Dwell)
-            yield move
-        if "stop" in block.codes and block.codes["stop"].number in PROGRAM_ENDS:
-            frame.ended = True
-            break
-    if not moved:
-        raise ProgramError(
-            "the program holds no motion: write at least one G0, G1, G2 or G3 move that ends elsewhere than it begins (X0 Y0 Z0 at first)",
-            file=name,
-        )
-    if require_end and not frame.ended:
-        cure = "add a line with % at the end" if frame.open else "add M2 or M30 at the end"
-        raise ProgramError(f"the program has no end: {cure}", file=name, line=frame.number)
 
+    def __init__(
+        self,
+        lines: Iterable[str],
+        name: str | Path = "<text>",
+        reading: Reading | None = None,
+        *,
+        still: bool = False,
+        problems: list[ProgramError] | None = None,
+    ) -> None:
+        self.name, self.reading, self.problems = name, reading or Reading(), problems
+        self.notices: list[Notice] = []
+        tools = Tools() if self.reading.tools is None else read_tools(self.reading.tools)
+        self.state = ModalState(tools=tools, still=still)
+        self.parameters = Parameters(self.state.shown_position)
+        self.state.parameters = self.parameters
+        self._walker = Walker(Tape((raw.rstrip("\r\n") for raw in lines), str(name)), self.parameters, self._subprogram)
+        self.parameters.own = own_names(self.state, self.parameters, lambda: self._walker.place[1])
+        self._open = self._started = self._ended = False
 
-class _Frame:
-    """The frame of a program: line numbers, and the lines of ``%`` around it, the first of which opens the text."""
+    def moves(self) -> Iterator[Move]:
+        """Yield the moves in the order of execution.
 
-    def __init__(self) -> None:
-        self.number, self.open, self.ended = 0, False, False
-
-    def blocks(self, lines: Iterable[str]) -> Iterator[tuple[int, str]]:
-        """Yield the number (from 1) and text of each line up to the closing ``%``."""
-        started = False
-        for self.number, raw in enumerate(lines, start=1):
-            line = raw.rstrip("\r\n")
-            if "%" in line and line.strip() == "%" and (self.open or not started):
-                if self.open:
-                    self.ended = True
-                    return
-                self.open = started = True
+        Raises
+        ------
+        ProgramError
+            With file, line and column, when the faulty line is reached; at the end if there is no motion at all, or no end.
+        """
+        walker, state, moved = self._walker, self.state, False
+        lines = walker.lines()
+        while True:
+            try:
+                line = next(lines, None)
+                if line is None or self._closes(line):
+                    break
+                block = self._block(line)
+                made = execute(block, state, walker.place[1]) if block else []
+            except BlockError as fault:
+                self._take(fault)
+                lines = walker.lines()
                 continue
-            started = started or bool(line.strip())
-            yield self.number, line
+            for move in made:
+                walker.idle = 0
+                moved = moved or not isinstance(move, Dwell)
+                yield move
+            if block and ("stop" in block.codes or "call" in block.codes):
+                try:
+                    if self._leaves(block):
+                        break
+                except BlockError as fault:
+                    self._take(fault)
+        self._check_end(moved)
 
+    def _take(self, fault: BlockError) -> None:
+        """Keep a fault where faults are kept and one can go on behind it; raise it otherwise."""
+        file, number = self._walker.place
+        error = ProgramError(fault.message, file=file, line=max(number, 1), column=fault.column)
+        # A fault of no column is that of a whole loop or file: nothing good comes behind it.
+        if self.problems is None or not fault.column or len(self.problems) >= MOST_PROBLEMS:
+            raise error from None
+        # A loop meets its fault in every turn.
+        if all(str(error) != str(known) for known in self.problems):
+            self.problems.append(error)
 
-def parse_program(text: str, name: str = "<text>", *, require_end: bool = True) -> Program:
-    """Read a part program from text.
+    def _block(self, line: str) -> Block | None:
+        """Return the block of a line; None where there is nothing to execute."""
+        if "/" in line and line.lstrip().startswith("/"):
+            if self.reading.block_delete:
+                return None
+            line = line.replace("/", " ", 1)
+        if "%" in line and line.strip() == "%" and not (self._started and self.reading.require_end):
+            if self._started:
+                self.notices.append(
+                    Notice("a % that closes has none that opens: it was passed over", self._walker.place[1], line.index("%") + 1)
+                )
+            self._open = self._open or not self._started
+            self._started = True
+            return None
+        if not self._started:
+            self._started = bool(line.strip())
+        if self.reading.dialect == "grbl":
+            line = tolerated(line, self._walker.place[1], self.notices, self.state)
+        return read_block(line, self.parameters)
 
-    Parameters
-    ----------
-    text : str
-    name : str
-        The program's name, also in error messages.
-    require_end : bool
-        See `iter_moves`.
+    def _closes(self, line: str) -> bool:
+        """Tell whether a line is the % that closes the program."""
+        if "%" in line and line.strip() == "%" and self._open:
+            self._ended = True
+        return self._ended
 
-    Raises
-    ------
-    ProgramError
-        As `iter_moves`.
+    def _leaves(self, block: Block) -> bool:
+        """Follow M98 and M99; return whether the program ends with this block."""
+        if "call" in block.codes:
+            self._call(block)
+            return False
+        code = block.codes["stop"].number
+        if code == _RETURN:
+            self._ended = not self._walker.back()
+        self._ended = self._ended or code in _PROGRAM_ENDS
+        return self._ended
 
-    >>> parse_program("G21 G1 X10 F600\\nM2").moves[0].feedrate
-    0.01
-    """
-    return _program(text, name, name, require_end)
+    def _call(self, block: Block) -> None:
+        """Execute M98: P is the number of the subprogram, L how many times."""
+        column = block.codes["call"].column
+        values = {"P": -1, "L": 1}
+        for letter in values:
+            word = block.words.get(letter)
+            if word is not None:
+                values[letter] = round(word.value)
+                if abs(word.value - values[letter]) > 1e-4 or word.value < 0:
+                    raise BlockError(f"{letter}{word.value:g} of M98 is a whole number from 0", word.column)
+        if values["P"] < 0:
+            raise BlockError("M98 has no P: write the number of the subprogram", column)
+        self._walker.enter(str(values["P"]), None, column, values["L"])
 
+    def _subprogram(self, label: str) -> Tape | None:
+        """Return the lines of a subprogram in a file of its own."""
+        if self.reading.folder is None or not re.fullmatch(r"[a-z0-9_.-]+", label):
+            return None
+        file = self.reading.folder / f"{label}.ngc"
+        if not file.is_file():
+            return None
+        return Tape(iter(split_lines(read_text(file))), str(file))
 
-def read_program(file: str | Path, *, require_end: bool = True) -> Program:
-    """Read a part program from a file, in UTF-8 or else in Latin-1.
-
-    Parameters
-    ----------
-    file : str or Path
-    require_end : bool
-        See `iter_moves`.
-
-    Returns
-    -------
-    Program
-        Its name is the file's, without folders.
-
-    Raises
-    ------
-    ProgramError
-        If the file cannot be read, and as `iter_moves`.
-    """
-    path = Path(file)
-    try:
-        content = path.read_bytes()
-    except (OSError, ValueError) as error:
-        reason = error.strerror if isinstance(error, OSError) and error.strerror else str(error)
-        raise ProgramError(f"the part program cannot be read: {reason}", file=file) from error
-    try:
-        text = content.decode("utf-8-sig")
-    except UnicodeDecodeError:
-        text = content.decode("latin-1")
-    return _program(text, path.name, str(file), require_end)
-
-
-def _program(text: str, name: str, place: str, require_end: bool) -> Program:
-    # Not splitlines(): its other separators (form feed, U+2028 ...) would shift the line numbers of editors.
-    lines = tuple(_LINE_BREAK.split(text))
-    if lines and not lines[-1]:
-        lines = lines[:-1]
-    events: list[Event] = []
-    moves = tuple(iter_moves(lines, place, require_end=require_end, events=events))
-    return Program(name, moves, lines, tuple(events))
+    def _check_end(self, moved: bool) -> None:
+        if not moved:
+            raise ProgramError(
+                "the program holds no motion: write at least one G0, G1, G2 or G3 move that ends elsewhere than it begins "
+                "(X0 Y0 Z0 at first)",
+                file=self.name,
+            )
+        if self._ended:
+            return
+        line = self._walker.place[1]
+        if self.reading.dialect == "grbl" or not self.reading.require_end:
+            self.notices.append(Notice("the program has no end (M2, M30): it ends with its last line", max(line, 1), 1))
+        else:
+            cure = "add a line with % at the end" if self._open else "add M2 or M30 at the end"
+            raise ProgramError(f"the program has no end: {cure}", file=self.name, line=line)

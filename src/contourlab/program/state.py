@@ -1,21 +1,49 @@
-"""The modal state of the interpreter, and one handler for each modal group of G-codes that only set it."""
+"""The modal state of the interpreter: what earlier blocks left behind, and the moves that can be made from it."""
 
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, field, replace
+from typing import Literal, TypeAlias
 
+from contourlab.program.coordinates import Frame
 from contourlab.program.fault import BlockError
 from contourlab.program.lexer import Word
-from contourlab.program.moves import Plane, Point
+from contourlab.program.moves import PLAIN, Event, Feed, Mode, Move, Plane, Point, Traverse
+from contourlab.program.parameters import Parameters
+from contourlab.program.tools import Tools
 
-__all__ = ["LARGEST_LENGTH", "SETTERS", "ModalState"]
+__all__ = ["LARGEST_FEEDRATE", "LARGEST_LENGTH", "SHORTEST_MOVE", "ModalState"]
 
 LARGEST_LENGTH = 1e3
 """Coordinates beyond this [m] are a slip."""
+LARGEST_FEEDRATE = 1e3
+"""Feedrates beyond this [m/s] are a slip."""
+SHORTEST_MOVE = 1e-12
+"""Straight moves of at most this length [m] are rounding, and no moves."""
 
-_PLANES: dict[int, Plane] = {170: "XY", 180: "ZX", 190: "YZ"}
+FeedMode: TypeAlias = Literal["per_minute", "per_turn", "inverse_time"]
+
+
+@dataclass(slots=True)
+class Cycle:
+    """What a canned cycle remembers from block to block, in program coordinates [m] and seconds."""
+
+    depth: float = 0.0
+    clearance: float = 0.0
+    level: float | None = None
+    dwell: float = 0.0
+    peck: float = 0.0
+    bore: Point = (0.0, 0.0, 0.0)
+
+
+@dataclass(slots=True)
+class Curve:
+    """Control points of a spline in the making: (x, y) [m], weights, and its order."""
+
+    points: list[tuple[float, float]] = field(default_factory=list)
+    weights: list[float] = field(default_factory=list)
+    order: int = 3
 
 
 @dataclass(slots=True)
@@ -24,16 +52,26 @@ class ModalState:
 
     Parameters
     ----------
+    parameters : Parameters
+    tools : Tools
+    still : bool
+        Whether moves of no length are made, too.
     position : (x, y, z) [m]
-        The programmed point.
+        The programmed point, in the coordinate system in force.
     reached : (x, y, z) [m]
-        Where the last move ended; differs from `position` by moves too short to be made.
+        Where the axes stand; differs from `position` by the offsets, and by moves too short to be made.
     motion : int or None
-        G-code of the modal motion, times ten.
+        G-code of the modal motion, times ten; 800 after G80.
     feedrate : float [m/s]
-        0 = not set yet.
+        With G95 [m/turn]. 0 = not set yet.
+    turning : int
+        Sense of the spindle: 1 clockwise, -1 counterclockwise, 0 at rest.
+    speed : float [turns/min]
     """
 
+    parameters: Parameters = field(default_factory=Parameters)
+    tools: Tools = field(default_factory=Tools)
+    still: bool = False
     position: Point = (0.0, 0.0, 0.0)
     reached: Point = (0.0, 0.0, 0.0)
     motion: int | None = None
@@ -41,36 +79,65 @@ class ModalState:
     millimetres: bool = True
     absolute: bool = True
     absolute_centre: bool = False
+    diameter: bool = False
+    feed_mode: FeedMode = "per_minute"
     feedrate: float = 0.0
+    frame: Frame = field(default_factory=Frame)
+    mode: Mode = PLAIN
+    back_to_clearance: bool = True
+    turning: int = 0
+    speed: float = 0.0
+    cycle: Cycle = field(default_factory=Cycle)
+    tangent: tuple[float, float] | None = None
+    curve: Curve = field(default_factory=Curve)
+    events: list[Event] = field(default_factory=list)
 
     def length(self, value: float) -> float:
         """Convert a length in program units to metres; division keeps decimals exact to the last bit."""
         return value / 1000.0 if self.millimetres else value * 0.0254
 
+    def shown(self, length: float) -> float:
+        """Convert metres to program units."""
+        return length * 1000.0 if self.millimetres else length / 0.0254
+
     def shown_position(self) -> Point:
         """Return the programmed point in the units in force, as #5420 to #5422 have it."""
-        scale = 1000.0 if self.millimetres else 1.0 / 0.0254
         x, y, z = self.position
-        return (x * scale, y * scale, z * scale)
+        return (self.shown(x), self.shown(y), self.shown(z))
+
+    def coordinate(self, axis: int, word: Word) -> float:
+        """Return the length [m] of an axis word; with G7 an X is a diameter."""
+        length = self.length(word.value)
+        return 0.5 * length if self.diameter and axis == 0 else length
+
+    def given(self, words: dict[str, Word]) -> list[float | None]:
+        """Return the lengths [m] of X, Y and Z, None for those that are not there."""
+        return [self.coordinate(axis, words[letter]) if letter in words else None for axis, letter in enumerate("XYZ")]
 
     def target(self, words: dict[str, Word]) -> Point:
         """Return the end point [m] that the axis words of a block ask for."""
         point = list(self.position)
         if "@" in words or "^" in words:
-            point[:2] = self._polar(words)
+            point[:2] = self.polar(words)
         for axis, letter in enumerate("XYZ"):
             word = words.get(letter)
             if word is not None:
-                value = self.length(word.value)
+                value = self.coordinate(axis, word)
                 point[axis] = value if self.absolute else point[axis] + value
-            if abs(point[axis]) > LARGEST_LENGTH:
-                raise BlockError(
-                    f"{letter} would go to {point[axis]:g} m: no machine is so large, keep to {LARGEST_LENGTH:g} m",
-                    (word or next(iter(words.values()))).column,
-                )
-        return (point[0], point[1], point[2])
+        found = (point[0], point[1], point[2])
+        self.check_reach(found, words)
+        return found
 
-    def _polar(self, words: dict[str, Word]) -> tuple[float, float]:
+    def check_reach(self, point: Point, words: dict[str, Word]) -> None:
+        """Refuse points that no machine reaches."""
+        for letter, value in zip("XYZ", point, strict=True):
+            if abs(value) > LARGEST_LENGTH:
+                word = words.get(letter) or next(iter(words.values()), None)
+                raise BlockError(
+                    f"{letter} would go to {value:g} m: no machine is so large, keep to {LARGEST_LENGTH:g} m", word.column if word else 0
+                )
+
+    def polar(self, words: dict[str, Word]) -> tuple[float, float]:
         """Return x and y [m] of a distance @ from the origin and an angle ^ from the x axis, in degrees; what is not given stays."""
         far, turn = words.get("@"), words.get("^")
         column = (far or words["^"]).column
@@ -92,30 +159,43 @@ class ModalState:
                 raise BlockError("a polar step with G91 that ends at the origin leaves no angle to go on by: write X0 Y0 with G90", column)
         return (radius * math.cos(angle), radius * math.sin(angle))
 
+    @property
+    def axes(self) -> Point:
+        """The programmed point as positions of the axes [m]."""
+        return self.frame.axes(self.position)
 
-def _set_plane(state: ModalState, code: int) -> None:
-    state.plane = _PLANES[code]
+    def path_feedrate(self, column: int, motion: str) -> float:
+        """Return the feedrate [m/s] of G94 and G95.
 
+        Raises
+        ------
+        BlockError
+            If there is none, or the spindle that it counts by has no speed.
+        """
+        if self.feedrate == 0.0:
+            raise BlockError(
+                f"{motion} without a feedrate: write F (length per minute) on its line or before it; G94 clears an earlier one", column
+            )
+        if self.feed_mode == "per_turn":
+            if self.speed == 0.0:
+                raise BlockError(f"{motion} with G95 needs a spindle speed: write S before it", column)
+            return self.feedrate * self.speed / 60.0
+        return self.feedrate
 
-def _set_units(state: ModalState, code: int) -> None:
-    state.millimetres = code == 210
+    def straight(self, end: Point, line: int, feedrate: float | None = None) -> list[Move]:
+        """Go straight to a point of the program [m], at a feedrate [m/s] or else rapidly; return the move, none if it has no length."""
+        self.position = end
+        axes = self.frame.axes(end)
+        if not self.still and math.dist(self.reached, axes) <= SHORTEST_MOVE:
+            return []
+        start, self.reached = self.reached, axes
+        if feedrate is None:
+            return [Traverse(start, axes, line, self.mode)]
+        return [Feed(start, axes, feedrate, line, self.mode)]
 
-
-def _set_distance(state: ModalState, code: int) -> None:
-    state.absolute = code == 900
-
-
-def _set_arc_distance(state: ModalState, code: int) -> None:
-    state.absolute_centre = code == 901
-
-
-SETTERS: dict[str, Callable[[ModalState, int], None]] = {
-    "plane": _set_plane,
-    "units": _set_units,
-    "distance": _set_distance,
-    "arc_distance": _set_arc_distance,
-}
-"""Groups that only set the state, in the order in which RS274/NGC executes them within a block.
-
-The feed mode is set before the feedrate, thus not here.
-"""
+    def see_from(self, axes: Point) -> None:
+        """Work out the programmed point anew after a change of the offsets, from the positions of the axes [m] before it."""
+        self.frame.refresh()
+        self.position = self.frame.point(axes)
+        if self.mode.tool != self.frame.tool:
+            self.mode = replace(self.mode, tool=self.frame.tool)

@@ -1,83 +1,100 @@
-"""The words of RS274/NGC: which are supported, in which modal group, and what the others are called.
+"""The words of RS274/NGC: which are supported, in which modal group, who uses which letter, and what the others are called.
 
 A G-code is kept as its number times ten, so that G90.1 is the whole number 901.
 """
 
 from __future__ import annotations
 
-__all__ = ["G_GROUPS", "M_GROUPS", "USED_LETTERS", "g_name", "refuse_g", "refuse_letter", "refuse_m"]
+__all__ = [
+    "AXIS_WORDS",
+    "CYCLES",
+    "G_GROUPS",
+    "M_GROUPS",
+    "SPLINES",
+    "USED_LETTERS",
+    "USERS",
+    "g_name",
+    "refuse_g",
+    "refuse_letter",
+    "refuse_m",
+]
+
+CYCLES = frozenset((730, 740, 810, 820, 830, 840, 850, 860, 870, 880, 890))
+SPLINES = frozenset((50, 51, 52))
+AXIS_WORDS = frozenset((100, 280, 300, 520, 920))
+"""Codes that take the axis words of their block, so that the motion in force rests."""
 
 G_GROUPS: dict[int, str] = {
-    0: "motion", 10: "motion", 20: "motion", 30: "motion",
-    40: "dwell",
     170: "plane", 180: "plane", 190: "plane",
     200: "units", 210: "units",
+    70: "diameter", 80: "diameter",
     900: "distance", 910: "distance",
     901: "arc_distance", 911: "arc_distance",
-    940: "feed_mode",
-    400: "cutter", 490: "tool_length", 800: "cycle_end", 970: "spindle_mode", 980: "return", 990: "return",
-    610: "control", 611: "control",
-} | dict.fromkeys((540, 550, 560, 570, 580, 590, 591, 592, 593), "system")  # fmt: skip
+    930: "feed_mode", 940: "feed_mode", 950: "feed_mode",
+    400: "cutter",
+    430: "tool_length", 431: "tool_length", 432: "tool_length", 490: "tool_length",
+    970: "spindle_mode", 980: "return", 990: "return",
+    610: "control", 611: "control", 640: "control",
+} | dict.fromkeys((0, 10, 20, 30, 800, *SPLINES, *CYCLES), "motion") \
+  | dict.fromkeys((40, 53, 100, 280, 281, 300, 301, 520, 530, 920, 921, 922, 923), "other") \
+  | dict.fromkeys((540, 550, 560, 570, 580, 590, 591, 592, 593), "system")  # fmt: skip
 """Supported G-codes (times ten) and their modal groups; at most one code of a group may stand in a block."""
 
 M_GROUPS: dict[int, str] = {
-    0: "stop", 1: "stop", 2: "stop", 30: "stop",
-    3: "spindle", 4: "spindle", 5: "spindle", 6: "tool", 7: "coolant", 8: "coolant", 9: "coolant",
+    0: "stop", 1: "stop", 2: "stop", 30: "stop", 60: "stop", 98: "call", 99: "stop",
+    3: "spindle", 4: "spindle", 5: "spindle", 19: "spindle", 6: "tool", 61: "tool", 7: "coolant", 8: "coolant", 9: "coolant",
     48: "overrides", 49: "overrides", 50: "overrides", 51: "overrides", 52: "overrides", 53: "overrides",
-}  # fmt: skip
+} | dict.fromkeys((62, 63, 64, 65, 67, 68), "output")  # fmt: skip
 """Supported M-codes and their modal groups."""
 
-USED_LETTERS = frozenset("XYZIJKRPFST@^")
+USED_LETTERS = frozenset("XYZIJKRPFST@^LQHE")
 """Letters whose numbers the supported codes use (G, M and N apart)."""
 
+_ARCS = (20, 30)
+_USERS: tuple[tuple[str, str, tuple[int | str, ...]], ...] = (
+        ("I", "G2, G3, G5, G5.1 or G87", (*_ARCS, 50, 51, 870)),
+        ("J", "G2, G3, G5, G5.1 or G87", (*_ARCS, 50, 51, 870)),
+        ("K", "G2, G3 or G87", (*_ARCS, 870)),
+        ("R", "G2, G3, G10 or a cycle", (*_ARCS, 100, *CYCLES, "M19")),
+        ("P", "G2 to G5.2, G10, G64, G82 to G89, M50 to M53, M62 to M65 or M98",
+         (40, *_ARCS, 50, 52, 100, 640, 740, 820, 840, 860, 880, 890,
+          "M19", "M50", "M51", "M52", "M53", "M62", "M63", "M64", "M65", "M98")),
+        ("L", "G10, a cycle other than G74, G5.2 or M98", (100, 52, *(CYCLES - {740}), "M98")),
+        ("Q", "G5, G10, G64, G73, G83, M61, M67 or M68", (50, 100, 640, 730, 830, "M19", "M61", "M67", "M68")),
+        ("H", "G43 or G43.2", (430, 432)),
+        ("E", "M67 or M68", ("M67", "M68")),
+)  # fmt: skip
+USERS: dict[str, tuple[frozenset[int | str], str]] = {letter: (frozenset(codes), shown) for letter, shown, codes in _USERS}
+"""Letters that stand for nothing by themselves: the codes that use them (as numbers times ten, or as "M50"), and how to say it."""
+
 _CAM = "let the CAM system write plain G0, G1, G2 and G3 moves"
-_ZERO = "the program's zero is machine zero here; delete it, and shift the coordinates if its offset is not zero"
-_IDLE = "it changes nothing here, delete it"
 _CENTRE_PATH = "let the CAM system write the path of the tool's centre"
-_TIP = "write the coordinates of the tool's tip and delete it"
-_PER_MINUTE = "write F in length per minute, with G94"
 
 _REFUSED_G: dict[int, tuple[str, str]] = {
     code: (what, cure)
     for what, cure, *codes in (
-        ("cubic spline", _CAM, 50), ("quadratic spline", _CAM, 51), ("NURBS", _CAM, 52, 53, 60, 61, 62, 63),
-        ("lathe diameter mode", "write X as a radius", 70), ("lathe radius mode", _IDLE, 80),
-        ("offset and tool table", "write the coordinates as they are to be", 100),
+        ("NURBS by knots", _CAM, 60, 61, 62, 63),
         ("UV plane", "use G17", 171), ("WU plane", "use G18", 181), ("VW plane", "use G19", 191),
-        ("go to home position", "write the position after G0", 280, 300), ("set home position", _IDLE, 281, 301),
         ("spindle-synchronised motion", "use G1", 330), ("rigid tapping", "use G1", 331),
         ("probing", "use G1", 382, 383, 384, 385),
-        ("cutter compensation", _CENTRE_PATH, 410, 411, 420, 421), ("tool length offset", _TIP, 430, 431, 432),
-        ("machine coordinates", _ZERO, 530), ("coordinate offset", _ZERO, 920, 921, 922, 923),
-        ("path blending", "corners are met exactly; delete it to run the program so", 640),
+        ("cutter compensation", _CENTRE_PATH, 410, 411, 420, 421),
         ("lathe cycle", _CAM, 700, 710, 711, 712, 720, 721, 722), ("threading cycle", _CAM, 760),
-        ("drilling cycle", _CAM, 730, 810, 820, 830), ("tapping cycle", _CAM, 740, 840),
-        ("boring cycle", _CAM, 850, 860, 870, 880, 890),
-        ("inverse-time feed", _PER_MINUTE, 930), ("feed per revolution", _PER_MINUTE, 950),
         ("constant surface speed", "it concerns the spindle alone, delete it", 960),
     )
     for code in codes
 }  # fmt: skip
 
-_SPINDLE = "it concerns the spindle alone, delete it"
 _REFUSED_M: dict[int, tuple[str, str]] = {
-    19: ("spindle orientation", _SPINDLE), 60: ("pallet change", "delete it"),
-    61: ("tool number", "delete it"), 70: ("save the modal state", "delete it"),
+    66: ("wait for an input", "delete it"), 70: ("save the modal state", "delete it"),
     71: ("saved modal state", "delete it"), 72: ("restore the modal state", "write the modes themselves"),
     73: ("save the modal state", "delete it"),
-    98: ("subprogram", "write the moves out"), 99: ("return", "write M2 at the end"),
-} | dict.fromkeys(range(62, 69), ("digital or analogue input or output", "delete it"))  # fmt: skip
+}  # fmt: skip
 
 _REFUSED_LETTERS: dict[str, tuple[str, str]] = {
     "A": ("rotary axis", "only X, Y and Z are read"), "B": ("rotary axis", "only X, Y and Z are read"),
     "C": ("rotary axis", "only X, Y and Z are read"), "U": ("secondary axis", "only X, Y and Z are read"),
     "V": ("secondary axis", "only X, Y and Z are read"), "W": ("secondary axis", "only X, Y and Z are read"),
-    "D": ("tool diameter", "it belongs to cutter compensation, delete it"),
-    "H": ("tool length", "it belongs to the tool length offset, delete it"),
-    "E": ("extruder or synchronised output", "delete it; numbers take no exponent"),
-    "L": ("repeats or mode", "it belongs to codes that are not supported yet"),
-    "Q": ("increment of a cycle", "it belongs to codes that are not supported yet"),
-    "$": ("spindle number", "delete it"),
+    "$": ("spindle number", "delete it"), "D": ("tool diameter", "it belongs to cutter compensation, delete it"),
 }  # fmt: skip
 
 
@@ -93,8 +110,8 @@ def g_name(code: int) -> str:
 def refuse_g(code: int) -> str:
     """Say what an unsupported G-code is and what to do.
 
-    >>> refuse_g(281)
-    'G28.1 (set home position) is not supported yet: it changes nothing here, delete it'
+    >>> refuse_g(410)
+    "G41 (cutter compensation) is not supported yet: let the CAM system write the path of the tool's centre"
     """
     return _refusal(g_name(code), _REFUSED_G.get(code), "G-code")
 

@@ -164,4 +164,5 @@ def _note(data: ReportData) -> str:
         if not scheme.result.status.ok:
             why = scheme.result.status.reason
             notes.append(f"{scheme.name} did not finish: {why}; its figures cover the part that was run.")
+    notes += [f"{note[:1].upper()}{note[1:].rstrip('.')}." for note in data.notes]
     return " ".join(notes)

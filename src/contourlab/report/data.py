@@ -347,6 +347,8 @@ class ReportData:
         Source text of the part program, by line; empty where there is none.
     tolerance : float [m] or None, > 0
         What the errors are held against.
+    notes : sequence of str
+        What else is to be known of the path, such as that it was scaled.
 
     Raises
     ------
@@ -361,6 +363,7 @@ class ReportData:
     programmed: DrawnPath | None = None
     program: Sequence[str] = ()
     tolerance: float | None = None
+    notes: Sequence[str] = ()
 
     def __post_init__(self) -> None:
         if not self.schemes:

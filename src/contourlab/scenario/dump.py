@@ -6,6 +6,7 @@ import math
 from collections.abc import Mapping
 from dataclasses import fields
 from functools import singledispatch
+from pathlib import Path as File
 from typing import Any
 
 from contourlab.components.contract import Component, Parameter
@@ -193,10 +194,31 @@ def controller_table(controller: Controller, machine: Machine) -> dict[str, Any]
 
 def motion_table(motion: Motion) -> dict[str, Any]:
     """Return ``contour`` or ``program``."""
+    if isinstance(motion, Contour) and motion.file is not None:
+        return {"contour": _contour_file_table(motion, motion.file)}
     if isinstance(motion, Contour):
         units = _contour_units(motion.name)
         return {"contour": {"name": motion.name, **{k: quantity(v, *units[k]) for k, v in motion.parameters.items()}}}
-    return {"program": {"file": _file_name(motion), "letters": list(motion.letters), "require_end": motion.require_end}}
+    reading = motion.reading
+    table: dict[str, Any] = {
+        "file": _file_name(motion),
+        "letters": list(motion.letters),
+        "require_end": reading.require_end,
+        "dialect": reading.dialect,
+        "block_delete": reading.block_delete,
+        "fit": Noted(motion.fit, motion.note),
+    }
+    if reading.tools is not None:
+        table["tools"] = File(reading.tools).resolve().as_posix()
+    return {"program": table}
+
+
+def _contour_file_table(motion: Contour, file: File) -> dict[str, Any]:
+    units = {"tolerance": ("m", "um"), "corner_angle": ("rad", "deg")}
+    table: dict[str, Any] = {"file": Noted(file.resolve().as_posix(), "; ".join(motion.reading.notes)[:200])}
+    for name, value in motion.options.items():
+        table[name] = quantity(value, *units[name]) if name in units else value
+    return table
 
 
 def _contour_units(name: str) -> dict[str, tuple[str, str]]:
@@ -215,7 +237,13 @@ def _file_name(motion: PartProgram) -> str:
 
 def case_tables(case: Case) -> dict[str, Any]:
     """Return the tables of a case, without its motion."""
-    units = {"feedrate": ("m/s", "mm/min"), "frequency": ("Hz", "Hz"), "tolerance": ("m", "um")}
+    units = {
+        "feedrate": ("m/s", "mm/min"),
+        "frequency": ("Hz", "Hz"),
+        "tolerance": ("m", "um"),
+        "corner_tolerance": ("m", "um"),
+        "merge_tolerance": ("m", "um"),
+    }
 
     def settings(value: Any) -> dict[str, Any]:
         given = {f.name: getattr(value, f.name) for f in fields(value) if getattr(value, f.name) is not None}

@@ -185,6 +185,7 @@ def scenario_from_parts(
     contour: Mapping[str, Any] | None = None,
     feed: Mapping[str, Any] | None = None,
     run: Mapping[str, Any] | None = None,
+    options: Mapping[str, Any] | None = None,
     name: str = "",
     plugins: Sequence[str | Path] = (),
 ) -> Scenario:
@@ -198,6 +199,8 @@ def scenario_from_parts(
         Files, or names of shipped ones with or without ``builtin:``.
     contour, feed, run : mapping, optional
         As the tables of a scenario file: ``feed={"override": 0.8}``, ``run={"tolerance": "20 um"}``.
+    options : mapping, optional
+        Further keys of the table ``program``: ``{"fit": True}``.
     name : str
         By default that of the program.
     plugins : sequence of str or Path
@@ -210,7 +213,8 @@ def scenario_from_parts(
     """
     _load_plugins(plugins)
     values: dict[str, Any] = {"machine": _named(machine), "controller": _named(controller)}
-    given = {"program": None if program is None else str(program), "contour": contour, "feed": feed, "run": run, "name": name or None}
+    part = None if program is None else {"file": str(program), **(options or {})}
+    given = {"program": part, "contour": contour, "feed": feed, "run": run, "name": name or None}
     values |= {key: value for key, value in given.items() if value is not None}
     if program is not None and not name:
         values["name"] = _title(Path(program))

@@ -4,15 +4,17 @@ from __future__ import annotations
 
 from pathlib import Path
 
+from contourlab.contours import SUFFIXES, unit_size
 from contourlab.errors import ProgramError, ScenarioError
 from contourlab.geometry import contour_names, contour_parameters
 from contourlab.loop import Machine
 from contourlab.loop.simulate import UNITS
-from contourlab.program import read_program
+from contourlab.program import Reading, read_program
 from contourlab.scenario.components import located
 from contourlab.scenario.files import locate
+from contourlab.scenario.fit import fitted
 from contourlab.scenario.quantities import read_number
-from contourlab.scenario.tables import FeedTable, ProgramTable, RunTable, read_table
+from contourlab.scenario.tables import ContourFileTable, FeedTable, ProgramTable, RunTable, read_table
 from contourlab.scenario.tree import Leaf, Node, Table, hint
 from contourlab.scenario.values import Contour, FeedSettings, Motion, PartProgram, RunSettings
 
@@ -51,7 +53,9 @@ def read_feed(table: Table, motion: Motion) -> FeedSettings:
             raise table.error("a program is driven once", "laps")
     else:
         _needs(table, "feedrate", '"8000 mm/min"', "frequency", "a planned contour")
-    return FeedSettings(plain.law, plain.feedrate, plain.frequency, plain.laps, plain.override)
+    if plain.law == "uniform" and plain.path_control not in ("program", "exact_path"):
+        raise table.error("the uniform law goes along the contour itself: leave this out", "path_control")
+    return FeedSettings(**plain.model_dump())
 
 
 def _needs(table: Table, wanted: str, example: str, other: str, who: str) -> None:
@@ -64,7 +68,7 @@ def _needs(table: Table, wanted: str, example: str, other: str, who: str) -> Non
 def read_motion(content: Table, machine: Machine) -> Motion:
     """Return the contour or the part program of a scenario."""
     if "contour" in content.entries:
-        return _contour(content.entries["contour"])
+        return _contour(content.entries["contour"], machine)
     node = content.entries["program"]
     if isinstance(node, Leaf):
         node = Table({"file": node}, node.file, node.key)
@@ -75,15 +79,23 @@ def read_motion(content: Table, machine: Machine) -> Motion:
         file = locate(plain.file, Path(reference.file).parent)
     letters = tuple(plain.letters) if plain.letters else tuple(name.lower() for name in machine.axis_names)
     _check_letters(node, letters, machine, bool(plain.letters))
+    tools = None
+    if plain.tools is not None:
+        with located(node, "tools"):
+            tools = locate(plain.tools, Path(reference.file).parent)
+    reading = Reading(dialect=plain.dialect, require_end=plain.require_end, block_delete=plain.block_delete, tools=tools)
     try:
-        program = read_program(file, require_end=plain.require_end)
+        program = read_program(file, reading=reading)
     except ProgramError as error:
         if error.line:
             raise
         if reference.file.startswith("<"):  # typed, not read from a file: there is no key to name
             raise ScenarioError(error.message, file=error.file) from error
         raise reference.error(str(error)) from error
-    return PartProgram(file, program, letters, plain.require_end)
+    if not plain.fit:
+        return PartProgram(file, program, letters, reading)
+    found = fitted(program, letters, machine)
+    return PartProgram(file, found.program, letters, reading, True, found.note)
 
 
 def _check_letters(node: Table, letters: tuple[str, ...], machine: Machine, given: bool) -> None:
@@ -96,12 +108,15 @@ def _check_letters(node: Table, letters: tuple[str, ...], machine: Machine, give
         raise node.error(f'the axes {names} are not called x, y, z: say what they obey with letters = ["x", "y"]', "file")
 
 
-def _contour(node: Node) -> Contour:
+def _contour(node: Node, machine: Machine) -> Contour:
     if isinstance(node, Leaf):
-        node = Table({"name": node}, node.file, node.key)
+        is_file = isinstance(node.value, str) and Path(node.value).suffix.lower() in SUFFIXES
+        node = Table({"file" if is_file else "name": node}, node.file, node.key)
+    if "file" in node.entries:
+        return _contour_file(node, machine)
     name = node.get("name")
     if not isinstance(name, Leaf) or not isinstance(name.value, str):
-        raise node.error(f"key name is missing: one of {', '.join(contour_names())}")
+        raise node.error(f"key name is missing: one of {', '.join(contour_names())}; or file, the name of a drawing")
     if name.value not in contour_names():
         raise name.error(f"no contour {name.value!r}: {hint(name.value, contour_names())}")
     known = contour_parameters(name.value)
@@ -117,4 +132,27 @@ def _contour(node: Node) -> Contour:
     found = Contour(name.value, values)
     with located(node):
         _ = found.path
+    return found
+
+
+def _contour_file(node: Table, machine: Machine) -> Contour:
+    """Return the contour of a drawing, or of points; the file is read here, so that what is wrong with it is said before anything runs."""
+    if "name" in node.entries:
+        raise node.error("name and file are both given: a test contour has a name, a drawing a file", "name")
+    plain = read_table(ContourFileTable, node)
+    reference = node.entries["file"]
+    assert isinstance(reference, Leaf)  # its text has just been read
+    with located(node, "file"):
+        file = locate(plain.file, Path(reference.file).parent)
+    if plain.unit is not None:
+        with located(node, "unit"):
+            unit_size(plain.unit)
+    options = {name: value for name in node.entries if name != "file" and (value := getattr(plain, name)) is not None}
+    found = Contour(file.name, file=file.absolute(), options=options)  # it is named in full later, from wherever that is
+    with located(node, "file"):
+        n_axis = found.path.n_axis
+    if n_axis != len(machine.axes):
+        cure = " (write axes = 3 for all three coordinates of the drawing)" if (n_axis, len(machine.axes)) == (2, 3) else ""
+        names = ", ".join(machine.axis_names)
+        raise node.error(f"{file.name} has {n_axis} coordinates, {machine.name} has the axes {names}: one for each is wanted{cure}", "file")
     return found

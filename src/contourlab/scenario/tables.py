@@ -14,6 +14,7 @@ from contourlab.scenario.tree import Leaf, Table, hint
 __all__ = [
     "AxisControllerTable",
     "AxisTable",
+    "ContourFileTable",
     "ControllerTable",
     "ErrorTable",
     "FeedTable",
@@ -62,6 +63,7 @@ Distance = Annotated[float, _number("m", "um", minimum=0.0, exclusive=True)]
 Spread = Annotated[float, _number("m", "um", minimum=0.0)]
 Mass = Annotated[float, _number("kg", minimum=0.0)]
 Cosine = Annotated[float, _number("", minimum=-1.0, maximum=1.0)]
+Angle = Annotated[float, _number("rad", "deg", minimum=0.0, maximum=math.pi, exclusive=True)]
 Frequency = Annotated[float, _number("Hz", minimum=0.0, exclusive=True)]
 Corner = Annotated[float, _number("rad/s", minimum=0.0, exclusive=True)]
 Ratio = Annotated[float, _number("", minimum=0.0, exclusive=True)]
@@ -163,6 +165,25 @@ class ProgramTable(_Strict):
     file: Annotated[str, Field(min_length=1)]
     letters: Annotated[list[Letter], Field(min_length=1, max_length=3)] | None = None
     require_end: bool = True
+    dialect: Literal["linuxcnc", "grbl"] = "linuxcnc"
+    block_delete: bool = False
+    tools: Annotated[str, Field(min_length=1)] | None = None
+    fit: bool = False
+
+
+class ContourFileTable(_Strict):
+    """``[contour]`` with ``file``."""
+
+    file: Annotated[str, Field(min_length=1)]
+    unit: Text | None = None
+    tolerance: Distance | None = None
+    layer: Text | None = None
+    chain: Annotated[int, Field(ge=1)] | None = None
+    scale: Ratio = 1.0
+    axes: Literal[2, 3] | None = None
+    ignore: list[Text] = []
+    corner_angle: Angle | None = None
+    reverse: bool = False
 
 
 class FeedTable(_Strict):
@@ -173,6 +194,9 @@ class FeedTable(_Strict):
     frequency: Frequency | None = None
     laps: Annotated[int, Field(ge=1, le=100_000)] = 1
     override: Override = 1.0
+    path_control: Literal["program", "exact_path", "exact_stop", "blend"] = "program"
+    corner_tolerance: Distance | None = None
+    merge_tolerance: Spread | None = None
 
 
 class RunTable(_Strict):

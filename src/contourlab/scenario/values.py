@@ -6,18 +6,26 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from functools import cached_property
 from pathlib import Path as File
-from typing import Literal, TypeAlias
+from typing import Any, Literal, TypeAlias
 
 import numpy as np
 
+from contourlab.contours import ContourReading, study_contour
 from contourlab.errors import FeedError, ProgramError, ScenarioError
-from contourlab.feed import AxisLimits, Reference, Route, plan, route_from_path, route_from_program, uniform
+from contourlab.feed import AxisLimits, Reference, Route, blended, plan, route_from_path, route_from_program, uniform
+from contourlab.feed.path_control import PathControl, controlled
 from contourlab.geometry import Path, contour
 from contourlab.loop import Controller, Machine
-from contourlab.program import Program
+from contourlab.program import Program, Reading
 from contourlab.scenario.motion_check import check_motion
 
-__all__ = ["Case", "Contour", "FeedSettings", "Motion", "Overrides", "PartProgram", "RunSettings", "Scenario"]
+__all__ = ["DEFAULT_CORNER_TOLERANCE", "Case", "Contour", "FeedSettings", "Motion", "Overrides", "PartProgram", "RunSettings", "Scenario"]
+
+DEFAULT_CORNER_TOLERANCE = 1e-5
+"""How far a blend may leave its corner under G64 without P [m]."""
+
+MOST_NOTICES = 5
+"""So many places are named where the reader of a program was lenient."""
 
 Overrides: TypeAlias = Mapping[str, object]
 """What a scheme changes: dotted key -> value as written."""
@@ -25,28 +33,46 @@ Overrides: TypeAlias = Mapping[str, object]
 
 @dataclass(frozen=True)
 class Contour:
-    """A test contour by name.
+    """A contour: a test contour by name, or one from a file.
 
     Attributes
     ----------
     name : str
-        One of `contourlab.geometry.contour_names`.
+        One of `contourlab.geometry.contour_names`; the name of the file where there is one.
     parameters : mapping of str to float
-        In m and rad; those that were given.
+        Of a test contour, in m and rad; those that were given.
+    file : Path or None
+        Drawing or points.
+    options : mapping of str to object
+        What was said of the file: arguments of `contourlab.contours.read_contour`.
     """
 
     name: str
     parameters: Mapping[str, float] = field(default_factory=dict)
+    file: File | None = None
+    options: Mapping[str, Any] = field(default_factory=dict)
 
     @cached_property
+    def reading(self) -> ContourReading:
+        """The contour, and what there is to say about how it came about."""
+        if self.file is None:
+            return ContourReading(contour(self.name, **self.parameters))
+        return study_contour(self.file, **self.options)
+
+    @property
     def path(self) -> Path:
         """The contour as a path."""
-        return contour(self.name, **self.parameters)
+        return self.reading.path
 
     @property
     def n_axis(self) -> int:
         """Number of coordinates."""
         return self.path.n_axis
+
+    @property
+    def notes(self) -> tuple[str, ...]:
+        """What there is to say about how the contour came about."""
+        return () if self.file is None else tuple(self.reading.notes)
 
 
 @dataclass(frozen=True)
@@ -59,24 +85,39 @@ class PartProgram:
     program : Program
     letters : tuple of str
         The address (x, y, z) that each axis of the machine obeys, in the order of the machine's axes.
-    require_end : bool
-        Whether the program has to say where it ends.
+    reading : Reading
+        How it was read.
+    fit : bool
+        Whether it was to be brought into the machine's travel.
+    note : str
+        What was done to it for that.
     """
 
     file: File
     program: Program
     letters: tuple[str, ...]
-    require_end: bool = True
+    reading: Reading = field(default_factory=Reading)
+    fit: bool = False
+    note: str = ""
+    _routes: dict[float, Route] = field(default_factory=dict, init=False, repr=False, compare=False)
 
-    @cached_property
-    def route(self) -> Route:
-        """The path of the program with its feedrates."""
-        return route_from_program(self.program, self.letters)
+    def route(self, corner_tolerance: float) -> Route:
+        """Return the path of the program with its feedrates; `corner_tolerance` [m] is that of G64 without P."""
+        if corner_tolerance not in self._routes:
+            self._routes[corner_tolerance] = route_from_program(self.program, self.letters, default_tolerance=corner_tolerance)
+        return self._routes[corner_tolerance]
 
     @property
     def n_axis(self) -> int:
         """Number of coordinates."""
         return len(self.letters)
+
+    @property
+    def notes(self) -> tuple[str, ...]:
+        """Where the reader was lenient, and what was done to the program."""
+        lenient = [f"line {notice.line}: {notice.message}" for notice in self.program.notices[:MOST_NOTICES]]
+        more = len(self.program.notices) - len(lenient)
+        return (*lenient, *([f"{more} more such lines"] if more > 0 else []), *([self.note] if self.note else []))
 
 
 Motion: TypeAlias = Contour | PartProgram
@@ -97,6 +138,12 @@ class FeedSettings:
     laps : int, >= 1
     override : float, > 0
         Factor on feedrate or frequency.
+    path_control : {"program", "exact_path", "exact_stop", "blend"}
+        How corners are met: as the program says, or one way throughout. A contour says nothing: its corners are met exactly.
+    corner_tolerance : float [m], > 0, or None
+        How far a blend may leave its corner, where G64 has no P or ``path_control`` is ``"blend"``; by default 10 um.
+    merge_tolerance : float [m], >= 0, or None
+        How far points of lines that are merged may lie off, where ``path_control`` is ``"blend"``; by default as `corner_tolerance`.
     """
 
     law: Literal["planned", "uniform"] = "planned"
@@ -104,6 +151,9 @@ class FeedSettings:
     frequency: float | None = None
     laps: int = 1
     override: float = 1.0
+    path_control: PathControl = "program"
+    corner_tolerance: float | None = None
+    merge_tolerance: float | None = None
 
 
 @dataclass(frozen=True)
@@ -155,6 +205,11 @@ class Case:
         return self.run.seed
 
     @property
+    def notes(self) -> tuple[str, ...]:
+        """What is to be known of the motion."""
+        return self.motion.notes
+
+    @property
     def lines(self) -> tuple[str, ...]:
         """Source text of the program; empty for a contour."""
         return self.motion.program.lines if isinstance(self.motion, PartProgram) else ()
@@ -168,11 +223,7 @@ class Case:
         FeedError
             If an axis has no velocity limit.
         """
-        free = [axis.name for axis in self.machine.axes if not np.isfinite(axis.limits.velocity)]
-        if free:
-            raise FeedError(f"axis {free[0]} of {self.machine.name} has no velocity limit to plan with: give it limits.velocity")
-        found = [axis.limits for axis in self.machine.axes]
-        return AxisLimits([x.velocity for x in found], [x.acceleration for x in found], [x.jerk for x in found])
+        return self.machine.planner_limits()
 
     def reference(self, feed_scale: float = 1.0) -> Reference:
         """Return the sampled reference; without laps to count where ``run.evaluate`` asks for the whole motion.
@@ -206,14 +257,15 @@ class Case:
         return plan(self._route(factor), self.limits, period, laps=self.feed.laps)
 
     def _route(self, factor: float) -> Route:
+        tolerance = DEFAULT_CORNER_TOLERANCE if self.feed.corner_tolerance is None else self.feed.corner_tolerance
         if isinstance(self.motion, Contour):
             assert self.feed.feedrate is not None  # said by the reader
-            return route_from_path(self.motion.path, self.feed.feedrate * factor)
-        route = self.motion.route
-        if factor == 1.0:
-            return route
-        feedrate = np.where(route.rapid, route.feedrate, route.feedrate * factor)
-        return Route(route.path, feedrate, route.rapid, route.dwell, route.source_line, route.programmed, route.dwell_before)
+            route = route_from_path(self.motion.path, self.feed.feedrate)
+        else:
+            route = self.motion.route(tolerance)
+        if factor != 1.0:
+            route = replace(route, feedrate=np.where(route.rapid, route.feedrate, route.feedrate * factor))
+        return blended(controlled(route, self.feed.path_control, tolerance, self.feed.merge_tolerance))
 
 
 @dataclass(frozen=True, eq=False)

@@ -36,7 +36,7 @@ def report_data(title: str, outcomes: Sequence[Outcome], *, scenario: str, comma
     again = "save the scenario below as scenario.toml, then: contourlab run scenario.toml"
     provenance = Provenance(__version__, command, again, scenario, first.case.seed, system)
     schemes = [_scheme(outcome) for outcome in outcomes]
-    return ReportData(title, schemes, reference.path, provenance, programmed, first.case.lines, first.case.tolerance)
+    return ReportData(title, schemes, reference.path, provenance, programmed, first.case.lines, first.case.tolerance, first.case.notes)
 
 
 def _scheme(outcome: Outcome) -> SchemeReport:

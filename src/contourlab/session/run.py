@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 import shlex
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass, replace
 from pathlib import Path
@@ -39,6 +39,7 @@ def run_scenario(
     machine: str | Path | None = None,
     controller: str | Path | None = None,
     tolerance: str | None = None,
+    options: Mapping[str, Any] | None = None,
     plugins: Sequence[str | Path] = (),
     check: bool = False,
     plots: Sequence[str] = (),
@@ -57,6 +58,8 @@ def run_scenario(
         Files, or names of shipped ones; both are wanted with a part program.
     tolerance : str, optional
         Largest part error of a part program that passes, as ``"25 um"``.
+    options : mapping, optional
+        Further keys of a part program's table ``program``, such as ``{"fit": True}``.
     plugins : sequence of str or Path
         Python files with components.
     check : bool
@@ -71,24 +74,28 @@ def run_scenario(
     from contourlab.scenario import BUILTIN, load_scenario, scenario_from_parts
 
     path = Path(file)
-    parts = {"--machine": machine, "--controller": controller, "--tolerance": tolerance}
+    options = options or {}
+    parts: dict[str, Any] = {"--machine": machine, "--controller": controller, "--tolerance": tolerance}
+    parts |= {f"--{name.replace('_', '-')}": value for name, value in options.items()}
     shipped = str(file).startswith(BUILTIN) and path.suffix != ".ngc"
     if shipped or path.suffix.lower() == ".toml":
         for option, value in parts.items():
             if value is not None:
-                key = "tolerance under [run]" if option == "--tolerance" else option.removeprefix("--")
+                name = option.removeprefix("--").replace("-", "_")
+                key = f"{name} under [run]" if name == "tolerance" else f"{name} under [program]" if name in options else name
                 raise ScenarioError(f"a scenario names its own: write {key} in the file, and leave {option} out", file=path)
         scenario = load_scenario(path, plugins=plugins)
     else:
         if machine is None or controller is None:
             raise ScenarioError("a part program needs --machine and --controller; a scenario ends in .toml", file=path)
         run = {} if tolerance is None else {"tolerance": tolerance}
-        scenario = scenario_from_parts(path, machine, controller, run=run, plugins=plugins)
+        scenario = scenario_from_parts(path, machine, controller, run=run, options=options, plugins=plugins)
     if check:
         return _checked(scenario)
     words = ["contourlab", "run", str(file)]
     words += [word for file in plugins for word in ("--plugin", str(file))]
-    words += [word for option, value in parts.items() if value is not None for word in (option, str(value))]
+    for option, value in parts.items():
+        words += [] if value is None else [option] if isinstance(value, bool) else [option, str(value)]
     return run_session(scenario, out, command=shlex.join(words), plots=plots, signals=signals, progress=progress)
 
 

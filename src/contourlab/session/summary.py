@@ -41,6 +41,7 @@ def summary_of(
         "version": __version__,
         "name": name,
         "command": command,
+        "notes": list(outcomes[0].case.notes) if outcomes else [],
         "passed": False if lost else all(v.passed for v in verdicts) if verdicts else None,
         "schemes": {outcome.name: _scheme(outcome) for outcome in outcomes}
         | {name: {"status": {"ok": False, "sample": e.sample, "axis": e.axis, "reason": str(e)}} for name, e in lost.items()},

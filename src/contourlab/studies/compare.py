@@ -48,6 +48,10 @@ class Case(Protocol):
     def lines(self) -> tuple[str, ...]:
         """Source text of the program; empty for a contour."""
 
+    @property
+    def notes(self) -> tuple[str, ...]:
+        """What is to be known of the motion, such as that it was scaled."""
+
     def reference(self, feed_scale: float = 1.0) -> Reference:
         """Return the sampled reference, at a part of the programmed feed."""
 

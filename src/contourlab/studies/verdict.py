@@ -106,7 +106,8 @@ def verdict(
 
 def _missed(judged: Result, reference: Reference, window: tuple[int, int], tolerance: float) -> float:
     longest, at_end = left_out(judged, reference, window)
-    step = 3.0 * float(np.abs(np.diff(judged["arc_length"][slice(*window)])).max(initial=0.0))
+    asked = reference.programmed_arc_length(judged["arc_length"][slice(*window)])
+    step = 3.0 * float(np.abs(np.diff(asked)).max(initial=0.0))
     # A tool within the tolerance may cut off several times as much at a sharp corner, but not at the end.
     if longest > max(10.0 * tolerance, step):
         return longest

@@ -8,11 +8,12 @@ import numpy as np
 import pytest
 
 from contourlab import primitives
-from contourlab.engine import compiler, store
+from contourlab.engine import compiler
 from contourlab.engine.runner import make_group
 from contourlab.engine.schedule import Late, Node, Schedule
 from contourlab.engine.step import Port, Step
 from contourlab.errors import EngineError
+from contourlab.native import store
 from contourlab.primitives import (
     Clock,
     add,

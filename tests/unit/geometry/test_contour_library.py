@@ -23,12 +23,13 @@ def area(name: str, **parameters: float) -> float:
 
 
 def test_all_names_are_there_with_defaults_and_units() -> None:
-    assert contour_names() == ("circle", "ellipse", "lemniscate", "diamond", "star", "butterfly", "line-line-circle")
+    old = ("circle", "ellipse", "lemniscate", "diamond", "star", "butterfly", "line-line-circle")
+    assert contour_names() == (*old, "square", "rectangle", "racetrack", "polygon", "spiral", "helix")
     for name in contour_names():
         defaults = {key: value for key, (value, _) in contour_parameters(name).items()}
         assert contour(name, **defaults).digest == contour(name).digest
-        assert contour(name).closed == (name != "line-line-circle")
-        assert contour(name).is_planar
+        assert contour(name).closed == (name not in ("line-line-circle", "spiral", "helix"))
+        assert contour(name).is_planar == (name != "helix")
     assert contour_parameters("circle") == {"radius": (0.02, "m"), "start_angle": (0.0, "rad"), "clockwise": (0.0, "")}
     assert contour_parameters("star") == {"radius": (0.03, "m"), "lobes": (5.0, ""), "depth": (0.3, "")}
 
@@ -39,6 +40,16 @@ def test_sizes_are_what_they_say() -> None:
     assert contour("diamond", side=0.05).length == pytest.approx(0.2, rel=1e-15)
     assert contour("butterfly", scale=0.5).length == pytest.approx(0.5 * contour("butterfly").length, rel=1e-13)
     assert contour("lemniscate", a=0.08).length == pytest.approx(2.0 * contour("lemniscate").length, rel=1e-13)
+    assert contour("square", side=0.03).length == pytest.approx(0.12, rel=1e-15)
+    assert contour("rectangle", width=0.05, height=0.03).length == pytest.approx(0.16, rel=1e-15)
+    assert contour("rectangle", width=0.05, height=0.03, corner_radius=0.01).length == pytest.approx(0.08 + 0.02 * math.pi, rel=1e-14)
+    assert contour("racetrack", length=0.05, radius=0.01).length == pytest.approx(0.1 + 0.02 * math.pi, rel=1e-15)
+    assert contour("polygon", sides=5, radius=0.02).length == pytest.approx(0.2 * math.sin(math.pi / 5), rel=1e-14)
+    assert contour("helix", radius=0.02, pitch=0.01, turns=2.5).length == pytest.approx(2.5 * math.hypot(0.04 * math.pi, 0.01), rel=1e-14)
+    # The spiral r = b t from t = 0: b / 2 (t sqrt(1 + t^2) + asinh t).
+    b, t = 0.006 / (2.0 * math.pi), 2.0 * math.pi * 3.5
+    spiral = contour("spiral", inner_radius=0, pitch=0.006, turns=3.5)
+    assert spiral.length == pytest.approx(0.5 * b * (t * math.hypot(1.0, t) + math.asinh(t)), rel=1e-13)
     assert contour("line-line-circle").length == pytest.approx(0.05 + 0.02 + 0.06 * math.pi, rel=1e-15)
 
 
@@ -47,9 +58,25 @@ def test_areas_are_what_they_say() -> None:
     assert area("circle", radius=0.02, clockwise=1) == pytest.approx(-math.pi * 0.02**2, rel=1e-13)
     assert area("ellipse", a=0.04, b=0.02) == pytest.approx(math.pi * 0.04 * 0.02, rel=1e-12)
     assert area("diamond", side=0.04) == pytest.approx(0.04**2, rel=1e-13)
+    assert area("square", side=0.03) == pytest.approx(0.03**2, rel=1e-12)
+    assert area("polygon", sides=8, radius=0.02) == pytest.approx(4.0 * 0.02**2 * math.sqrt(0.5), rel=1e-12)
+    # A midpoint rule over arcs beside lines has an error of its own.
+    assert area("rectangle", width=0.05, height=0.03, corner_radius=0.01) == pytest.approx(0.0015 - (4 - math.pi) * 1e-4, rel=1e-6)
+    assert area("racetrack", length=0.05, radius=0.01) == pytest.approx(0.001 + math.pi * 1e-4, rel=1e-6)
     # r = R (1 + d cos n u) holds pi R^2 (1 + d^2 / 2); the two lobes of the eight cancel.
     assert area("star", radius=0.03, lobes=5, depth=0.3) == pytest.approx(math.pi * 0.03**2 * (1.0 + 0.045), rel=1e-11)
     assert area("lemniscate", a=0.04) == pytest.approx(0.0, abs=1e-16)
+
+
+def test_turns_of_the_spiral_and_the_helix_are_a_pitch_apart() -> None:
+    for name, axis in (("spiral", 0), ("helix", 2)):
+        ends = [contour(name, radius=0.02, pitch=0.004, turns=k) if axis else contour(name, pitch=0.004, turns=k) for k in (1, 2, 3)]
+        found = np.array([path.position(path.length)[0] for path in ends])
+        np.testing.assert_allclose(np.diff(found[:, axis]), 0.004, rtol=0, atol=1e-14)
+    for name in ("rectangle", "racetrack"):
+        assert contour(name, **({"corner_radius": 0.005} if name == "rectangle" else {})).corners.size == 0
+    assert contour("rectangle").corners.size == contour("square").corners.size == 4
+    assert contour("polygon", sides=7).corners.size == 7
 
 
 def test_starts_and_senses() -> None:
@@ -107,6 +134,15 @@ def test_a_wrong_name_is_told_the_right_ones() -> None:
         ("ellipse", {"b": -0.02}, "b = -0.02: must be > 0"),
         ("lemniscate", {"a": math.inf}, "a = inf: must be > 0"),
         ("diamond", {"side": -1.0}, "side = -1.0: must be > 0"),
+        ("square", {"side": 0.0}, "side = 0.0: must be > 0"),
+        ("rectangle", {"corner_radius": 0.02}, "corner_radius = 0.02 m: must be >= 0 and below half"),
+        ("rectangle", {"corner_radius": math.nan}, "corner_radius = nan"),
+        ("racetrack", {"length": -1.0}, "length = -1.0: must be > 0"),
+        ("polygon", {"sides": 2}, "sides = 2: a whole number from 3"),
+        ("polygon", {"sides": 5.5}, "sides = 5.5: a whole number"),
+        ("spiral", {"inner_radius": -1e-3}, "inner_radius = -0.001: must be >= 0"),
+        ("spiral", {"turns": 1e9}, "turns = .*at most 1000"),
+        ("helix", {"pitch": math.inf}, "pitch = inf m: must be finite"),
         ("star", {"lobes": 5.5}, "5.5 lobes.*whole number"),
         ("star", {"lobes": 1}, "whole number >= 2"),
         ("star", {"depth": 1.0}, "depth from 0 to below 1"),

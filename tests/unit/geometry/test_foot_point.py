@@ -75,7 +75,9 @@ def test_the_whole_path_is_searched_when_the_window_is_that_wide(name: str, reac
     path, rng = contour(name), np.random.default_rng(11)
     around = rng.uniform(0.0, path.length, 12)
     angle = rng.uniform(0.0, 2.0 * math.pi, 12)
-    points = path.position(around) + reach * np.column_stack([np.cos(angle), np.sin(angle)])
+    # In space the point is off in the first two coordinates.
+    off = np.column_stack([np.cos(angle), np.sin(angle), 0.0 * angle])[:, : path.n_axis]
+    points = path.position(around) + reach * off
     found = path.foot_point(points, around, path.length)
     for i, point in enumerate(points):
         where, distance = search(path, point, 0.0, path.length)

@@ -1,0 +1,119 @@
+"""Every part program of a folder, run on the three-axis machine: how far the tool strays on each.
+
+    python benchmarks/programs.py [FOLDER ...] [--out results/programs] [--only WORD]
+
+Each program is read (one without an end is taken to end with its last line), brought into the travel of the machine where it is too large
+for it, planned, simulated and judged; its report goes to a folder of its own. One table at the end. A program that cannot be run gives its
+error as its row.
+"""
+
+from __future__ import annotations
+
+import argparse
+import json
+import sys
+import time
+from collections.abc import Iterator, Sequence
+from pathlib import Path
+from typing import Any
+
+from rich.console import Console
+from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeElapsedColumn
+from rich.table import Table
+
+from contourlab.errors import ContourlabError
+from contourlab.scenario import Scenario, scenario_from_parts
+from contourlab.session.run import run_session
+
+DEFAULT = Path(__file__).resolve().parents[2] / "shared" / "gcode"
+SUFFIXES = {".ngc", ".nc", ".gcode", ".tap", ".cnc"}
+MACHINE, CONTROLLER = "xyz", "xyz-controller"
+SIGNALS = ("reference", "position", "contour_error", "part_error")
+
+
+def programs(folders: Sequence[Path], only: str) -> list[Path]:
+    """Return the part programs of some folders, or files, in the order of their names."""
+    found = [file for folder in folders for file in (sorted(folder.rglob("*")) if folder.is_dir() else [folder])]
+    return [file for file in found if file.suffix.lower() in SUFFIXES and only.lower() in file.name.lower()]
+
+
+def scenario_of(file: Path) -> Scenario:
+    """Return the scenario of a program on the machine."""
+    return scenario_from_parts(file, MACHINE, CONTROLLER, options={"fit": True, "require_end": False}, name=file.stem)
+
+
+def run(file: Path, out: Path) -> dict[str, Any]:
+    """Run one program; return its row."""
+    begin = time.perf_counter()
+    row: dict[str, Any] = {"program": file.name}
+    try:
+        scenario = scenario_of(file)
+        done = run_session(scenario, out / file.stem, command=f"contourlab run {file.name}", signals=SIGNALS)
+    except ContourlabError as error:
+        return row | {"error": str(error).removeprefix(f"{file}:"), "seconds": time.perf_counter() - begin}
+    found = done.summary["schemes"]["base"]
+    metrics = found["metrics"]
+    return row | {
+        "lines": len(scenario.base.lines),
+        "moves": len(scenario.motion.program.moves),  # type: ignore[union-attr]
+        "notes": done.summary["notes"],
+        "cycle_time": metrics["cycle_time"],
+        "part_error_max": metrics["part_error"]["max"],
+        "part_error_rms": metrics["part_error"]["rms"],
+        "contour_error_max": metrics["contour_error"]["max"],
+        "planning_deviation_max": metrics["planning_deviation"]["max"],
+        "line": metrics["part_error"]["worst"]["line"],
+        "seconds": time.perf_counter() - begin,
+    }
+
+
+def rows(files: Sequence[Path], out: Path) -> Iterator[dict[str, Any]]:
+    """Run the programs one after another, with a bar on a terminal."""
+    columns = (TextColumn("{task.description}"), BarColumn(), MofNCompleteColumn(), TimeElapsedColumn())
+    with Progress(*columns, console=Console(stderr=True), disable=not sys.stderr.isatty(), transient=True) as bar:
+        task = bar.add_task("", total=len(files))
+        for file in files:
+            bar.update(task, description=file.name)
+            yield run(file, out)
+            bar.advance(task)
+
+
+def table(found: Sequence[dict[str, Any]]) -> Table:
+    """Return the rows as one table."""
+    shown = Table(title=f"Part programs on the machine {MACHINE} under {CONTROLLER}; errors in um")
+    heads = ("program", "lines", "moves", "cycle s", "part max", "at line", "part rms", "contour max", "planning max", "scaled", "took s")
+    for head in heads:
+        shown.add_column(head, justify="left" if head == "program" else "right", overflow="fold")
+    for row in found:
+        if "error" in row:
+            shown.add_row(row["program"], "[red]" + row["error"].replace("[", r"\["), *[""] * (len(heads) - 3), f"{row['seconds']:.1f}")
+            continue
+        errors = (row["part_error_max"], row["line"], row["part_error_rms"], row["contour_error_max"], row["planning_deviation_max"])
+        cells = [str(value) if isinstance(value, int) else f"{value * 1e6:.3g}" for value in errors]
+        scaled = next((note.split("scaled by ")[1].split(",")[0] for note in row["notes"] if "scaled by" in note), "")
+        shown.add_row(
+            row["program"], str(row["lines"]), str(row["moves"]), f"{row['cycle_time']:.1f}", *cells, scaled, f"{row['seconds']:.1f}"
+        )
+    return shown
+
+
+def main() -> int:
+    """Run it."""
+    parser = argparse.ArgumentParser(description=(__doc__ or "").split("\n")[0])
+    parser.add_argument("folders", nargs="*", type=Path, default=[DEFAULT], help="folders of part programs, or programs")
+    parser.add_argument("--out", type=Path, default=Path("results/programs"))
+    parser.add_argument("--only", default="", help="programs whose name holds this")
+    chosen = parser.parse_args()
+    files = programs(chosen.folders, chosen.only)
+    if not files:
+        print(f"no part programs in {', '.join(map(str, chosen.folders))}: name a folder", file=sys.stderr)
+        return 2
+    found = list(rows(files, chosen.out))
+    chosen.out.mkdir(parents=True, exist_ok=True)
+    (chosen.out / "programs.json").write_text(json.dumps(found, indent=2) + "\n", encoding="utf-8")
+    Console(width=None if sys.stdout.isatty() else 200).print(table(found))
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

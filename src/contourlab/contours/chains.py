@@ -1,0 +1,240 @@
+"""Chains of what lies end to end in a drawing, found by the places of its ends and made into paths."""
+
+from __future__ import annotations
+
+from collections import defaultdict
+from collections.abc import Sequence
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+from numpy.typing import NDArray
+
+from contourlab.errors import GeometryError
+from contourlab.geometry import Curve, Line, Path, backwards, with_ends
+
+__all__ = ["Chain", "Strand", "chains_of"]
+
+Array = NDArray[np.float64]
+CLOSE = 2e-10
+"""Ends [m] that are left as they are: a path accepts 1e-9 m."""
+
+
+FURTHEST = 5.0
+"""Gap, in tolerances, that ends can have between which specks were left out."""
+
+
+@dataclass(frozen=True, eq=False)
+class Strand:
+    """What one entity of a drawing gives: curves end to end.
+
+    Attributes
+    ----------
+    curves : tuple of Curve
+    what : str
+        Its name in messages: ``LINE #2F``.
+    layer : str
+    """
+
+    curves: tuple[Curve, ...]
+    what: str = ""
+    layer: str = ""
+
+    @cached_property
+    def ends(self) -> Array:
+        """Where it starts and where it ends: (2, n_axis)."""
+        first, last = self.curves[0], self.curves[-1]
+        return np.array([_end(first, 0.0), _end(last, last.length)])
+
+    @property
+    def length(self) -> float:
+        """Length of all its curves [m]."""
+        return float(sum(curve.length for curve in self.curves))
+
+    def turned(self) -> Strand:
+        """Return it from its end to its start."""
+        return Strand(tuple(backwards(curve) for curve in reversed(self.curves)), self.what, self.layer)
+
+    def middle(self) -> Array:
+        """Return the position at half its length, the same from either end."""
+        along = 0.5 * self.length
+        for curve in self.curves:
+            if along <= curve.length:
+                return np.asarray(curve.position([along])[0])
+            along -= curve.length
+        return np.asarray(self.ends[1])
+
+
+def _end(curve: Curve, s: float) -> Array:
+    if isinstance(curve, Line):
+        return np.asarray(curve.end if s else curve.start)
+    return np.asarray(curve.derivatives([s], 0)[0, 0])
+
+
+@dataclass(frozen=True, eq=False)
+class Chain:
+    """Strands end to end, each in the direction of travel.
+
+    Attributes
+    ----------
+    strands : tuple of (Strand, bool)
+        Each with whether it is run backwards.
+    closed : bool
+    tolerance : float [m]
+        Largest gap that is closed.
+    """
+
+    strands: tuple[tuple[Strand, bool], ...]
+    closed: bool
+    tolerance: float
+
+    @property
+    def length(self) -> float:
+        """Length [m], gaps left out."""
+        return float(sum(strand.length for strand, _ in self.strands))
+
+    @property
+    def start(self) -> Array:
+        """Where it starts: (n_axis,)."""
+        strand, turned = self.strands[0]
+        return np.asarray(strand.ends[1 if turned else 0])
+
+    @property
+    def layers(self) -> tuple[str, ...]:
+        """Its layers, in the order met."""
+        return tuple(dict.fromkeys(strand.layer for strand, _ in self.strands))
+
+    @cached_property
+    def path(self) -> Path:
+        """The chain as a path, gaps closed."""
+        curves = [curve for strand, turned in self.strands for curve in (strand.turned() if turned else strand).curves]
+        return Path(_joined(curves, self.closed, self.tolerance), self.closed)
+
+    def backwards(self) -> Chain:
+        """Return the chain from its end to its start; a closed one still starts where it did."""
+        return Chain(tuple((strand, not turned) for strand, turned in reversed(self.strands)), self.closed, self.tolerance)
+
+
+def chains_of(strands: Sequence[Strand], tolerance: float) -> tuple[list[Chain], list[str]]:
+    """Return the chains that strands make, in the order of their first strands, and what was left out.
+
+    Parameters
+    ----------
+    strands : sequence of Strand
+    tolerance : float [m], > 0
+        Ends at most this far apart meet.
+
+    Returns
+    -------
+    list of Chain
+        Each runs in the direction of its first strand in the drawing; a closed one starts there. Where more than two ends meet, chains
+        end.
+    list of str
+        Strands that are shorter than the tolerance, or lie on another.
+    """
+    if not strands:
+        return [], []
+    node = _nodes(np.array([end for strand in strands for end in strand.ends]), tolerance).reshape(-1, 2)
+    kept, left_out = _without_doubles(strands, node, tolerance)
+    meet: defaultdict[int, list[tuple[int, int]]] = defaultdict(list)
+    for i in kept:
+        for end in (0, 1):
+            meet[int(node[i, end])].append((i, end))
+    used: set[int] = set()
+    chains = []
+    for i in kept:
+        if i in used:
+            continue
+        used.add(i)
+        ahead = _follow(i, 1, node, meet, used)
+        behind = [(j, 1 - end) for j, end in reversed(_follow(i, 0, node, meet, used))]
+        # Each strand with the end at which it is entered.
+        run = [*behind, (i, 0), *ahead]
+        closed = node[run[0][0], run[0][1]] == node[run[-1][0], 1 - run[-1][1]]
+        chains.append(Chain(tuple((strands[j], entered == 1) for j, entered in run), bool(closed), tolerance))
+    return chains, left_out
+
+
+def _follow(i: int, end: int, node: NDArray[np.int64], meet: dict[int, list[tuple[int, int]]], used: set[int]) -> list[tuple[int, int]]:
+    """Return the strands that follow one of the ends of strand i, each with the end at which it is entered."""
+    found: list[tuple[int, int]] = []
+    while True:
+        here = meet[int(node[i, end])]
+        if len(here) != 2:
+            return found
+        j, entered = here[1] if here[0] == (i, end) else here[0]
+        if j in used:
+            return found
+        used.add(j)
+        found.append((j, entered))
+        i, end = j, 1 - entered
+
+
+def _nodes(points: Array, tolerance: float) -> NDArray[np.int64]:
+    """Return a number for each point, equal for those that lie together."""
+    from scipy.sparse import coo_array
+    from scipy.sparse.csgraph import connected_components
+    from scipy.spatial import cKDTree
+
+    places, which = np.unique(points, axis=0, return_inverse=True)
+    pairs = cKDTree(places).query_pairs(tolerance, output_type="ndarray")
+    graph = coo_array((np.ones(len(pairs)), (pairs[:, 0], pairs[:, 1])), shape=(len(places), len(places)))
+    return np.asarray(connected_components(graph, directed=False)[1][which.ravel()])
+
+
+def _without_doubles(strands: Sequence[Strand], node: NDArray[np.int64], tolerance: float) -> tuple[list[int], list[str]]:
+    kept: list[int] = []
+    left_out: list[str] = []
+    seen: defaultdict[tuple[int, int], list[int]] = defaultdict(list)
+    for i, strand in enumerate(strands):
+        key = (int(node[i].min()), int(node[i].max()))
+        if key[0] == key[1] and strand.length <= 2.0 * tolerance:
+            left_out.append(f"{strand.what}: shorter than the tolerance")
+            continue
+        twin = next((j for j in seen[key] if _same(strand, strands[j], tolerance)), None)
+        if twin is not None:
+            left_out.append(f"{strand.what}: lies on {strands[twin].what}")
+            continue
+        seen[key].append(i)
+        kept.append(i)
+    return kept, left_out
+
+
+def _same(a: Strand, b: Strand, tolerance: float) -> bool:
+    return abs(a.length - b.length) <= 2.0 * tolerance and float(np.linalg.norm(a.middle() - b.middle())) <= 2.0 * tolerance
+
+
+def _joined(curves: list[Curve], closed: bool, tolerance: float) -> list[Curve]:
+    """Return the curves with their ends moved onto each other; where one cannot be moved, a short line closes the gap."""
+    n = len(curves)
+    ends = np.array([[_end(curve, 0.0), _end(curve, curve.length)] for curve in curves])
+    wanted = ends.copy()
+    joints = [(i, (i + 1) % n) for i in range(n if closed else n - 1)]
+    gaps = {i: float(np.linalg.norm(ends[i, 1] - ends[j, 0])) for i, j in joints}
+    if max(gaps.values(), default=0.0) <= CLOSE:
+        return curves
+    for i, j in joints:
+        if gaps[i] > FURTHEST * tolerance:  # inside one entity, where no search for ends has met it
+            raise GeometryError(f"there is a gap of {1e3 * gaps[i]:.3g} mm at {ends[i, 1].tolist()} m")
+        if gaps[i] > CLOSE:
+            # A line can be moved unseen; what is drawn as an arc or a spline stays where it is beside one.
+            share = {(True, False): 0.0, (False, True): 1.0}.get((isinstance(curves[i], Line), isinstance(curves[j], Line)), 0.5)
+            wanted[i, 1] = wanted[j, 0] = ends[j, 0] + share * (ends[i, 1] - ends[j, 0])
+    moved = [_moved(curve, *ends[i], *wanted[i]) for i, curve in enumerate(curves)]
+    found: list[Curve] = []
+    for i, curve in enumerate(moved):
+        found.append(curve)
+        if i in gaps:
+            a, b = _end(curve, curve.length), _end(moved[(i + 1) % n], 0.0)
+            if float(np.linalg.norm(b - a)) > CLOSE:
+                found.append(Line(a, b))
+    return found
+
+
+def _moved(curve: Curve, start: Array, end: Array, new_start: Array, new_end: Array) -> Curve:
+    if np.array_equal(start, new_start) and np.array_equal(end, new_end):
+        return curve
+    try:
+        return with_ends(curve, new_start, new_end)
+    except GeometryError:
+        return curve

@@ -1,0 +1,175 @@
+"""A drawing that has been read: its chains, what was left out, and the choice of one chain."""
+
+from __future__ import annotations
+
+import math
+import re
+from collections import Counter
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass, field
+from pathlib import Path as File
+
+from contourlab.contours.chains import Chain, Strand, chains_of
+from contourlab.contours.shapes import Shape
+from contourlab.errors import GeometryError, UnitError
+from contourlab.units import to_si
+
+__all__ = ["Drawing", "LeftOut", "drawing_of", "strand_of", "unit_size"]
+
+TOLERANCE = 1e-6
+"""Largest gap [m] between ends that meet, where none is stated."""
+LISTED = 20
+
+
+@dataclass(frozen=True)
+class LeftOut:
+    """An entity that is no part of any contour.
+
+    Attributes
+    ----------
+    kind : str
+        As the file calls it: ``TEXT``.
+    layer : str
+    why : str
+    """
+
+    kind: str
+    layer: str = ""
+    why: str = ""
+
+
+@dataclass(frozen=True, eq=False)
+class Drawing:
+    """The contours that a drawing holds.
+
+    Attributes
+    ----------
+    file : Path
+    chains : tuple of Chain
+        In the order of the file.
+    left_out : tuple of LeftOut
+        Entities that cannot be driven along, such as texts.
+    notes : tuple of str
+        What was done with the others: doubles and specks that were dropped.
+    layers : tuple of str
+        Those of all entities that were met, chosen or not; empty where the format has none.
+    """
+
+    file: File
+    chains: tuple[Chain, ...]
+    left_out: tuple[LeftOut, ...] = ()
+    notes: tuple[str, ...] = ()
+    layers: tuple[str, ...] = field(default=())
+
+    def refuse_left_out(self, ignore: Sequence[str]) -> None:
+        """Refuse a drawing that holds what cannot be driven along, unless its kind is to be ignored.
+
+        Raises
+        ------
+        GeometryError
+            Names what there is, where, and what to write.
+        """
+        known = {kind.upper() for kind in ignore}
+        met = Counter((item.kind, item.layer, item.why) for item in self.left_out if item.kind.upper() not in known)
+        if not met:
+            return
+        listed = [f"{n} {kind}{f' on layer {layer}' if layer else ''}{f' ({why})' if why else ''}" for (kind, layer, why), n in met.items()]
+        kinds = ", ".join(f'"{kind}"' for kind in dict.fromkeys(kind for kind, _, _ in met))
+        choice = "choose a layer without them, or " if self.layers else ""
+        raise GeometryError(f"{self.file}: holds {_some(listed)}, along which nothing can be driven: {choice}write ignore = [{kinds}]")
+
+    def chosen(self, chain: int | None = None) -> Chain:
+        """Return the one chain, or that of a number, counted from 1.
+
+        Raises
+        ------
+        GeometryError
+            If there is none of that number, or there are several and none is chosen; lists what there is.
+        """
+        if not self.chains:
+            raise GeometryError(f"{self.file}: holds no contour{self._layers_listed()}")
+        if chain is None and len(self.chains) == 1:
+            return self.chains[0]
+        if chain is not None and 1 <= chain <= len(self.chains):
+            return self.chains[chain - 1]
+        if chain is not None:
+            raise GeometryError(f"{self.file}: chain = {chain}: {self._listed()}")
+        how = "write chain = 1" + (' or the like, or layer = "..."' if len(self.layers) > 1 else " or the like")
+        raise GeometryError(f"{self.file}: {self._listed()}; {how}, or a larger tolerance where gaps part them")
+
+    def _layers_listed(self) -> str:
+        return f"; its layers are {', '.join(self.layers)}" if self.layers else ""
+
+    def _listed(self) -> str:
+        rows = []
+        for number, chain in enumerate(self.chains, 1):
+            place = ", ".join(f"{1e3 * x:.6g}" for x in chain.start)
+            layers = f", layer {' and '.join(chain.layers)}" if any(chain.layers) else ""
+            kind = "closed" if chain.closed else "open"
+            rows.append(f"{number}: {kind}, {1e3 * chain.length:.6g} mm long, from ({place}) mm{layers}")
+        count = "there is 1 chain" if len(rows) == 1 else f"there are {len(rows)} separate chains"
+        return f"{count}: {_some(rows)}"
+
+
+def _some(rows: Sequence[str]) -> str:
+    return "; ".join(rows[:LISTED]) + (f"; and {len(rows) - LISTED} more" if len(rows) > LISTED else "")
+
+
+def strand_of(shapes: Iterable[Shape], file: File, what: str, layer: str = "") -> Strand:
+    """Return the curves of an entity.
+
+    Raises
+    ------
+    GeometryError
+        If its data make no curve; names the entity.
+    """
+    try:
+        return Strand(tuple(curve for shape in shapes for curve in shape.curves()), what, layer)
+    except GeometryError as error:
+        raise GeometryError(f"{file}: {what}{f' on layer {layer}' if layer else ''}: {error}") from error
+
+
+def drawing_of(
+    file: File,
+    strands: Sequence[Strand],
+    tolerance: float | None,
+    left_out: Sequence[LeftOut],
+    notes: Sequence[str],
+    layers: Sequence[str] = (),
+) -> Drawing:
+    """Return the drawing that strands make.
+
+    Raises
+    ------
+    GeometryError
+        If the tolerance is out of range.
+    """
+    reach = TOLERANCE if tolerance is None else tolerance
+    if not (0.0 < reach < math.inf):
+        raise GeometryError(f"tolerance = {tolerance!r} m: must be > 0 and finite")
+    chains, dropped = chains_of(strands, reach)
+    return Drawing(file, tuple(chains), tuple(left_out), (*notes, *dropped), tuple(layers))
+
+
+def unit_size(unit: str) -> float:
+    """Return the size of a unit of length [m].
+
+    Raises
+    ------
+    UnitError
+        If it is none.
+
+    >>> unit_size("inch")
+    0.0254
+    """
+    if not re.fullmatch(r"[A-Za-zµμ_]{1,30}", unit):
+        raise UnitError(f'{unit!r} is no unit of length: write for example "mm" or "inch"')
+    try:
+        size = to_si(f"1 {unit}", "m")
+    except UnitError as error:
+        raise UnitError(f'unit = "{unit}": {error}') from error
+    except Exception as error:  # the unit parser passes on whatever its tokenizer raises
+        raise UnitError(f'{unit!r} is no unit of length: write for example "mm" or "inch"') from error
+    if not (size > 0.0 and math.isfinite(size)):
+        raise UnitError(f'{unit!r} is no unit of length: write for example "mm" or "inch"')
+    return size

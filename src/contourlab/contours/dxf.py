@@ -1,0 +1,273 @@
+"""Contours out of DXF drawings."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Iterable, Iterator
+from dataclasses import dataclass, field
+from pathlib import Path as File
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from contourlab.contours.drawing import Drawing, LeftOut, drawing_of, strand_of, unit_size
+from contourlab.contours.shapes import ConicShape, LineShape, Shape, SplineShape
+from contourlab.errors import GeometryError
+
+__all__ = ["read_dxf"]
+
+Array = NDArray[np.float64]
+FLAT = 1e-9
+"""Heights [m] that differ by less lie in one plane."""
+UNITS = {
+    1: 0.0254, 2: 0.3048, 3: 1609.344, 4: 1e-3, 5: 1e-2, 6: 1.0, 7: 1e3, 8: 2.54e-8, 9: 2.54e-5, 10: 0.9144, 11: 1e-10, 12: 1e-9, 13: 1e-6,
+    14: 0.1, 15: 10.0, 16: 100.0, 21: 1200.0 / 3937.0,
+}  # fmt: skip
+"""Size [m] of the units that ``$INSUNITS`` numbers."""
+SPLINE_FRAME = 16
+"""Flag of a vertex that is a control point of a fitted polyline and not on it."""
+
+
+def read_dxf(
+    file: str | File,
+    *,
+    unit: str | None = None,
+    tolerance: float | None = None,
+    layer: str | None = None,
+    scale: float = 1.0,
+    axes: int = 2,
+) -> Drawing:
+    """Read the contours of a DXF drawing: what its model space holds, blocks resolved.
+
+    Parameters
+    ----------
+    file : str or Path
+    unit : str, optional
+        Of its numbers; by default what the drawing says in ``$INSUNITS``.
+    tolerance : float [m], > 0
+        Largest gap between ends that meet, 1 um by default.
+    layer : str, optional
+        Only this one, whichever case its letters have.
+    scale : float, > 0
+        Factor on all coordinates.
+    axes : {2, 3}
+        x and y, or x, y and z.
+
+    Returns
+    -------
+    Drawing
+        LINE, ARC, CIRCLE, ELLIPSE, SPLINE, LWPOLYLINE and POLYLINE as analytic curves; all else in `left_out`.
+
+    Raises
+    ------
+    GeometryError
+        If the file cannot be read, says no unit, has no such layer, or leaves its plane and two axes are asked for.
+    UnitError
+        If `unit` is no unit of length.
+
+    References
+    ----------
+    Autodesk, "DXF Reference", sections ENTITIES and HEADER.
+    """
+    path = File(file)
+    document = _opened(path)
+    size = _unit_of(document, path, unit) * scale
+    found = _Entities(path, layer.casefold() if layer is not None else None)
+    found.add(document.modelspace())
+    if layer is not None and found.folded not in {name.casefold() for name in found.layers}:
+        raise GeometryError(f"{path}: nothing on layer {layer!r}: there are {', '.join(found.layers) or 'none'}")
+    matrix = size * np.eye(3)[:axes]
+    if axes == 2:
+        _check_flat(path, found.shapes, size)
+    strands = []
+    for shapes, what, on in found.shapes:
+        strands.append(strand_of([shape.mapped(matrix, np.zeros(axes)) for shape in shapes], path, what, on))
+    return drawing_of(path, strands, tolerance, found.left_out, found.notes, tuple(found.layers))
+
+
+def _opened(path: File) -> Any:
+    import ezdxf
+
+    try:
+        return ezdxf.readfile(path)  # type: ignore[attr-defined]
+    except OSError as error:
+        # ezdxf says with an OSError too that a file is none of its kind.
+        reason = error.strerror or "it is no DXF drawing"
+        raise GeometryError(f"{path}: cannot be read: {reason}") from error
+    except (ezdxf.DXFError, UnicodeDecodeError, ValueError, IndexError, KeyError) as error:  # type: ignore[attr-defined]
+        raise GeometryError(f"{path}: is no readable DXF drawing: {error}") from error
+
+
+def _unit_of(document: Any, path: File, unit: str | None) -> float:
+    if unit is not None:
+        return unit_size(unit)
+    code = document.header.get("$INSUNITS", 0)
+    if code not in UNITS:
+        said = "no unit" if code == 0 else f"a unit that is no length of parts ($INSUNITS = {code})"
+        raise GeometryError(f'{path}: says {said}: write unit = "mm", or what its numbers are in')
+    return UNITS[code]
+
+
+def _check_flat(path: File, entities: list[tuple[list[Shape], str, str]], size: float) -> None:
+    low, high = math.inf, -math.inf
+    for shapes, _, _ in entities:
+        for shape in shapes:
+            bounds = shape.extent()
+            low, high = min(low, size * float(bounds[0][2])), max(high, size * float(bounds[1][2]))
+    if high - low > FLAT:
+        raise GeometryError(
+            f"{path}: its z runs from {1e3 * low:.6g} to {1e3 * high:.6g} mm: write axes = 3 for a contour in space, or choose a flat layer"
+        )
+
+
+@dataclass
+class _Entities:
+    """Goes through entities and keeps what they are made of."""
+
+    file: File
+    folded: str | None
+    shapes: list[tuple[list[Shape], str, str]] = field(default_factory=list)
+    left_out: list[LeftOut] = field(default_factory=list)
+    notes: list[str] = field(default_factory=list)
+    layers: dict[str, None] = field(default_factory=dict)
+
+    def add(self, entities: Iterable[Any], inherited: str | None = None) -> None:
+        """Take entities in; those of a block that lie on layer 0 lie on the layer of the block's reference."""
+        for entity in entities:
+            kind, layer = entity.dxftype(), entity.dxf.get("layer", "0")
+            if layer == "0" and inherited is not None:
+                layer = inherited
+            if kind == "INSERT":
+                self._add_block(entity, layer)
+                continue
+            if self._is_chosen(layer):
+                self._add_one(entity, kind, layer)
+
+    def _is_chosen(self, layer: str) -> bool:
+        self.layers[layer] = None
+        return self.folded is None or layer.casefold() == self.folded
+
+    def _add_block(self, insert: Any, layer: str) -> None:
+        def skipped(entity: Any, reason: str) -> None:
+            own = entity.dxf.get("layer", "0")
+            if self._is_chosen(layer if own == "0" else own):
+                self.left_out.append(LeftOut(entity.dxftype(), own, reason))
+
+        for one in insert.multi_insert() if insert.mcount > 1 else [insert]:
+            self.add(one.virtual_entities(skipped_entity_callback=skipped), layer)
+        for attribute in insert.attribs:
+            if self._is_chosen(attribute.dxf.get("layer", "0")):
+                self.left_out.append(LeftOut("ATTRIB", attribute.dxf.get("layer", "0")))
+
+    def _add_one(self, entity: Any, kind: str, layer: str) -> None:
+        read = READERS.get(kind)
+        if read is None or (kind == "POLYLINE" and not (entity.is_2d_polyline or entity.is_3d_polyline)):
+            self.left_out.append(LeftOut(kind, layer))
+            return
+        handle = entity.dxf.get("handle")
+        what = f"{kind} #{handle}" if handle else f"{kind} of a block"
+        try:
+            shapes = read(entity)
+        except (GeometryError, ValueError, TypeError, ArithmeticError) as error:
+            raise GeometryError(f"{self.file}: {what} on layer {layer}: {error}") from error
+        if shapes:
+            self.shapes.append((shapes, what, layer))
+        else:
+            self.notes.append(f"{what}: has no length")
+
+
+# --- entities ------------------------------------------------------------------------------------------------------------------------
+
+
+def _point(vector: Any) -> Array:
+    return np.array([vector.x, vector.y, vector.z])
+
+
+def _axes(entity: Any) -> tuple[Array, Array, Array]:
+    """Return the axes of the entity's own coordinates, in those of the world."""
+    ocs = entity.ocs()
+    return _point(ocs.ux), _point(ocs.uy), _point(ocs.uz)
+
+
+def _line(entity: Any) -> list[Shape]:
+    start, end = _point(entity.dxf.start), _point(entity.dxf.end)
+    return [LineShape(start, end)] if np.any(start != end) else []
+
+
+def _circle(entity: Any) -> list[Shape]:
+    ux, uy, _ = _axes(entity)
+    centre, radius = _point(entity.ocs().to_wcs(entity.dxf.center)), abs(entity.dxf.radius)
+    start, sweep = 0.0, 2.0 * math.pi
+    if entity.dxftype() == "ARC":
+        start = math.radians(entity.dxf.start_angle)
+        sweep = math.radians((entity.dxf.end_angle - entity.dxf.start_angle) % 360.0) or 2.0 * math.pi
+    return [ConicShape(centre, radius * ux, radius * uy, start, start + sweep)] if radius > 0.0 else []
+
+
+def _ellipse(entity: Any) -> list[Shape]:
+    start, end = entity.dxf.start_param, entity.dxf.end_param
+    sweep = (end - start) % (2.0 * math.pi)
+    if sweep < 1e-9:  # a full turn is written as 0 to 2 pi, with as many digits as the writer has
+        sweep = 2.0 * math.pi
+    return [ConicShape(_point(entity.dxf.center), _point(entity.dxf.major_axis), _point(entity.minor_axis), start, start + sweep)]
+
+
+def _spline(entity: Any) -> list[Shape]:
+    points = np.array(entity.control_points, dtype=float).reshape(-1, 3)
+    if len(points):
+        knots, weights = np.array(entity.knots, dtype=float), np.array(entity.weights, dtype=float)
+        return [SplineShape(int(entity.dxf.degree), points, knots, weights if weights.size else None)]
+    made = entity.construction_tool()  # through fit points, as drawing programs draw them
+    points = np.array([(p.x, p.y, p.z) for p in made.control_points])
+    return [SplineShape(made.degree, points, np.array(made.knots()), None)]
+
+
+def _lwpolyline(entity: Any) -> list[Shape]:
+    rows = [(x, y, entity.dxf.get("elevation", 0.0), bulge) for x, y, bulge in entity.get_points("xyb")]
+    return list(_through(rows, bool(entity.closed), _axes(entity)))
+
+
+def _polyline(entity: Any) -> list[Shape]:
+    frame, flat = np.eye(3), entity.is_2d_polyline
+    level = entity.dxf.elevation.z if flat and entity.dxf.hasattr("elevation") else None
+    rows = []
+    for vertex in entity.vertices:
+        if vertex.dxf.get("flags", 0) & SPLINE_FRAME:
+            continue
+        place = vertex.dxf.location
+        rows.append((place.x, place.y, place.z if level is None else level, vertex.dxf.get("bulge", 0.0) if flat else 0.0))
+    axes = _axes(entity) if flat else (frame[0], frame[1], frame[2])
+    return list(_through(rows, bool(entity.is_closed), axes))
+
+
+def _through(rows: list[tuple[float, float, float, float]], closed: bool, axes: tuple[Array, Array, Array]) -> Iterator[Shape]:
+    """Yield lines and arcs through vertices (x, y, z, bulge), given in the entity's own coordinates."""
+    frame = np.array(axes)
+    pairs = zip(rows, rows[1:] + rows[:1] if closed else rows[1:], strict=False)
+    for (*first, bulge), (*second, _) in pairs:
+        a, b = np.array(first) @ frame, np.array(second) @ frame
+        chord = float(np.linalg.norm(b - a))
+        if chord == 0.0:
+            continue
+        # A bulge is the tangent of a quarter of the arc's angle; an arc as flat as rounding is a line.
+        if abs(bulge) <= 1e-11:
+            yield LineShape(a, b)
+            continue
+        left = np.cross(axes[2], (b - a) / chord)
+        height = 0.25 * chord * (1.0 - bulge**2) / bulge
+        centre = 0.5 * (a + b) + height * left
+        spoke = a - centre
+        side = np.cross(axes[2], spoke)
+        yield ConicShape(centre, spoke, side, 0.0, 4.0 * math.atan(bulge))
+
+
+READERS: dict[str, Callable[[Any], list[Shape]]] = {
+    "LINE": _line,
+    "ARC": _circle,
+    "CIRCLE": _circle,
+    "ELLIPSE": _ellipse,
+    "SPLINE": _spline,
+    "LWPOLYLINE": _lwpolyline,
+    "POLYLINE": _polyline,
+}

@@ -1,0 +1,150 @@
+"""Contours through or near points, out of text files of numbers."""
+
+from __future__ import annotations
+
+import math
+import re
+from pathlib import Path as File
+
+import numpy as np
+from numpy.typing import NDArray
+
+from contourlab.contours.drawing import unit_size
+from contourlab.contours.fit import PointFit, fit_points
+from contourlab.errors import GeometryError, UnitError
+
+__all__ = ["CORNER_ANGLE", "read_points"]
+
+Array = NDArray[np.float64]
+CORNER_ANGLE = math.radians(30.0)
+"""Turn of the polygon of points that is a corner, where none is stated."""
+_HEAD = re.compile(r"\s*\"?\s*([A-Za-z_]\w*)\s*(?:[\[(]\s*([^\])]*?)\s*[\])])?\s*\"?\s*\Z")
+
+
+def read_points(
+    file: str | File,
+    *,
+    unit: str | None = None,
+    tolerance: float | None = None,
+    corner_angle: float = CORNER_ANGLE,
+    scale: float = 1.0,
+    reverse: bool = False,
+) -> PointFit:
+    """Read points and lay a curve through them, or near them.
+
+    Parameters
+    ----------
+    file : str or Path
+        A row for each point, its coordinates parted by commas, semicolons, tabs or blanks; beside semicolons a decimal comma is read. The
+        first row may name the axes, with units: ``x [mm],y [mm]``. Empty rows and what follows a # are passed over.
+    unit : str, optional
+        Of columns whose unit the file does not say.
+    tolerance, corner_angle
+        See `contourlab.contours.fit.fit_points`.
+    scale : float, > 0
+        Factor on all coordinates.
+    reverse : bool
+        Take the points from the last to the first.
+
+    Raises
+    ------
+    GeometryError
+        If a row is no point, repeats the one before, or there are fewer than two; says file and line.
+    UnitError
+        If `unit` is no unit of length.
+    """
+    path = File(file)
+    rows = _rows(path)
+    names, factors, rows = _head(rows, path, unit)
+    points = np.empty((len(rows), len(names)))
+    for i, (line, cells) in enumerate(rows):
+        points[i] = _numbers(cells, len(names), path, line)
+        if i and np.array_equal(points[i], points[i - 1]):
+            raise GeometryError(f"{path}:{line}: repeats the point of line {rows[i - 1][0]}: leave one out")
+    if len(points) < 2:
+        raise GeometryError(f"{path}: holds {len(points)} points: two or more are wanted")
+    points *= scale * np.array(factors)
+    points = points[:, _order(names)]
+    try:
+        return fit_points(points[::-1] if reverse else points, tolerance, corner_angle)
+    except GeometryError as error:
+        raise GeometryError(f"{path}: {error}") from error
+
+
+def _rows(path: File) -> list[tuple[int, list[str]]]:
+    try:
+        text = path.read_bytes().decode("utf-8-sig")
+    except UnicodeDecodeError as error:
+        raise GeometryError(f"{path}: is not UTF-8 text (byte {error.start})") from error
+    except OSError as error:
+        raise GeometryError(f"{path}: cannot be read: {error.strerror or error}") from error
+    lines = [(number, line.partition("#")[0].strip()) for number, line in enumerate(text.splitlines(), 1)]
+    lines = [(number, line) for number, line in lines if line]
+    first = lines[0][1] if lines else ""
+    mark = next((mark for mark in (";", ",", "\t") if mark in first), None)
+    found = []
+    for number, line in lines:
+        cells = [cell.strip() for cell in (line.split(mark) if mark else line.split())]
+        # A header of names and units parted by blanks alone: "x [mm] y [mm]".
+        if mark is None and line is first and "[" in line:
+            cells = re.findall(r"\w+\s*\[[^\]]*\]|\w+", line)
+        found.append((number, [cell.replace(",", ".") for cell in cells] if mark == ";" else cells))
+    return found
+
+
+def _head(rows: list[tuple[int, list[str]]], path: File, unit: str | None) -> tuple[list[str], list[float], list[tuple[int, list[str]]]]:
+    """Return names and units [m] of the columns, and the rows below the header."""
+    if not rows:
+        raise GeometryError(f"{path}: holds no points")
+    line, cells = rows[0]
+    heads = [_HEAD.match(cell) for cell in cells]
+    is_head = any(head is not None and head[1].lower() not in ("nan", "inf", "infinity") for head in heads)
+    if not is_head:
+        names = [str(i) for i in range(len(cells))]
+        units: list[str | None] = [None] * len(cells)
+    else:
+        for cell, head in zip(cells, heads, strict=True):
+            if head is None:
+                raise GeometryError(f"{path}:{line}: {cell!r} names no axis: write for example x [mm],y [mm]")
+        names = [head[1].lower() for head in heads if head]
+        units = [head[2] for head in heads if head]
+        rows = rows[1:]
+    if len(names) < 2 or len(names) > 3:
+        raise GeometryError(f"{path}:{line}: has {len(names)} columns: two or three are wanted, one for each axis")
+    if len(set(names)) != len(names):
+        raise GeometryError(f"{path}:{line}: an axis stands there twice")
+    return names, [_factor(own, unit, path, line) for own in units], rows
+
+
+def _factor(own: str | None, unit: str | None, path: File, line: int) -> float:
+    said = own or unit
+    if own and unit and own != unit:
+        raise GeometryError(f"{path}:{line}: says {own}, and unit = {unit!r} is given: leave one out")
+    if not said:
+        raise GeometryError(f'{path}:{line}: says no unit: write unit = "mm", or a header such as x [mm],y [mm]')
+    try:
+        return unit_size(said)
+    except UnitError as error:
+        if own:
+            raise GeometryError(f"{path}:{line}: {error}") from error
+        raise
+
+
+def _order(names: list[str]) -> list[int]:
+    """Return the columns in the order of the axes: x, y and z by name, others as they stand."""
+    return sorted(range(len(names)), key=lambda i: names[i]) if set(names) <= {"x", "y", "z"} else list(range(len(names)))
+
+
+def _numbers(cells: list[str], n: int, path: File, line: int) -> list[float]:
+    if len(cells) != n:
+        raise GeometryError(f"{path}:{line}: has {len(cells)} columns, {n} are wanted")
+    found = []
+    for cell in cells:
+        try:
+            number = float(cell)
+        except ValueError:
+            raise GeometryError(f"{path}:{line}: {cell!r} is no number") from None
+        if not math.isfinite(number):
+            raise GeometryError(f"{path}:{line}: {cell} is not finite")
+        found.append(number)
+    return found

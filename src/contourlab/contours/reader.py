@@ -1,0 +1,159 @@
+"""One door for contours in files, chosen by the ending of the name."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+from pathlib import Path as File
+
+from contourlab.contours.drawing import Drawing
+from contourlab.contours.dxf import read_dxf
+from contourlab.contours.points import CORNER_ANGLE, read_points
+from contourlab.contours.svg import read_svg
+from contourlab.errors import GeometryError
+from contourlab.geometry import Path
+
+__all__ = ["SUFFIXES", "ContourReading", "read_contour", "study_contour"]
+
+SUFFIXES = {
+    ".dxf": ("unit", "tolerance", "layer", "chain", "scale", "axes", "ignore", "reverse"),
+    ".svg": ("unit", "tolerance", "chain", "scale", "ignore", "reverse"),
+    ".csv": ("unit", "tolerance", "scale", "corner_angle", "reverse"),
+    ".txt": ("unit", "tolerance", "scale", "corner_angle", "reverse"),
+}
+"""Endings of file names, and what can be said about each kind."""
+
+
+@dataclass(frozen=True, eq=False)
+class ContourReading:
+    """A contour from a file, and what there is to say about how it came about.
+
+    Attributes
+    ----------
+    path : Path
+    notes : tuple of str
+        What was left out; how far a smoothed curve strays from its points.
+    """
+
+    path: Path
+    notes: tuple[str, ...] = ()
+
+
+def read_contour(
+    file: str | File,
+    *,
+    unit: str | None = None,
+    tolerance: float | None = None,
+    layer: str | None = None,
+    chain: int | None = None,
+    scale: float = 1.0,
+    axes: int | None = None,
+    ignore: Sequence[str] = (),
+    corner_angle: float | None = None,
+    reverse: bool = False,
+) -> Path:
+    """Read a contour from a drawing (.dxf, .svg) or from points (.csv, .txt).
+
+    Parameters
+    ----------
+    file : str or Path
+    unit : str, optional
+        Of the file's numbers, such as ``"mm"`` or ``"inch"``; goes before what a drawing says itself.
+    tolerance : float [m], optional
+        In drawings the largest gap between ends that meet, 1 um by default. Of points the largest distance at which a smoothing spline
+        passes them; by default it passes through them.
+    layer : str, optional
+        Layer of a DXF drawing.
+    chain : int, optional
+        Which of several separate chains, counted from 1 in the order of the file.
+    scale : float, > 0
+        Factor on all coordinates.
+    axes : {2, 3}, optional
+        Of a DXF drawing: 3 for a contour in space.
+    ignore : sequence of str
+        Kinds of entities that need not be driven along, such as ``"TEXT"``.
+    corner_angle : float [rad], optional
+        Points: a turn of their polygon by more than this is a corner, 30 degrees by default.
+    reverse : bool
+        Run it from its end to its start.
+
+    Raises
+    ------
+    GeometryError
+        If the file cannot be read as what its name says, or what is asked for is not there; says which file and place.
+    UnitError
+        If `unit` is no unit of length.
+    """
+    return study_contour(
+        file,
+        unit=unit,
+        tolerance=tolerance,
+        layer=layer,
+        chain=chain,
+        scale=scale,
+        axes=axes,
+        ignore=ignore,
+        corner_angle=corner_angle,
+        reverse=reverse,
+    ).path
+
+
+def study_contour(
+    file: str | File,
+    *,
+    unit: str | None = None,
+    tolerance: float | None = None,
+    layer: str | None = None,
+    chain: int | None = None,
+    scale: float = 1.0,
+    axes: int | None = None,
+    ignore: Sequence[str] = (),
+    corner_angle: float | None = None,
+    reverse: bool = False,
+) -> ContourReading:
+    """Read a contour as `read_contour` does, and say how it came about."""
+    path = File(file)
+    given = {"layer": layer, "chain": chain, "axes": axes, "ignore": tuple(ignore) or None, "corner_angle": corner_angle}
+    suffix = _checked(path, [name for name, value in given.items() if value is not None], scale)
+    if axes not in (None, 2, 3):
+        raise GeometryError(f"axes = {axes!r}: 2 or 3 is wanted")
+    if suffix in (".csv", ".txt"):
+        angle = CORNER_ANGLE if corner_angle is None else corner_angle
+        fit = read_points(path, unit=unit, tolerance=tolerance, corner_angle=angle, scale=scale, reverse=reverse)
+        return ContourReading(fit.path, (fit.note,))
+    if suffix == ".dxf":
+        drawing = read_dxf(path, unit=unit, tolerance=tolerance, layer=layer, scale=scale, axes=axes or 2)
+    else:
+        drawing = read_svg(path, unit=unit, tolerance=tolerance, scale=scale)
+    return _of_drawing(drawing, chain, ignore, reverse)
+
+
+def _checked(path: File, given: Sequence[str], scale: float) -> str:
+    suffix = path.suffix.lower()
+    if suffix not in SUFFIXES:
+        raise GeometryError(f"{path}: its ending says nothing of its kind: {', '.join(SUFFIXES)} can be read")
+    for name in given:
+        if name not in SUFFIXES[suffix]:
+            raise GeometryError(f"{path}: {name} says nothing about a file of this kind: leave it out")
+    if not (scale > 0.0 and math.isfinite(scale)):
+        raise GeometryError(f"scale = {scale!r}: must be > 0 and finite")
+    try:
+        there = path.is_file()
+    except (OSError, ValueError) as error:
+        raise GeometryError(f"{str(path)!r} is no file name: {error}") from error
+    if not there:
+        raise GeometryError(f"no file {str(path)!r}")
+    return suffix
+
+
+def _of_drawing(drawing: Drawing, chain: int | None, ignore: Sequence[str], reverse: bool) -> ContourReading:
+    drawing.refuse_left_out(ignore)
+    found = drawing.chosen(chain)
+    if reverse:
+        found = found.backwards()
+    left_out = dict.fromkeys(f"left out: {item.kind}" for item in drawing.left_out)
+    try:
+        return ContourReading(found.path, (*left_out, *drawing.notes))
+    except GeometryError as error:
+        raise GeometryError(f"{drawing.file}: {error}") from error

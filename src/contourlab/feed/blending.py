@@ -1,0 +1,177 @@
+"""Corners rounded within a tolerance (G64 P): a route of exact corners becomes one that can be driven without a stop."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from contourlab.feed.corner_blend import MOST_TURN, control_points, largest_reach
+from contourlab.feed.correspondence import Correspondence
+from contourlab.feed.merging import merged
+from contourlab.feed.route import Route
+from contourlab.geometry import Arc, Curve, Line, Path
+from contourlab.geometry.blend import blends, quintic_bezier
+from contourlab.geometry.path import CORNER_ANGLE
+
+__all__ = ["blended", "rounded"]
+
+Array = NDArray[np.float64]
+Index = NDArray[np.int64]
+
+_NEARLY_ALL = 0.99
+"""Of a curve with a blend at one end only, so much may be used."""
+_NEARLY_HALF = 0.495
+"""A blend that would stop short of the middle of its share leaves no sliver: it ends here, or at the middle itself."""
+
+
+class _Corners(NamedTuple):
+    """Corners to blend: the curves before and after each, and by how much it turns [rad]."""
+
+    before: Index
+    after: Index
+    turn: Array
+
+
+def blended(route: Route) -> Route:
+    """Return the route with dust merged and corners rounded, each within its tolerance.
+
+    Parameters
+    ----------
+    route : Route
+        With `merge_tolerance` and `corner_tolerance`; the route itself where both are 0 everywhere.
+
+    Returns
+    -------
+    Route
+        `path` is the new path, `programmed` the programmed one, `correspondence` the map between them. It leaves the programmed path by
+        no more than both tolerances together.
+
+    Notes
+    -----
+    See `contourlab.feed.merging` and `rounded`.
+    """
+    return rounded(merged(route))
+
+
+def rounded(route: Route) -> Route:
+    """Return the route with its corners rounded by quintic blends.
+
+    Parameters
+    ----------
+    route : Route
+        With `corner_tolerance` [m].
+
+    Returns
+    -------
+    Route
+
+    Notes
+    -----
+    A corner between lines, arcs and helices is replaced by a curve of continuous tangent and curvature; see `contourlab.feed.corner_blend`.
+    At most half of a curve goes to the blend at either end, and at most 99 % where only one end has a blend. Corners with a dwell or an
+    exact stop, reversals (more than 175 degrees) and corners of other curves stay. A blend has the lower feedrate of its two curves and
+    is rapid only if both are; its line of the program is that of the curve before it.
+    """
+    path = route.path
+    corners = _corners(route)
+    if not corners.before.size:
+        return route
+    span = np.diff(path.breaks)
+    reach = _reach(route, corners, span)
+    on = np.flatnonzero(reach > 0.0)
+    if not on.size:
+        return route
+    return _assembled(route, _Corners(corners.before[on], corners.after[on], corners.turn[on]), reach[on], span)
+
+
+def _corners(route: Route) -> _Corners:
+    """Return the corners that may be blended."""
+    path, n = route.path, route.n_curve
+    before = np.arange(n if path.closed and n > 1 else n - 1)
+    after = (before + 1) % n
+    first, second = path._ends[1][before], path._starts[1][after]
+    turn = 2.0 * np.arctan2(np.linalg.norm(second - first, axis=1), np.linalg.norm(second + first, axis=1))
+    plain = np.array([type(curve) in (Line, Arc) for curve in path.curves], dtype=bool)
+    wanted = (route.corner_tolerance[before] > 0.0) & (route.dwell[before] == 0.0) & ~route.exact_stop[before]
+    wanted &= (turn > CORNER_ANGLE) & (turn < MOST_TURN) & plain[before] & plain[after]
+    return _Corners(before[wanted], after[wanted], turn[wanted])
+
+
+def _reach(route: Route, corners: _Corners, span: Array) -> Array:
+    """Return how much of its two curves each blend uses, within its shares of them, so that no curve is left with a sliver."""
+    n = route.n_curve
+    at_end, at_start = np.zeros(n, dtype=bool), np.zeros(n, dtype=bool)
+    at_end[corners.before], at_start[corners.after] = True, True
+    both = at_end & at_start
+    share = np.where(both, 0.5, _NEARLY_ALL) * span
+    room = np.minimum(share[corners.before], share[corners.after])
+    reach = largest_reach(route.path, *corners, route.corner_tolerance[corners.before], room)
+    for _ in range(2):  # a blend shortened for one of its curves may come near the middle of the other
+        for curve in (corners.before, corners.after):
+            sliver = both[curve] & (reach > _NEARLY_HALF * span[curve]) & (reach < 0.5 * span[curve])
+            reach = np.where(sliver, _NEARLY_HALF * span[curve], reach)
+    return reach
+
+
+class _Part(NamedTuple):
+    """Curves of the new path: where in the old order they belong, the old curve that speaks for each, and their places on the old path."""
+
+    rank: Index
+    owner: Index
+    begin: Array
+    curves: list[Curve]
+
+
+def _assembled(route: Route, corners: _Corners, reach: Array, span: Array) -> Route:
+    path, points = route.path, control_points(route.path, *corners, reach)
+    made, number = blends(quintic_bezier(points))
+    begin = path.breaks[corners.before + 1] - reach
+    # A blend that had to be divided is spread over its place by length.
+    length = np.array([blend.length for blend in made])
+    done = np.concatenate([[0.0], np.cumsum(length)])[:-1]
+    first = np.searchsorted(number, number)
+    share = (done - done[first]) / np.bincount(number, weights=length)[number]
+    rounds = _Part(2 * corners.before[number] + 1, corners.before[number], begin[number] + 2.0 * reach[number] * share, list(made))
+    kept = _trimmed(path, corners, reach, points, span)
+    order = np.argsort(np.concatenate([kept.rank, rounds.rank]), kind="stable")
+    curves = [*kept.curves, *rounds.curves]
+    planned = Path([curves[i] for i in order.tolist()], path.closed)
+    places = np.concatenate([kept.begin, rounds.begin])[order]
+    places = np.append(places, places[0] + path.length if path.closed else path.length)
+    between = Correspondence(planned.breaks, places)
+    owner = np.concatenate([kept.owner, rounds.owner])[order]
+    is_round = order >= len(kept.curves)
+    ahead = (owner + 1) % route.n_curve
+    return replace(
+        route,
+        path=planned,
+        programmed=route.programmed,
+        feedrate=np.where(is_round, np.minimum(route.feedrate[owner], route.feedrate[ahead]), route.feedrate[owner]),
+        rapid=np.where(is_round, route.rapid[owner] & route.rapid[ahead], route.rapid[owner]),
+        correspondence=between if route.correspondence is None else route.correspondence.after(between),
+        **{name: getattr(route, name)[owner] for name in ("dwell", "source_line", "corner_tolerance", "merge_tolerance", "exact_stop")},
+    )
+
+
+def _trimmed(path: Path, corners: _Corners, reach: Array, points: Array, span: Array) -> _Part:
+    """Return what the blends leave of the curves."""
+    low, high = np.zeros_like(span), span.copy()
+    low[corners.after], high[corners.before] = reach, span[corners.before] - reach
+    stays = high - low > 1e-9 * span
+    cut = stays & ((low > 0.0) | (high < span))
+    straight = np.array([type(curve) is Line for curve in path.curves], dtype=bool)
+    lines = np.flatnonzero(straight & cut)
+    start, end = path._starts[0].copy(), path._ends[0].copy()
+    uncut: list[Any] = [path.curves[i] for i in lines.tolist()]
+    end[lines] = np.reshape([line.end for line in uncut], (-1, path.n_axis))
+    # The very points of the blends, so that nothing opens by a rounding.
+    start[corners.after], end[corners.before] = points[:, 5], points[:, 0]
+    new: dict[int, Curve] = dict(zip(lines.tolist(), Line.many(start[lines], end[lines]), strict=True))
+    for i in np.flatnonzero(~straight & cut).tolist():
+        arc: Any = path.curves[i]
+        new[i] = arc.part(low[i], high[i])
+    left = np.flatnonzero(stays)
+    return _Part(2 * left, left, path.breaks[left] + low[left], [new.get(i, path.curves[i]) for i in left.tolist()])

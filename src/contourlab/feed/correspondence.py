@@ -1,0 +1,82 @@
+"""Which place of the programmed path belongs to a place of the planned one."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from contourlab.errors import FeedError
+from contourlab.geometry import Path
+
+__all__ = ["Correspondence", "place_on_programmed"]
+
+Array = NDArray[np.float64]
+
+
+@dataclass(frozen=True, eq=False)
+class Correspondence:
+    """A rising map from arc length on the planned path to arc length on the programmed one, linear between its nodes.
+
+    Parameters
+    ----------
+    planned, programmed : array_like (n_node,) [m]
+        Rising strictly. The first and the last planned ones are the ends of the planned path. Behind them, on a path driven in laps, the
+        map goes on with a lap of each.
+
+    Raises
+    ------
+    FeedError
+        If there are fewer than two nodes, or they do not rise.
+    """
+
+    planned: Array
+    programmed: Array
+
+    def __post_init__(self) -> None:
+        for name in ("planned", "programmed"):
+            values = np.array(getattr(self, name), dtype=float)
+            if values.ndim != 1 or values.size < 2 or not np.all(np.diff(values) > 0.0):
+                raise FeedError(f"{name}: a map between paths wants two nodes or more, rising strictly")
+            values.flags.writeable = False
+            object.__setattr__(self, name, values)
+        if self.planned.size != self.programmed.size:
+            raise FeedError(f"{self.planned.size} planned nodes and {self.programmed.size} programmed ones: one for one is wanted")
+
+    def _laps(self, s: ArrayLike) -> tuple[Array, Array]:
+        along, lap = np.atleast_1d(np.asarray(s, dtype=float)), self.planned[-1] - self.planned[0]
+        number = np.floor((along - self.planned[0]) / lap)
+        return along - number * lap, number * (self.programmed[-1] - self.programmed[0])
+
+    def __call__(self, s: ArrayLike) -> Array:
+        """Return the programmed arc lengths (n,) [m] of planned ones (n,) [m]."""
+        along, lap = self._laps(s)
+        return np.asarray(np.interp(along, self.planned, self.programmed) + lap)
+
+    def span(self, s: ArrayLike) -> Array:
+        """Return how long on the programmed path (n,) [m] the interval between nodes is in which planned arc lengths (n,) lie."""
+        along, _ = self._laps(s)
+        i = np.clip(np.searchsorted(self.planned, along, side="right") - 1, 0, self.planned.size - 2)
+        return np.asarray(np.diff(self.programmed)[i])
+
+    def after(self, first: Correspondence) -> Correspondence:
+        """Return the map that does `first`, then this one."""
+        # A lap of `first` may begin anywhere on a lap of this one: the nodes of two laps are within its reach.
+        mine = np.concatenate([self.planned, self.planned[1:] + (self.planned[-1] - self.planned[0])])
+        mine = mine[(mine > first.programmed[0]) & (mine < first.programmed[-1])]
+        nodes = np.unique(np.concatenate([first.planned, np.interp(mine, first.programmed, first.planned)]))
+        values = self(first(nodes))
+        # Nodes that coincide but for rounding are one.
+        values = np.minimum(np.maximum.accumulate(values), values[-1])
+        keep = np.append(True, np.diff(values) > 0.0)
+        nodes, values = nodes[keep], values[keep]
+        nodes[-1] = first.planned[-1]
+        return Correspondence(nodes, values)
+
+
+def place_on_programmed(correspondence: Correspondence | None, path: Path, programmed: Path, s: ArrayLike) -> Array:
+    """Return the programmed arc lengths (n,) of planned ones (n,); in proportion where two paths differ and nothing says how."""
+    if correspondence is not None:
+        return correspondence(s)
+    return np.atleast_1d(np.asarray(s, dtype=float)) * (1.0 if programmed is path else programmed.length / path.length)

@@ -1,0 +1,201 @@
+"""Recursions along the samples of a stretch. They are compiled by `contourlab.native.door`, and run as plain Python as well.
+
+Arrays over samples have the length n, derivatives of the path the shape (n, n_axis). Two samples may lie at one place, the end of one curve
+and the start of the next, where the curvature jumps. x stands for v^2: between samples the acceleration a is constant, so x is linear in
+the arc length, x' = 2 a.
+"""
+
+# mypy: disable-error-code="no-untyped-def, no-untyped-call"
+from __future__ import annotations
+
+import math
+
+__all__ = ["flatten", "reach", "spread"]
+
+TINY = 1e-9  # of a tangent: an axis that moves less has no say in the acceleration
+N_NEWTON = 60
+
+
+def _tightest(x, i, double, sign, tangent, second, third, turning, speeding, reference, acceleration, jerk, period):
+    """Return the upper limit of sign * a between the samples i and i + 1 where x is given at i, and the limit's slope over x.
+
+    The axes' accelerations are held at both ends of the interval; the second end is where x has become x + 2 a ds.
+    """
+    best, slope = math.inf, 0.0
+    for axis in range(acceleration.size):
+        for at in range(i, i + 2):
+            p, q = tangent[at, axis], second[at, axis]
+            if at > i:
+                p += double * q
+            p *= sign
+            if p < 0.0:
+                p, q = -p, -q
+            if p > TINY:
+                value = (acceleration[axis] * turning[at] - q * x) / p
+                if value < best:
+                    best, slope = value, -q / p
+        if period > 0.0:
+            p = abs(tangent[i, axis]) / (period * speeding[i]) + 3.0 * abs(second[i, axis]) * reference[i]
+            if p > 0.0:
+                q = abs(third[i, axis]) * reference[i]
+                value = (jerk[axis] - q * x) / p
+                if value < best:
+                    best, slope = value, -q / p
+    return best, slope
+
+
+def _note(turning, speeding, reference, ceiling, known, flags):
+    """Flag with 1 the intervals whose limits are others than in `known`, and note the new ones there."""
+    n = turning.size
+    for i in range(n):
+        flags[i] = 0
+        if turning[i] != known[0, i]:
+            flags[i] = 1
+            if i > 0:  # the interval before ends here
+                flags[i - 1] = 1
+        if speeding[i] != known[1, i] or reference[i] != known[2, i] or ceiling[i] != known[3, i]:
+            flags[i] = 1
+        known[0, i], known[1, i], known[2, i], known[3, i] = turning[i], speeding[i], reference[i], ceiling[i]
+
+
+def _controllable(i, double, following, x, tangent, second, third, turning, speeding, reference, acceleration, jerk, period):
+    """Return the greatest v^2 up to x at sample i from which the next sample can be reached with no more than `following`.
+
+    The interval of accelerations is a concave function of v^2: Newton's steps from above end at its last root.
+    """
+    for _ in range(N_NEWTON):
+        high, high_slope = _tightest(x, i, double, 1.0, tangent, second, third, turning, speeding, reference, acceleration, jerk, period)
+        low, low_slope = _tightest(x, i, double, -1.0, tangent, second, third, turning, speeding, reference, acceleration, jerk, period)
+        if (following - x) / double < high:
+            high, high_slope = (following - x) / double, -1.0 / double
+        if x / double < low:
+            low, low_slope = x / double, 1.0 / double
+        gap = high + low
+        if gap >= -1e-13 * (abs(high) + abs(low)):
+            break
+        slope = high_slope + low_slope
+        x = max(x - gap / slope, 0.0) if slope < 0.0 else 0.5 * x
+    return x
+
+
+def reach(
+    arc_length, tangent, second, third, turning, speeding, reference, ceiling, acceleration, jerk, period, known, flags, behind, square
+):
+    """Find the fastest v^2 from rest to rest: backward the speeds from which the rest can be driven, forward the greatest of them.
+
+    Called again with other limits, it works out anew only what they change.
+
+    Parameters
+    ----------
+    arc_length (n,); tangent, second, third (n, n_axis)
+    turning, speeding (n,)
+        Parts of the acceleration limits, and of the jerk kept for changes of the tangential acceleration, that may be used.
+    reference (n,) [m/s]
+        Speed at which the shares of the jerk limit are reckoned; at or above the true one they are on the safe side.
+    ceiling (n,) [m/s]
+        Zero where the motion is at rest, the first and the last sample among them.
+    acceleration, jerk (n_axis,)
+    period [s]
+        In which the tangential acceleration may rise to its full; 0: the jerk does not count.
+    known (4, n), flags (n,), behind (n,), square (n,)
+        Of the call before, nan in `known` for the first; then filled: the limits, what has changed, the greatest v^2 from which the rest
+        can be driven, and the result v^2 [m^2/s^2].
+    """
+    n = arc_length.size
+    _note(turning, speeding, reference, ceiling, known, flags)
+    moved = True
+    for i in range(n - 1, -1, -1):
+        # A change of what follows reaches the interval that ends there.
+        if flags[i] == 0 and not moved:
+            continue
+        x = ceiling[i] * ceiling[i]
+        if i < n - 1:
+            double = 2.0 * (arc_length[i + 1] - arc_length[i])
+            if double <= 0.0:
+                x = min(x, behind[i + 1])
+            else:
+                x = _controllable(
+                    i, double, behind[i + 1], x, tangent, second, third, turning, speeding, reference, acceleration, jerk, period
+                )
+        moved = x != behind[i]
+        behind[i] = x
+        if moved:
+            flags[i] |= 2
+    moved = True
+    for i in range(n):
+        if i > 0 and flags[i - 1] == 0 and flags[i] == 0 and not moved:
+            continue
+        x = behind[i]
+        if i > 0:
+            double, start = 2.0 * (arc_length[i] - arc_length[i - 1]), square[i - 1]
+            if double > 0.0:
+                high, _ = _tightest(
+                    start, i - 1, double, 1.0, tangent, second, third, turning, speeding, reference, acceleration, jerk, period
+                )
+                start = max(start + double * high, 0.0)
+            x = min(x, start)
+        moved = x != square[i]
+        square[i] = x
+
+
+def spread(arc_length, value, width, result, queue):
+    """Find at each place the least of the values that reach it: sample i reaches from s[i] - width[i] to s[i] + width[i].
+
+    Where a lesser value comes by, what reaches further than it is forgotten.
+    """
+    n = arc_length.size
+    for i in range(n):
+        result[i] = value[i]
+    for direction in range(2):
+        head, tail = 0, 0
+        for count in range(n):
+            i = count if direction == 0 else n - 1 - count
+            while tail > head and value[queue[tail - 1]] >= value[i]:
+                tail -= 1
+            queue[tail] = i
+            tail += 1
+            while abs(arc_length[i] - arc_length[queue[head]]) > width[queue[head]]:
+                head += 1
+                if head == tail - 1:
+                    break
+            result[i] = min(result[i], value[queue[head]])
+
+
+def _foot(arc_length, speed, at, towards, level):
+    """Return where the speed falls to `level` between the samples `at` and `towards`; at `at` where it is below it already."""
+    if level >= speed[at]:
+        return arc_length[at]
+    return arc_length[at] + (arc_length[towards] - arc_length[at]) * (speed[at] - level) / (speed[at] - speed[towards])
+
+
+def flatten(arc_length, speed, lasting, ceiling):
+    """Lower the ceiling over each summit of the speed to where it lasts `lasting` seconds: time for the acceleration to change its sign."""
+    n = speed.size
+    i = 1
+    while i < n - 1:
+        if not (speed[i] > speed[i - 1] and speed[i] >= speed[i + 1]):
+            i += 1
+            continue
+        level = speed[i]
+        left, right = i, i
+        # Both feet go down, the higher one first, until the way between them takes long enough or another summit joins.
+        while left > 0 and right < n - 1 and speed[left - 1] <= speed[left] and speed[right + 1] <= speed[right]:
+            lower = max(speed[left - 1], speed[right + 1])
+            on_left = left - 1 if speed[left - 1] >= lower else left
+            on_right = right + 1 if speed[right + 1] >= lower else right
+            if lower < level:
+                a, b = _foot(arc_length, speed, left, left - 1, lower), _foot(arc_length, speed, right, right + 1, lower)
+                if b - a >= lower * lasting:
+                    for _ in range(40):
+                        middle = 0.5 * (lower + level)
+                        a, b = _foot(arc_length, speed, left, left - 1, middle), _foot(arc_length, speed, right, right + 1, middle)
+                        if b - a >= middle * lasting:
+                            lower = middle
+                        else:
+                            level = middle
+                    level = lower
+                    break
+            left, right, level = on_left, on_right, lower
+        for k in range(left, right + 1):
+            ceiling[k] = min(ceiling[k], level)
+        i = right + 1

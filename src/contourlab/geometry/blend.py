@@ -1,0 +1,274 @@
+"""Quintic curves by arc length, made and evaluated in thousands: what rounds the corners of a path."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from contourlab.errors import GeometryError
+from contourlab.geometry.curve import Curve, Together, by_arc_length, ends, rows
+
+__all__ = ["Blend", "Blends", "blends", "quintic_bezier"]
+
+Array = NDArray[np.float64]
+Index = NDArray[np.int64]
+
+ACCURACY = 1e-12
+"""Largest error of an arc length, as a part of the blend's length; a blend that misses it is divided."""
+DEPTH = 12
+"""How often a blend may be halved; one that is still too uneven has a cusp."""
+# A blend is inverted on quarters of its parameter, each by a series of its own: short series reach further than a long one.
+_SPEED_TERMS, _TERMS = 20, 16
+_CHUNK = 1 << 14
+_GAUSS, _GAUSS_WEIGHTS = np.polynomial.legendre.leggauss(20)
+_PROBES = np.array([-0.985, -0.91, -0.57, -0.23, 0.11, 0.42, 0.78, 0.96])
+
+
+def _to_series(n: int) -> tuple[Array, Array]:
+    """Return Chebyshev's extreme points, both ends among them, and the matrix from values there to a Chebyshev series."""
+    k = np.arange(n)
+    angle = np.pi * k / (n - 1)
+    matrix = (2.0 / (n - 1)) * np.cos(k[:, None] * angle)
+    matrix[:, [0, -1]] *= 0.5
+    matrix[[0, -1]] *= 0.5
+    return np.cos(angle), matrix
+
+
+_SPEED_NODES, _SPEED_MATRIX = _to_series(_SPEED_TERMS)
+_NODES, _MATRIX = _to_series(_TERMS)
+
+
+def quintic_bezier(points: ArrayLike) -> Array:
+    """Return the coefficients (n, 6, n_axis) of powers of u, 0 to 1, of Bezier curves with control points (n, 6, n_axis) [m].
+
+    Written in differences from the first point, so that a small curve far from the origin keeps its digits.
+    """
+    p = np.asarray(points, dtype=float)
+    found, difference = np.empty_like(p), p
+    for power, factor in enumerate((1.0, 5.0, 10.0, 10.0, 5.0, 1.0)):
+        found[:, power] = factor * difference[:, 0]
+        difference = np.diff(difference, axis=1)
+    return found
+
+
+def _powers(c: Array, u: Array, order: int) -> Array:
+    """Return quintics with coefficients (6, n_axis, ...) and their derivatives at u (...): (order + 1, n_axis, ...)."""
+    found = [c[0] + u * (c[1] + u * (c[2] + u * (c[3] + u * (c[4] + u * c[5]))))]
+    if order > 0:
+        found.append(c[1] + u * (2.0 * c[2] + u * (3.0 * c[3] + u * (4.0 * c[4] + u * (5.0 * c[5])))))
+    if order > 1:
+        found.append(2.0 * c[2] + u * (6.0 * c[3] + u * (12.0 * c[4] + u * (20.0 * c[5]))))
+    if order > 2:
+        found.append(6.0 * c[3] + u * (24.0 * c[4] + u * (60.0 * c[5])))
+    return np.array(found)
+
+
+def _speeds(c: Array, u: Array) -> Array:
+    """Return |dr/du| (m, n) at the same parameters u (m,), or at u (m, n), of quintics c (6, n_axis, n)."""
+    at = u[:, None] if u.ndim == 1 else u
+    square = np.zeros(np.broadcast_shapes(at.shape, c.shape[-1:]))
+    for axis in range(c.shape[1]):
+        _, c1, c2, c3, c4, c5 = c[:, axis]
+        square += (c1 + at * (2.0 * c2 + at * (3.0 * c3 + at * (4.0 * c4 + at * (5.0 * c5))))) ** 2
+    return np.asarray(np.sqrt(square))
+
+
+def _series(c: Array, x: Array) -> Array:
+    """Return Chebyshev series with coefficients c (terms, n) at x (m, n), by Clenshaw's recursion."""
+    b1, b2 = np.zeros(np.broadcast_shapes(x.shape, c.shape[1:])), np.zeros(1)
+    twice = 2.0 * x
+    for row in c[:0:-1]:
+        b1, b2 = twice * b1 - b2 + row, b1
+    return np.asarray(x * b1 - b2 + c[0])
+
+
+def _measured(c: Array) -> tuple[Array, Array, NDArray[np.bool_]]:
+    """Return the lengths (n,) of quarters c (6, n_axis, n), the series (terms, n) of u over arc length, and which are good.
+
+    The speed is a Chebyshev series of u, integrated term by term to the arc length; Newton steps find the parameters of Chebyshev's points
+    of arc length. The length is checked by a Gauss rule, the inverse at points between.
+    """
+    speed = _SPEED_MATRIX @ _speeds(c, 0.5 * (1.0 + _SPEED_NODES))
+    # The integral of T_k is T_{k+1}/(2k + 2) - T_{k-1}/(2k - 2); the parameter runs over half the interval of x.
+    padded = np.concatenate([speed, np.zeros((2, speed.shape[1]))])
+    k = np.arange(1, _SPEED_TERMS + 1)[:, None]
+    arc = np.empty((_SPEED_TERMS + 1, speed.shape[1]))
+    arc[1:] = 0.25 * (np.concatenate([2.0 * padded[:1], padded[1:-2]]) - padded[2:]) / k
+    arc[0] = -(arc[1:] * np.where(k % 2, -1.0, 1.0)).sum(axis=0)
+    length = arc.sum(axis=0)
+    gauss = 0.5 * (_GAUSS_WEIGHTS @ _speeds(c, 0.5 * (1.0 + _GAUSS)))
+    with np.errstate(divide="ignore", invalid="ignore"):
+        good = np.isfinite(length) & (length > 0.0) & (np.abs(gauss - length) <= 0.1 * ACCURACY * length)
+        wanted = 0.5 * (1.0 + _NODES)[1:-1, None] * length
+        x = np.repeat(_NODES[1:-1, None], c.shape[2], axis=1)
+        for _ in range(7):
+            step = (_series(arc, x) - wanted) / np.maximum(0.5 * _speeds(c, 0.5 * (1.0 + x)), 1e-3 * length)
+            x = np.clip(x - step, -1.0, 1.0)
+            if not np.any(np.abs(step[:, good]) > 1e-9):
+                break
+        x = np.concatenate([np.ones((1, c.shape[2])), x, -np.ones((1, c.shape[2]))])
+        inverse = _MATRIX @ x
+        probe = np.broadcast_to(_PROBES[:, None], (_PROBES.size, c.shape[2]))
+        off = np.abs(_series(arc, np.clip(_series(inverse, probe), -1.0, 1.0)) - 0.5 * (1.0 + probe) * length)
+        good &= (off <= ACCURACY * length).all(axis=0)
+    return length, inverse, good
+
+
+def _halves(c: Array) -> Array:
+    """Return both halves of quintics c (n, 6, n_axis), one after the other: (2 n, 6, n_axis)."""
+    scale = 0.5 ** np.arange(6.0)
+    # (1 + u)^k in powers of u.
+    pascal = np.array([[math.comb(power, i) for power in range(6)] for i in range(6)], dtype=float)
+    left = c * scale[:, None]
+    return np.stack([left, np.einsum("ij,njk->nik", pascal, left)], axis=1).reshape(-1, *c.shape[1:])
+
+
+def _inverted(c: Array) -> tuple[Array, Array, NDArray[np.bool_]]:
+    """Return, of quintics c (n, 6, n_axis), the borders of their quarters (n, 5) [m], the series (n, 4, terms), and which are good."""
+    n = len(c)
+    quarters = np.moveaxis(_halves(_halves(c)), 0, 2)
+    parts = [_measured(quarters[:, :, i : i + _CHUNK].copy()) for i in range(0, 4 * n, _CHUNK)]
+    length, inverse, good = (np.concatenate(column, axis=-1) for column in zip(*parts, strict=True))
+    borders = np.concatenate([np.zeros((n, 1)), np.cumsum(length.reshape(n, 4), axis=1)], axis=1)
+    return borders, np.ascontiguousarray(inverse.T).reshape(n, 4, _TERMS), np.asarray(good.reshape(n, 4).all(axis=1))
+
+
+class Blend(Curve):
+    """A quintic curve r(u) = sum of c_k u^k, u from 0 to 1, by its arc length.
+
+    Parameters
+    ----------
+    coefficients : array_like (6, n_axis) [m]
+        Of the powers of u.
+
+    Raises
+    ------
+    GeometryError
+        If it has no length, or runs so unevenly that u over arc length is not good to 1e-12: `blends` divides such a one.
+
+    Notes
+    -----
+    u over arc length is a Chebyshev series of 16 terms on each quarter of u.
+
+    >>> straight = Blend(quintic_bezier([[(0, 0), (1, 0), (2, 0), (3, 0), (4, 0), (5, 0)]])[0])
+    >>> round(straight.length, 12)
+    5.0
+    """
+
+    def __init__(self, coefficients: ArrayLike) -> None:
+        c = np.array(coefficients, dtype=float)
+        if c.ndim != 2 or c.shape[0] != 6 or c.shape[1] < 1 or not np.isfinite(c).all():
+            raise GeometryError(f"coefficients of shape {c.shape}: six finite ones are wanted for each coordinate, (6, n_axis)")
+        borders, inverse, good = _inverted(c[None])
+        if not good[0]:
+            raise GeometryError("a blend without length, or too uneven for its series: make it with blends(), which divides it")
+        self._fill(c, borders[0], inverse[0], float(borders[0, -1]))
+
+    def _fill(self, coefficients: Array, borders: Array, inverse: Array, length: float) -> None:
+        self.coefficients, self.borders, self.inverse, self.length = coefficients, borders, inverse, length
+        self.n_axis = coefficients.shape[1]
+
+    @classmethod
+    def together(cls, curves: Sequence[Blend]) -> Blends:
+        return Blends(curves)
+
+    def derivatives(self, s: ArrayLike, order: int = 3) -> Array:
+        along = np.atleast_1d(np.asarray(s, dtype=float))
+        return Blends([self]).derivatives(np.zeros(along.size, dtype=np.int64), along, order).transpose(0, 2, 1)
+
+    def describe(self) -> tuple[object, ...]:
+        return ("blend", *self.coefficients.ravel().tolist())
+
+
+class Blends(Together):
+    """Many blends at once."""
+
+    def __init__(self, curves: Sequence[Blend]) -> None:
+        super().__init__(curves)
+        n = len(curves)
+        self.coefficients = np.moveaxis(np.concatenate([c.coefficients for c in curves]).reshape(n, 6, self.n_axis), 0, 2).copy()
+        self.borders = rows(curves, "borders")
+        self.inverse = np.ascontiguousarray(np.concatenate([c.inverse for c in curves]).T)
+
+    def parameter(self, slot: Index, along: Array) -> Array:
+        """Return the parameters u (n,) of arc lengths (n,)."""
+        border = self.borders[:, slot]
+        quarter = (along >= border[1]) * 1 + (along >= border[2]) + (along >= border[3])
+        low, high = np.take_along_axis(border, quarter + np.arange(2)[:, None], axis=0)
+        x = np.clip((2.0 * along - low - high) / (high - low), -1.0, 1.0)
+        part = 0.5 * (1.0 + _series(self.inverse[:, 4 * slot + quarter], x))
+        return np.asarray(0.25 * (quarter + np.clip(part, 0.0, 1.0)))
+
+    def derivatives(self, slot: Index, along: Array, order: int) -> Array:
+        if along.size > _CHUNK:
+            found = np.empty((order + 1, self.n_axis, along.size))
+            # Parts that stay in the processor's cache.
+            for i in range(0, along.size, _CHUNK):
+                found[:, :, i : i + _CHUNK] = self.derivatives(slot[i : i + _CHUNK], along[i : i + _CHUNK], order)
+            return found
+        raw = _powers(self.coefficients[:, :, slot], self.parameter(slot, along), max(order, 1))
+        return by_arc_length(raw.transpose(0, 2, 1), order).transpose(0, 2, 1)
+
+    def marks(self) -> tuple[Array, Index]:
+        return ends(self.length)
+
+    def smallest_radii(self) -> Array:
+        n, u = self.length.size, np.linspace(0.0, 1.0, 65)
+        bend = np.zeros(n)
+        for at in u:
+            raw = _powers(self.coefficients, np.full(n, at), 2)
+            bend = np.maximum(bend, np.linalg.norm(by_arc_length(raw.transpose(0, 2, 1), 2)[2], axis=1))
+        return np.asarray(np.divide(1.0, bend, out=np.full(n, np.inf), where=bend > 0.0))
+
+
+def blends(coefficients: ArrayLike) -> tuple[list[Blend], Index]:
+    """Return blends by arc length of quintic curves, all at once.
+
+    Parameters
+    ----------
+    coefficients : array_like (n, 6, n_axis) [m]
+        Of the powers of u, 0 to 1; see `quintic_bezier`.
+
+    Returns
+    -------
+    list of Blend
+        In order. A curve that is too uneven for its series of u over arc length is halved until each part is good to 1e-12 of its
+        length.
+    ndarray of int
+        To which of the n curves each belongs.
+
+    Raises
+    ------
+    GeometryError
+        If a curve has no length, a cusp, or a coordinate that is not finite; names it.
+    """
+    c = np.array(coefficients, dtype=float)
+    if c.ndim != 3 or c.shape[1] != 6 or c.shape[2] < 1:
+        raise GeometryError(f"coefficients of shape {c.shape}: (n, 6, n_axis) is wanted")
+    usable = np.isfinite(c).all(axis=(1, 2)) & (c[:, 1:] != 0.0).any(axis=(1, 2))
+    if not usable.all():
+        raise GeometryError(f"blend {int(np.argmin(usable))} has no length, or coordinates that are not finite")
+    owner, begin = np.arange(len(c), dtype=np.int64), np.zeros(len(c))
+    made: list[tuple[Index, Array, Array, Array, Array]] = []
+    for depth in range(DEPTH + 1):
+        if not len(c):
+            break
+        borders, inverse, good = _inverted(c)
+        made.append((owner[good], begin[good], c[good], borders[good], inverse[good]))
+        c, owner, begin = _halves(c[~good]), np.repeat(owner[~good], 2), np.repeat(begin[~good], 2)
+        begin[1::2] += 0.5 ** (depth + 1)
+    if len(c):
+        raise GeometryError(f"blend {int(owner[0])} has a cusp, where it stands still: no arc length can be told there")
+    if not made:
+        return [], owner
+    owner, begin, c, borders, inverse = (np.concatenate(column) for column in zip(*made, strict=True))
+    found: list[Blend] = []
+    order = np.lexsort([begin, owner])
+    for row in zip(c[order], borders[order], inverse[order], borders[order, -1].tolist(), strict=True):
+        blend = Blend.__new__(Blend)
+        blend._fill(*row)
+        found.append(blend)
+    return found, owner[order]

@@ -1,0 +1,254 @@
+"""Canned cycles: G73, G74, G81 to G89, in the plane in force, with L repeats, R, and G98 or G99.
+
+A cycle works across the plane: its depth, clearance (R) and level lie along the normal. Before each hole the tool goes, at the level or
+the clearance, to the hole; then come the strokes of the cycle. Within a cycle the path is exact (G61), as in LinuxCNC.
+"""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from contourlab.program.block import Block
+from contourlab.program.fault import BlockError
+from contourlab.program.moves import PLANE_AXES, Dwell, Event, Move, Point
+from contourlab.program.state import ModalState
+from contourlab.program.vocabulary import g_name
+
+__all__ = ["drill"]
+
+PECK_CLEARANCE = 0.010 * 0.0254
+"""How far above the last depth a pecking tool comes back to feed [m]."""
+LEAST_PECK = 1e-10
+"""A last stroke of at most this length [m] is rounding, and left out."""
+MOST_REPEATS = 10_000
+MOST_PECKS = 100_000
+LONGEST_DWELL = 86_400.0
+_DWELLING = (820, 860, 880, 890)
+_TURNING = (740, 840, 860, 870, 880)
+_PECKING = (730, 830)
+
+
+def drill(block: Block, state: ModalState, line: int, *, again: bool) -> list[Move]:
+    """Execute a canned cycle.
+
+    Parameters
+    ----------
+    block : Block
+    state : ModalState
+        Its motion is the cycle.
+    line : int
+    again : bool
+        Whether the same cycle was in force before: words that are missing are then those of the last time.
+
+    Raises
+    ------
+    BlockError
+        If a word is missing, the depth lies above the clearance, or the spindle does not turn as the cycle needs it.
+    """
+    mode = state.mode
+    state.mode = replace(mode, control="exact_path", tolerance=None, merge=None)
+    cycle = _Cycle(block, state, line, again)
+    cycle.run()
+    state.mode = mode
+    return cycle.moves
+
+
+class _Cycle:
+    """One block of a canned cycle."""
+
+    def __init__(self, block: Block, state: ModalState, line: int, again: bool) -> None:
+        assert state.motion is not None  # the caller has seen that it is a cycle
+        self.words, self.state, self.line, self.again = block.words, state, line, again
+        self.code, self.name = state.motion, g_name(state.motion)
+        self.column = block.codes["motion"].column if "motion" in block.codes else next(iter(block.words.values())).column
+        self.axes = PLANE_AXES[state.plane]
+        self.moves: list[Move] = []
+        self.u, self.v = (state.position[axis] for axis in self.axes[:2])
+        self.clearance = self.depth = self.back = 0.0
+        if state.feed_mode == "inverse_time":
+            raise BlockError(f"{self.name} does not go with inverse-time feed: write G94 and F", self.column)
+        self.feedrate = state.path_feedrate(self.column, self.name)
+
+    def run(self) -> None:
+        """Make the moves of all repeats."""
+        here = self.state.position[self.axes[2]]
+        level = self._read_levels()
+        self._read_dwell_and_peck()
+        bore = self._read_bore() if self.code == 870 else None
+        if self.code in _TURNING:
+            self._check_spindle()
+        if level < self.clearance:
+            self._go(self.clearance)
+            here = self.clearance
+        for repeat in range(self._repeats()):
+            self._next_hole()
+            if repeat == 0 and here > self.clearance:
+                self._go(here)
+                self._go(self.clearance)
+            else:
+                self._go(self.back)
+                if self.back > self.clearance:
+                    self._go(self.clearance)
+            if bore is not None:
+                self._back_bore(*bore)
+            elif self.code in _PECKING:
+                self._peck()
+            else:
+                self._plain()
+        self.state.position = self._point(self.back, (0.0, 0.0))
+        self.state.check_reach(self.state.position, self.words)
+
+    def _read_levels(self) -> float:
+        """Work out clearance, depth and the height to come back to; return the height from which the cycles in a row began."""
+        state, memory, normal = self.state, self.state.cycle, self.axes[2]
+        letter = "XYZ"[normal]
+        for wanted, what in ((letter, "depth"), ("R", "clearance")):
+            if wanted not in self.words and not self.again:
+                raise BlockError(f"{self.name} has no {what}: write {wanted}", self.column)
+        if letter in self.words:
+            memory.depth = state.coordinate(normal, self.words[letter])
+        if "R" in self.words:
+            memory.clearance = state.length(self.words["R"].value)
+        level = memory.level = state.position[normal] if memory.level is None else memory.level
+        self.clearance = memory.clearance if state.absolute else memory.clearance + level
+        self.depth = memory.depth if state.absolute else self.clearance + memory.depth
+        if self.clearance < self.depth:
+            raise BlockError(f"the clearance R lies below the depth {letter}: the cycle would work upwards", self.column)
+        self.back = self.clearance if state.back_to_clearance else max(level, self.clearance)
+        return level
+
+    def _read_dwell_and_peck(self) -> None:
+        memory = self.state.cycle
+        if "P" in self.words:
+            memory.dwell = self.words["P"].value
+            if not 0.0 <= memory.dwell <= LONGEST_DWELL:
+                raise BlockError(f"P{memory.dwell:g}: the dwell of a cycle is in seconds and not negative", self.words["P"].column)
+        elif self.code in _DWELLING and not self.again:
+            raise BlockError(f"{self.name} has no dwell: write P, in seconds", self.column)
+        if self.code not in _PECKING:
+            return
+        if "Q" in self.words:
+            memory.peck = self.state.length(self.words["Q"].value)
+        elif not self.again:
+            raise BlockError(f"{self.name} has no peck: write Q, the depth of one stroke", self.column)
+        if memory.peck <= 0.0:
+            raise BlockError(f"the peck Q of {self.name} must be greater than 0", self.column)
+        if (self.clearance - self.depth) / memory.peck > MOST_PECKS:
+            raise BlockError(f"the peck Q of {self.name} would take more than {MOST_PECKS} strokes: make it larger", self.column)
+
+    def _read_bore(self) -> tuple[tuple[float, float], float]:
+        """Return the way aside and the upper end of a bore from below (G87)."""
+        letters = ["IJK"[axis] for axis in self.axes]
+        memory, absolute = self.state.cycle, self.state.absolute
+        kept: tuple[float | None, ...] = memory.bore if self.again else (None, None, None)
+        i, j, k = (self.state.length(self.words[x].value) if x in self.words else old for x, old in zip(letters, kept, strict=True))
+        if i is None or j is None or k is None:
+            raise BlockError(
+                f"G87 takes {letters[0]} and {letters[1]} (the way aside) and {letters[2]} (upper end of the bore)", self.column
+            )
+        memory.bore = (i, j, k)
+        return (i, j), k if absolute else self.depth + k
+
+    def _check_spindle(self) -> None:
+        sense = self.state.turning
+        if sense == 0:
+            raise BlockError(f"{self.name} needs a turning spindle: write M3 or M4 before it", self.column)
+        if (self.code, sense) in ((740, 1), (840, -1)):
+            raise BlockError(
+                f"{self.name} needs the other sense of the spindle: write {'M4' if sense > 0 else 'M3'} before it", self.column
+            )
+
+    def _repeats(self) -> int:
+        word = self.words.get("L")
+        if word is None:
+            return 1
+        repeats = round(word.value)
+        if abs(word.value - repeats) > 1e-4 or not 1 <= repeats <= MOST_REPEATS:
+            raise BlockError(f"L{word.value:g}: a cycle is repeated a whole number of times, from 1 to {MOST_REPEATS}", word.column)
+        return repeats
+
+    def _next_hole(self) -> None:
+        """Go over to the next hole: where the words say, or so much further."""
+        state = self.state
+        if "@" in self.words or "^" in self.words:
+            state.position = (self.u, self.v, state.position[2])
+            self.u, self.v = state.polar(self.words)
+            return
+        places = []
+        for axis, old in zip(self.axes[:2], (self.u, self.v), strict=True):
+            word = self.words.get("XYZ"[axis])
+            value = None if word is None else state.coordinate(axis, word)
+            places.append(old if value is None else value if state.absolute else old + value)
+        self.u, self.v = places
+
+    def _point(self, depth: float, aside: tuple[float, float]) -> Point:
+        first, second, normal = self.axes
+        point = [0.0, 0.0, 0.0]
+        point[first], point[second], point[normal] = self.u + aside[0], self.v + aside[1], depth
+        return (point[0], point[1], point[2])
+
+    def _go(self, depth: float, *, feed: bool = False, aside: tuple[float, float] = (0.0, 0.0)) -> None:
+        self.moves += self.state.straight(self._point(depth, aside), self.line, self.feedrate if feed else None)
+
+    def _wait(self) -> None:
+        if self.state.cycle.dwell:
+            self.moves.append(Dwell(self.state.cycle.dwell, self.line))
+
+    def _event(self, word: str) -> None:
+        self.state.events.append(Event(word, None, self.line))
+
+    def _spindle(self, sense: int) -> None:
+        self._event({1: "M3", -1: "M4", 0: "M5"}[sense])
+
+    def _plain(self) -> None:
+        """Drill (G81, G82), tap (G74, G84), ream (G85), bore (G86, G88, G89)."""
+        code, sense = self.code, self.state.turning
+        self._go(self.depth, feed=True)
+        if code in (740, 840):
+            self._spindle(0)
+            self._spindle(-sense)
+            self._wait()
+            self._go(self.back, feed=True)
+            self._spindle(0)
+            self._spindle(sense)
+            return
+        if code in _DWELLING:
+            self._wait()
+        if code in (860, 880):
+            self._spindle(0)
+        if code == 850:
+            self._go(self.clearance, feed=True)
+        if code == 880:
+            self._event("M0")  # the operator draws the tool out by hand
+        else:
+            self._go(self.back, feed=code == 890)
+        if code in (860, 880):
+            self._spindle(sense)
+
+    def _peck(self) -> None:
+        """Drill in strokes: G83 comes out to the clearance after each, G73 only breaks the chip."""
+        reached = self.clearance - self.state.cycle.peck
+        while reached > self.depth + LEAST_PECK:
+            self._go(reached, feed=True)
+            if self.code == 830:
+                self._go(self.clearance)
+            self._go(reached + PECK_CLEARANCE)
+            reached -= self.state.cycle.peck
+        self._go(self.depth, feed=True)
+        self._go(self.back)
+
+    def _back_bore(self, aside: tuple[float, float], top: float) -> None:
+        """Bore from below: aside and down at rest, in, up and down while turning, aside and out."""
+        sense = self.state.turning
+        self._go(self.clearance, aside=aside)
+        self._spindle(0)
+        self._go(self.depth, aside=aside)
+        self._go(self.depth)
+        self._spindle(sense)
+        self._go(top, feed=True)
+        self._go(self.depth, feed=True)
+        self._spindle(0)
+        self._go(self.depth, aside=aside)
+        self._go(self.back, aside=aside)
+        self._go(self.back)
+        self._spindle(sense)

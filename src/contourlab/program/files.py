@@ -1,0 +1,166 @@
+"""The ways into a part program: line by line, from text, from a file."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from contextlib import contextmanager
+from dataclasses import replace
+from pathlib import Path
+
+from contourlab.errors import ProgramError
+from contourlab.program.moves import Move, Program
+from contourlab.program.reader import Reader, Reading
+from contourlab.program.source import is_utf8, read_text, split_lines, unreadable
+
+__all__ = ["iter_moves", "open_program", "parse_program", "read_program"]
+
+MOST_MOVES = 5_000_000
+"""A program that is held in memory makes at most so many moves."""
+
+
+def iter_moves(
+    lines: Iterable[str], name: str | Path = "<text>", *, require_end: bool = True, reading: Reading | None = None
+) -> Iterator[Move]:
+    """Read a part program line by line, holding no more than the lines that something may lead back to.
+
+    Parameters
+    ----------
+    lines : iterable of str
+        With or without line breaks, for example an open text file.
+    name : str or Path
+        What error messages call the program.
+    require_end : bool
+        See `Reading`, whose other choices are the default.
+    reading : Reading, optional
+        All choices; `require_end` is then not looked at.
+
+    Yields
+    ------
+    Move
+        In the order of execution; moves of no length are left out.
+
+    Raises
+    ------
+    ProgramError
+        With file, line and column, when the faulty line is reached; at the end if there is no motion at all.
+
+    Notes
+    -----
+    The language is RS274/NGC as LinuxCNC 2.9 reads it. The program starts at machine zero (0, 0, 0) in G17, G21, G54, G90, G91.1, G94 and
+    G99, with no motion and no feedrate, all offsets zero. Positions are those of the axes: work coordinate systems (G10 L2, L20, G54 to
+    G59.3 with rotation, G92, G52) and tool offsets (G43, G43.1, G43.2) are applied. Supported besides: G0 to G3 with I, J, K or R and P
+    turns, G4, G5, G5.1, G5.2 with G5.3, G7, G8, G17 to G19, G20, G21, G28, G30, G40, G53, G61, G61.1, G64 with P and Q, G73, G74, G80 to
+    G89, G90 to G91.1, G93 to G95, G97 to G99, polar coordinates, parameters, expressions, O-words, M98 and M99. S, T, M0, M1, M3 to M9,
+    M19, M48 to M53, M60 to M65, M67 and M68 are kept as events. Everything else is refused.
+
+    Stricter than LinuxCNC: a spline begun with G5.2 must be closed, and numbers beyond any machine are refused. More tolerant: lines may be
+    longer than 255 characters.
+
+    References
+    ----------
+    T. R. Kramer, F. M. Proctor, E. Messina, *The NIST RS274/NGC Interpreter, Version 3*, NISTIR 6556, 2000.
+
+    >>> [move.end for move in iter_moves(["G0 X10", "Y20", "M2"])]
+    [(0.01, 0.0, 0.0), (0.01, 0.02, 0.0)]
+    """
+    return Reader(lines, name, reading or Reading(require_end=require_end)).moves()
+
+
+def parse_program(text: str, name: str = "<text>", *, require_end: bool = True, reading: Reading | None = None) -> Program:
+    """Read a part program from text.
+
+    Parameters
+    ----------
+    text : str
+    name : str
+        The program's name, also in error messages.
+    require_end, reading
+        See `iter_moves`.
+
+    Raises
+    ------
+    ProgramError
+        As `iter_moves`.
+
+    >>> parse_program("G21 G1 X10 F600\\nM2").moves[0].feedrate
+    0.01
+    """
+    return _program(text, name, name, reading or Reading(require_end=require_end))
+
+
+def read_program(
+    file: str | Path, *, require_end: bool = True, reading: Reading | None = None, problems: list[ProgramError] | None = None
+) -> Program:
+    """Read a part program from a file, in UTF-8 or else in Latin-1.
+
+    Parameters
+    ----------
+    file : str or Path
+    require_end, reading
+        See `iter_moves`. Subprograms in files of their own are looked for beside the program.
+    problems : list of ProgramError, optional
+        Faults are added to it and faulty lines passed over, as far as that is possible; without it the first fault is raised.
+
+    Returns
+    -------
+    Program
+        Its name is the file's, without folders.
+
+    Raises
+    ------
+    ProgramError
+        If the file cannot be read, and as `iter_moves`.
+    """
+    path = Path(file)
+    chosen = reading or Reading(require_end=require_end)
+    if chosen.folder is None:
+        chosen = replace(chosen, folder=path.parent)
+    return _program(read_text(path), path.name, str(file), chosen, problems)
+
+
+@contextmanager
+def open_program(
+    file: str | Path, reading: Reading | None = None, *, still: bool = False, problems: list[ProgramError] | None = None
+) -> Iterator[Reader]:
+    """Open a part program for reading line by line, in UTF-8 or else in Latin-1.
+
+    Parameters
+    ----------
+    file : str or Path
+    reading : Reading, optional
+    still, problems
+        See `Reader`.
+
+    Raises
+    ------
+    ProgramError
+        If the file cannot be read.
+    """
+    path, chosen = Path(file), reading or Reading()
+    if chosen.folder is None:
+        chosen = replace(chosen, folder=path.parent)
+    try:
+        # Whether the whole of it is UTF-8 shows at its end only: looked through once, line by line.
+        with path.open("rb") as raw:
+            utf8 = all(is_utf8(line) for line in raw)
+        text = path.open(encoding="utf-8-sig" if utf8 else "latin-1", newline=None)
+    except (OSError, ValueError) as error:
+        raise unreadable(file, error) from error
+    with text:
+        yield Reader(text, str(file), chosen, still=still, problems=problems)
+
+
+def _program(text: str, name: str, place: str, reading: Reading, problems: list[ProgramError] | None = None) -> Program:
+    lines = tuple(split_lines(text))
+    reader = Reader(lines, place, reading, problems=problems)
+    moves: list[Move] = []
+    try:
+        for move in reader.moves():
+            moves.append(move)
+            if len(moves) > MOST_MOVES:
+                raise ProgramError(f"the program makes more than {MOST_MOVES} moves: an endless loop?", file=place, line=move.source_line)
+    except ProgramError as error:
+        if problems is None:
+            raise
+        problems.append(error)
+    return Program(name, tuple(moves), lines, tuple(reader.state.events), tuple(reader.notices))

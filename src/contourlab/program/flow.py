@@ -1,0 +1,169 @@
+"""O-words: subprograms, conditions and loops; M98 and M99.
+
+A program is walked over line by line. A loop or a condition that is not to be executed is skipped by looking for the line that closes
+it, which carries the same label; labels are numbers, names in <>, or expressions in []. Lines are kept only as long as something may
+lead back to them.
+"""
+
+from __future__ import annotations
+
+import re
+from collections import deque
+from collections.abc import Iterator
+from typing import NamedTuple
+
+from contourlab.program.expressions import Cursor, read_value
+from contourlab.program.fault import BlockError
+from contourlab.program.lexer import without_blanks
+from contourlab.program.parameters import Parameters
+
+__all__ = ["KEYWORDS", "OWord", "Tape", "read_o_word", "starts_o_word"]
+
+KEYWORDS = (
+    "elseif", "else", "endif", "endsub", "endwhile", "endrepeat", "sub", "call", "return", "do", "while", "if", "break", "continue",
+    "repeat",
+)  # fmt: skip
+_KEYWORD = re.compile("|".join(KEYWORDS))
+_O_LINE = re.compile(r"[ \t]*(?:/[ \t]*)?(?:[nN][ \t0-9.]*)?[oO]")
+_DIGITS = re.compile(r"[0-9]+")
+_CONDITIONS = ("if", "elseif", "while", "repeat")
+_VALUES = ("return", "endsub")
+MOST_ARGUMENTS = 30
+
+
+class OWord(NamedTuple):
+    """An O-word.
+
+    Parameters
+    ----------
+    label : str
+        Number without leading zeros, or name in small letters.
+    keyword : str
+        One of `KEYWORDS`; empty for ``O100`` alone, which begins a subprogram for M98.
+    values : tuple of float
+        Arguments of a call; the condition, number of repeats, or returned value.
+    column : int
+    """
+
+    label: str
+    keyword: str
+    values: tuple[float, ...]
+    column: int
+
+
+def starts_o_word(line: str) -> bool:
+    """Tell whether a line holds an O-word."""
+    return _O_LINE.match(line) is not None
+
+
+def read_o_word(line: str, parameters: Parameters, *, skipping: bool = False) -> OWord:
+    """Read a line with an O-word.
+
+    Parameters
+    ----------
+    line : str
+    parameters : Parameters
+    skipping : bool
+        Whether only label and keyword are wanted: conditions of lines that are not executed may have no value.
+
+    Raises
+    ------
+    BlockError
+        If it is none, or an expression has no value.
+    """
+    cursor = without_blanks(line)
+    if cursor.next == "/":
+        cursor.at += 1
+    if cursor.next == "n":
+        cursor.at += 1
+        cursor.take(_NUMBER)
+    column = cursor.column
+    cursor.at += 1  # the O
+    label = _label(cursor, parameters)
+    keyword = cursor.take(_KEYWORD)
+    if not keyword and cursor.next:
+        raise BlockError(f"O{label} is followed by no keyword: there are {', '.join(KEYWORDS)}", cursor.column)
+    if skipping:
+        return OWord(label, keyword, (), column)
+    values = []
+    while cursor.next == "[":
+        values.append(read_value(cursor, parameters))
+    if cursor.next:
+        raise BlockError(f"'{cursor.next}' stands behind an O-word: write it on a line of its own", cursor.column)
+    _check_values(keyword, len(values), column)
+    return OWord(label, keyword, tuple(values), column)
+
+
+_NUMBER = re.compile(r"[0-9]*\.?[0-9]*")
+
+
+def _check_values(keyword: str, count: int, column: int) -> None:
+    if keyword in _CONDITIONS and count != 1:
+        raise BlockError(f"{keyword} takes one expression in brackets, as in [#1 LT 5]", column)
+    if keyword in _VALUES and count > 1:
+        raise BlockError(f"{keyword} takes at most one value in brackets", column)
+    if keyword == "call" and count > MOST_ARGUMENTS:
+        raise BlockError(f"a call takes at most {MOST_ARGUMENTS} arguments", column)
+    if keyword not in (*_CONDITIONS, *_VALUES, "call") and count:
+        raise BlockError(f"{keyword or 'O'} takes no value: delete the brackets", column)
+
+
+def _label(cursor: Cursor, parameters: Parameters) -> str:
+    if cursor.next == "<":
+        end = cursor.text.find(">", cursor.at)
+        name = cursor.text[cursor.at + 1 : end]
+        if end < 0 or not name:
+            raise BlockError("the name of the O-word has no end: write for example O<drill>", cursor.column)
+        cursor.at = end + 1
+        return name
+    digits = cursor.take(_DIGITS)
+    if digits:
+        if len(digits) > 9:
+            raise BlockError("the number of an O-word has at most 9 digits", cursor.column)
+        return str(int(digits))
+    column, value = cursor.column, read_value(cursor, parameters)
+    if abs(value - round(value)) > 1e-4 or not 0 <= value <= 1e9:
+        raise BlockError(f"the label of an O-word is a whole number: {value:g} is none", column)
+    return str(round(value))
+
+
+class Tape:
+    """The lines of one file, from an iterator, kept from the first one that somebody may go back to.
+
+    Parameters
+    ----------
+    lines : iterator of str
+    name : str
+        The file's name, for errors.
+    """
+
+    def __init__(self, lines: Iterator[str], name: str) -> None:
+        self._lines, self.name = lines, name
+        self._kept: deque[str] = deque()
+        self._first = 0
+        self.ended = False
+
+    @classmethod
+    def of(cls, lines: list[str], first: int, name: str) -> Tape:
+        """Return a tape of lines that are kept for good; the first of them has the index `first`."""
+        tape = cls(iter(()), name)
+        tape._kept, tape._first, tape.ended = deque(lines), first, True
+        return tape
+
+    def line(self, index: int) -> str | None:
+        """Return a line by its index from 0; None behind the end."""
+        while index >= self._first + len(self._kept):
+            if self.ended:
+                return None
+            following = next(self._lines, None)
+            if following is None:
+                self.ended = True
+                return None
+            self._kept.append(following)
+        return self._kept[index - self._first]
+
+    def forget(self, before: int) -> None:
+        """Drop the lines before an index."""
+        while self._first < before and self._kept:
+            self._kept.popleft()
+            self._first += 1

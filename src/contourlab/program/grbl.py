@@ -1,0 +1,47 @@
+"""The grbl dialect: what grbl 1.1 lets pass and LinuxCNC does not, each told in a notice."""
+
+from __future__ import annotations
+
+import re
+
+from contourlab.program.moves import Notice
+from contourlab.program.state import ModalState
+
+__all__ = ["tolerated"]
+
+_AXIS = re.compile(r"[XYZxyz]")
+_MOTION = re.compile(r"[Gg][ \t]*0*(?:[0-3](?:\.0*)?|38\.[2-5]|28|30|92|10|53|43\.1|80)(?![0-9.])")
+
+
+def tolerated(line: str, number: int, notices: list[Notice], state: ModalState) -> str:
+    """Return a line as LinuxCNC would want it, and note what was let pass.
+
+    Parameters
+    ----------
+    line : str
+    number : int
+        Of the line, from 1.
+    notices : list of Notice
+        Added to.
+    state : ModalState
+        A motion that nobody has given is G0, as after grbl's start.
+    """
+    plain = line.strip()
+    if plain.startswith("$") or plain in ("!", "~", "?"):
+        notices.append(Notice(f"{plain[:20]} is for the controller itself and was passed over", number, 1))
+        return ""
+    if plain == "%":
+        notices.append(Notice("a line of % was passed over", number, 1))
+        return ""
+    opened = line.rfind("(")
+    if opened >= 0 and line.find(")", opened) < 0:
+        notices.append(Notice("the comment has no end: the rest of the line was taken for it", number, opened + 1))
+        line = line[:opened]
+    if state.motion is None and _AXIS.search(_without_comments(line)) and not _MOTION.search(line):
+        notices.append(Notice("a move before any motion code: taken for G0, as after grbl's start", number, 1))
+        state.motion = 0
+    return line
+
+
+def _without_comments(line: str) -> str:
+    return re.sub(r"\([^()]*\)|;.*", "", line)

@@ -1,0 +1,210 @@
+"""Codes that set the coordinate system: G10, G28 and G30, G43 and G49, G52, G53, G54 to G59.3, G92."""
+
+from __future__ import annotations
+
+from contourlab.program.block import Block, Code
+from contourlab.program.coordinates import ORIGIN, add, less, load_shift, origin_of, store_origin, store_shift, turn
+from contourlab.program.fault import BlockError
+from contourlab.program.lexer import Word
+from contourlab.program.moves import Move, Point
+from contourlab.program.parameters import SELECTED_SYSTEM
+from contourlab.program.state import ModalState
+
+__all__ = ["go_home", "machine_target", "select_system", "set_data", "set_shift", "set_tool_length"]
+
+_SYSTEMS = (540, 550, 560, 570, 580, 590, 591, 592, 593)
+_HOMES = {280: 5161, 281: 5161, 300: 5181, 301: 5181}
+_TOOL_LEVELS = (1, 10, 11)
+_FIXTURE = 9
+
+
+def select_system(state: ModalState, code: int) -> None:
+    """Go over to a work coordinate system (G54 to G59.3); one that is in force already stays as it was loaded."""
+    system = _SYSTEMS.index(code) + 1
+    frame = state.frame
+    if system == frame.system:
+        return
+    axes = state.axes
+    frame.system = system
+    frame.origin, frame.rotation = origin_of(state.parameters, system)
+    state.parameters.write(SELECTED_SYSTEM, float(system))
+    state.see_from(axes)
+
+
+def set_tool_length(block: Block, state: ModalState, code: int) -> None:
+    """Set the tool offset: G43 from the table, G43.1 from the axis words, G43.2 on top of the one in force, G49 none."""
+    frame, words = state.frame, block.words
+    axes, height = state.axes, words.get("H")
+    if code == 490:
+        frame.tool = ORIGIN
+    elif code == 430:
+        number = state.tools.current if height is None else _whole(height, "a tool")
+        frame.tool = state.tools.offset(number)
+    elif code == 431:
+        given = state.given(words)
+        x, y, z = (old if new is None else new for old, new in zip(frame.tool, given, strict=True))
+        frame.tool = (x, y, z)
+    else:
+        given = state.given(words)
+        if (height is None) == all(value is None for value in given):
+            raise BlockError("G43.2 takes a tool, as in H3, or lengths, as in Z5: give one of the two", block.codes["tool_length"].column)
+        if height is not None:
+            frame.tool = add(frame.tool, state.tools.offset(_whole(height, "a tool")))
+        else:
+            x, y, z = (value or 0.0 for value in given)
+            frame.tool = add(frame.tool, (x, y, z))
+    state.see_from(axes)
+
+
+def _whole(word: Word, what: str) -> int:
+    number = round(word.value)
+    if abs(word.value - number) > 1e-4 or number < 0:
+        raise BlockError(f"{word.letter}{word.value:g}: {what} has a whole number from 0", word.column)
+    return number
+
+
+def set_shift(block: Block, state: ModalState, code: Code) -> None:
+    """Shift the coordinates: G92 names the present point, G52 gives the shift; G92.1 to G92.3 clear it and bring it back."""
+    frame, parameters, axes = state.frame, state.parameters, state.axes
+    if code.number in (520, 920):
+        given = state.given(block.words)
+        if all(value is None for value in given):
+            name = "G52" if code.number == 520 else "G92"
+            raise BlockError(f"{name} has no axis: write for example {name} X0 Y0", code.column)
+        shift = list(frame.shift)
+        for axis, value in enumerate(given):
+            if value is not None:
+                shift[axis] = value if code.number == 520 else state.position[axis] + shift[axis] - value
+        frame.shift = (shift[0], shift[1], shift[2])
+        store_shift(parameters, frame.shift, applied=True)
+    elif code.number == 923:
+        frame.shift = load_shift(parameters)
+        store_shift(parameters, frame.shift, applied=True)
+    else:
+        frame.shift = ORIGIN
+        store_shift(parameters, ORIGIN if code.number == 921 else load_shift(parameters), applied=False)
+    state.see_from(axes)
+
+
+def set_data(block: Block, state: ModalState) -> None:
+    """Execute G10: L2 and L20 set the origin of a work coordinate system, L1, L10 and L11 the offset of a tool."""
+    words, code = block.words, block.codes["other"]
+    level = None if "L" not in words else _whole(words["L"], "G10 L")
+    if level not in (2, 20, *_TOOL_LEVELS):
+        raise BlockError("G10 takes L2 or L20 (work coordinate system), L1, L10 or L11 (tool): write for example G10 L2 P1 X0", code.column)
+    if "P" not in words:
+        raise BlockError(
+            f"G10 L{level} has no P: write the number of the {'tool' if level in _TOOL_LEVELS else 'system, 1 for G54'}", code.column
+        )
+    number = _whole(words["P"], "P")
+    if level in _TOOL_LEVELS:
+        _set_tool(words, state, level, number)
+        return
+    if number > len(_SYSTEMS):
+        raise BlockError(f"P{number}: the work coordinate systems are 1 (G54) to 9 (G59.3), 0 for that in force", words["P"].column)
+    for letter in "IJ":
+        if letter in words:
+            raise BlockError(f"{letter} has no meaning with G10 L{level}: delete it", words[letter].column)
+    if level == 20 and "R" in words:
+        raise BlockError("R (rotation) goes with G10 L2, not with L20: write it on a line of its own", words["R"].column)
+    _set_origin(words, state, level, number or state.frame.system)
+
+
+def _set_origin(words: dict[str, Word], state: ModalState, level: int, system: int) -> None:
+    frame, given, axes = state.frame, state.given(words), state.axes
+    origin, rotation = origin_of(state.parameters, system)
+    if "R" in words:
+        rotation = words["R"].value
+    if level == 2:
+        x, y, z = (old if new is None else new for old, new in zip(origin, given, strict=True))
+        origin = (x, y, z)
+    else:
+        # The point where the tool is, as the system sees it now; the origin moves by what the program wants it to be instead.
+        here = _in_system(state, origin, rotation)
+        x, y, z = (old if new is None else new for old, new in zip(here, given, strict=True))
+        origin = add(origin, turn(less(here, (x, y, z)), rotation))
+    store_origin(state.parameters, system, origin, rotation)
+    if system == frame.system:
+        frame.origin, frame.rotation = origin, rotation
+        state.see_from(axes)
+
+
+def _in_system(state: ModalState, origin: Point, rotation: float) -> Point:
+    """Return the tool's point in a work coordinate system, with the shift of G92."""
+    tip = less(state.axes, state.frame.tool)
+    return less(turn(less(tip, origin), -rotation), state.frame.shift)
+
+
+def _set_tool(words: dict[str, Word], state: ModalState, level: int, number: int) -> None:
+    if number < 1:
+        raise BlockError(f"P{number}: G10 L{level} takes the number of a tool, from 1", words["P"].column)
+    given = state.given(words)
+    if all(value is None for value in given) and "R" not in words:
+        raise BlockError(f"G10 L{level} sets nothing: write the tool's offset, as in Z25", words["P"].column)
+    old = state.tools.offset(number)
+    if level == 1:
+        x, y, z = (before if new is None else new for before, new in zip(old, given, strict=True))
+        state.tools.offsets[number] = (x, y, z)
+    else:
+        state.tools.offsets[number] = _touched_off(state, given, old, level)
+    if "R" in words:
+        state.tools.diameters[number] = 2.0 * state.length(words["R"].value)
+    if number == state.tools.current:
+        show_tool(state)
+
+
+def _touched_off(state: ModalState, given: list[float | None], old: Point, level: int) -> Point:
+    """Return the offset that gives the present point its coordinates: in the system in force (L10), or in G59.3 without G92 (L11)."""
+    system = _FIXTURE if level == 11 else state.frame.system
+    origin, rotation = origin_of(state.parameters, system)
+    shift = ORIGIN if level == 11 else state.frame.shift
+    seen = less(turn(less(state.axes, origin), -rotation), shift)
+    kept = turn(old, -rotation)
+    x, y, z = (before if new is None else point - new for before, point, new in zip(kept, seen, given, strict=True))
+    return turn((x, y, z), rotation)
+
+
+def show_tool(state: ModalState) -> None:
+    """Keep number and offset of the tool in the spindle in #5400 to #5403."""
+    tools, write = state.tools, state.parameters.write
+    write(5400, float(tools.current))
+    for axis, value in enumerate(tools.offset(tools.current)):
+        write(5401 + axis, value * 1000.0)
+    write(5410, tools.diameters.get(tools.current, 0.0) * 1000.0)
+
+
+def go_home(block: Block, state: ModalState, code: int, line: int) -> list[Move]:
+    """Execute G28, G30 (through the given point to the kept one) and G28.1, G30.1 (keep the present one)."""
+    first = _HOMES[code]
+    if code in (281, 301):
+        for axis, value in enumerate(state.axes):
+            state.parameters.write(first + axis, value * 1000.0)
+        return []
+    words = block.words
+    moves = state.straight(state.target(words), line)
+    x, y, z = (state.parameters.number(first + axis) / 1000.0 for axis in range(3))
+    home = state.frame.point((x, y, z))
+    named = [letter in words for letter in "XYZ"]
+    x, y, z = (h if chosen or not any(named) else p for h, p, chosen in zip(home, state.position, named, strict=True))
+    return moves + state.straight((x, y, z), line)
+
+
+def machine_target(block: Block, state: ModalState) -> Point:
+    """Return the point of the program [m] at the machine coordinates of a G53 block.
+
+    Raises
+    ------
+    BlockError
+        If the motion is neither G0 nor G1, or the block is incremental or polar.
+    """
+    words, column = block.words, block.codes["other"].column
+    if state.motion not in (0, 10):
+        raise BlockError("G53 goes with G0 or G1: write one of them on its line", column)
+    if not state.absolute:
+        raise BlockError("G53 means machine coordinates, which are absolute: write G90", column)
+    if "@" in words or "^" in words:
+        raise BlockError("G53 takes X, Y and Z, no polar coordinates", column)
+    x, y, z = (old if new is None else new for old, new in zip(state.axes, state.given(words), strict=True))
+    point = state.frame.point((x, y, z))
+    state.check_reach(point, words)
+    return point

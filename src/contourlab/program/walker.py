@@ -1,0 +1,343 @@
+"""Walks over the lines of a program: in order, and through subprograms, loops and conditions."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass, field
+
+from contourlab.program.fault import BlockError
+from contourlab.program.flow import OWord, Tape, read_o_word, starts_o_word
+from contourlab.program.parameters import Parameters
+
+__all__ = ["Walker"]
+
+DEEPEST_CALL = 9
+"""LinuxCNC has ten levels, the program itself among them."""
+MOST_IDLE = 100_000
+"""So many lines in loops or subprograms without a move are an endless loop."""
+MOST_REPEATS = 1e9
+_ENDS = {"while": "endwhile", "do": "while", "repeat": "endrepeat"}
+
+
+@dataclass(slots=True)
+class _Loop:
+    label: str
+    kind: str
+    start: int
+    remaining: int = 0
+    ifs: int = 0
+
+
+@dataclass(slots=True)
+class _Frame:
+    """A subprogram that is being executed, or the program itself."""
+
+    tape: Tape
+    index: int
+    label: str = ""
+    fanuc: bool = False
+    repeats: int = 1
+    start: int = 0
+    loops: list[_Loop] = field(default_factory=list)
+    ifs: list[str] = field(default_factory=list)
+
+
+class Walker:
+    """Yields the lines that are executed, one after another.
+
+    Parameters
+    ----------
+    tape : Tape
+        The program.
+    parameters : Parameters
+    find : callable
+        Returns the tape of a subprogram in a file of its own by its name, None where there is none.
+    """
+
+    def __init__(self, tape: Tape, parameters: Parameters, find: Callable[[str], Tape | None]) -> None:
+        self.parameters, self._find = parameters, find
+        self.main = tape
+        self._frames = [_Frame(tape, 0)]
+        self._subs: dict[str, tuple[Tape, int]] = {}
+        self._begun: dict[tuple[str, str], tuple[str, int]] = {}
+        self.idle = 0
+
+    @property
+    def frame(self) -> _Frame:
+        """Where one is."""
+        return self._frames[-1]
+
+    @property
+    def place(self) -> tuple[str, int]:
+        """File and line number (from 1) of the line yielded last."""
+        return self.frame.tape.name, self.frame.index
+
+    @property
+    def in_subprogram(self) -> bool:
+        """Whether a call is being executed."""
+        return len(self._frames) > 1
+
+    def lines(self) -> Iterator[str]:
+        """Yield lines until the end of the text; O-words are executed here."""
+        while True:
+            frame = self.frame
+            line = frame.tape.line(frame.index)
+            if line is None:
+                self._at_end(frame)
+                return
+            if not frame.loops and len(self._frames) == 1:
+                frame.tape.forget(frame.index)
+            else:
+                self._count()
+            frame.index += 1
+            if starts_o_word(line):
+                self._execute(read_o_word(line, self.parameters))
+            else:
+                yield line
+
+    def _count(self) -> None:
+        self.idle += 1
+        if self.idle > MOST_IDLE:
+            raise BlockError(f"an endless loop: {MOST_IDLE} lines of loops and subprograms without a move", 0)
+
+    def _at_end(self, frame: _Frame) -> None:
+        if len(self._frames) > 1:
+            raise BlockError(f"the subprogram O{frame.label} has no end: write O{frame.label} endsub, or M99 after M98", 0)
+        if frame.loops:
+            loop = frame.loops[-1]
+            raise BlockError(f"O{loop.label} {loop.kind} has no end: write O{loop.label} {_ENDS[loop.kind]}", 0)
+
+    def _execute(self, word: OWord) -> None:
+        handler: Callable[[OWord], None] = getattr(self, f"_{word.keyword or 'plain'}")
+        handler(word)
+
+    def _begin(self, word: OWord) -> None:
+        """Refuse a label that another condition or loop of the same program or subprogram has."""
+        place = self.place
+        first = self._begun.setdefault((self.frame.label, word.label), place)
+        if first != place:
+            raise BlockError(
+                f"O{word.label} {word.keyword}: the label O{word.label} stands for a block that begins in line {first[1]}, take another one",
+                word.column,
+            )
+
+    # Conditions
+
+    def _if(self, word: OWord) -> None:
+        self._begin(word)
+        while word.values[0] == 0.0:
+            found = self._skip_to(word.label, ("elseif", "else", "endif"), word)
+            if found.keyword == "endif":
+                return
+            if found.keyword == "else":
+                break
+            word = read_o_word(self._last_line(), self.parameters)
+        self.frame.ifs.append(word.label)
+
+    def _elseif(self, word: OWord) -> None:
+        # Reached from above: the branch before it has been executed.
+        self._endif(word)
+        self._skip_to(word.label, ("endif",), word)
+
+    _else = _elseif
+
+    def _endif(self, word: OWord) -> None:
+        ifs, loops = self.frame.ifs, self.frame.loops
+        if len(ifs) <= (loops[-1].ifs if loops else 0) or ifs[-1] != word.label:
+            raise BlockError(f"O{word.label} {word.keyword} belongs to no if: write O{word.label} if before it", word.column)
+        ifs.pop()
+
+    # Loops
+
+    def _while(self, word: OWord) -> None:
+        frame, loop = self.frame, self._innermost(word.label)
+        if loop is not None and loop.kind == "do":
+            if word.values[0] != 0.0:
+                frame.index = loop.start
+            else:
+                frame.loops.pop()
+            return
+        if loop is None:
+            self._begin(word)
+            self._enter_loop(word, "while", frame.index - 1)
+        if word.values[0] == 0.0:
+            frame.loops.pop()
+            self._skip_to(word.label, ("endwhile",), word)
+
+    def _enter_loop(self, word: OWord, kind: str, start: int, remaining: int = 0) -> None:
+        self.frame.loops.append(_Loop(word.label, kind, start, remaining, len(self.frame.ifs)))
+
+    def _endwhile(self, word: OWord) -> None:
+        self.frame.index = self._wanted(word, "while").start
+
+    def _do(self, word: OWord) -> None:
+        self._begin(word)
+        self._enter_loop(word, "do", self.frame.index)
+
+    def _repeat(self, word: OWord) -> None:
+        if abs(word.values[0]) > MOST_REPEATS:
+            raise BlockError(f"repeat [{word.values[0]:g}]: keep the number of repeats below {MOST_REPEATS:g}", word.column)
+        count = round(word.values[0])
+        self._begin(word)
+        if count < 1:
+            self._skip_to(word.label, ("endrepeat",), word)
+        else:
+            self._enter_loop(word, "repeat", self.frame.index, count)
+
+    def _endrepeat(self, word: OWord) -> None:
+        loop = self._wanted(word, "repeat")
+        loop.remaining -= 1
+        if loop.remaining > 0:
+            self.frame.index = loop.start
+        else:
+            self.frame.loops.pop()
+
+    def _break(self, word: OWord) -> None:
+        loop = self._leave_inner(word)
+        self.frame.loops.pop()
+        self._skip_to(word.label, (_ENDS[loop.kind],), word)
+
+    def _continue(self, word: OWord) -> None:
+        loop = self._leave_inner(word)
+        self._skip_to(word.label, (_ENDS[loop.kind],), word)
+        self.frame.index -= 1  # the closing line is executed, with what it decides
+
+    def _innermost(self, label: str) -> _Loop | None:
+        loops = self.frame.loops
+        return loops[-1] if loops and loops[-1].label == label else None
+
+    def _wanted(self, word: OWord, kind: str) -> _Loop:
+        loop = self._innermost(word.label)
+        if loop is None or loop.kind != kind:
+            raise BlockError(f"O{word.label} {word.keyword} closes no {kind}: write O{word.label} {kind} before it", word.column)
+        return loop
+
+    def _leave_inner(self, word: OWord) -> _Loop:
+        """Leave the loops inside the one that is named, and return it."""
+        loops = self.frame.loops
+        if not any(loop.label == word.label for loop in loops):
+            raise BlockError(f"O{word.label} {word.keyword} stands in no loop of this label", word.column)
+        while loops[-1].label != word.label:
+            loops.pop()
+        del self.frame.ifs[loops[-1].ifs :]
+        return loops[-1]
+
+    # Subprograms
+
+    def _sub(self, word: OWord) -> None:
+        if self.in_subprogram:
+            raise BlockError(f"O{word.label} sub stands inside a subprogram: write it before or behind", word.column)
+        if word.label in self._subs:
+            raise BlockError(f"O{word.label} sub is there twice, or is reached after its call: put it before, or behind M2", word.column)
+        self._subs[word.label] = self._body(self.frame.tape, self.frame.index, word)
+        self._skip_to(word.label, ("endsub",), word)
+
+    def _body(self, tape: Tape, start: int, word: OWord) -> tuple[Tape, int]:
+        """Keep the lines of a subprogram from `start` to its endsub, M99, or the end of the text."""
+        end, lines = start, []
+        while (line := tape.line(end)) is not None:
+            lines.append(line)
+            end += 1
+            if starts_o_word(line):
+                found = read_o_word(line, self.parameters, skipping=True)
+                if found.keyword == "endsub" and found.label == word.label:
+                    break
+        return Tape.of(lines, start, tape.name), start
+
+    def _call(self, word: OWord) -> None:
+        self.enter(word.label, list(word.values), word.column)
+
+    def enter(self, label: str, arguments: list[float] | None, column: int, repeats: int = 1) -> None:
+        """Enter a subprogram: by O-call with arguments, or by M98 (None) so many times.
+
+        Raises
+        ------
+        BlockError
+            If there is no such subprogram, or calls are nested too deep.
+        """
+        if len(self._frames) > DEEPEST_CALL:
+            raise BlockError(
+                f"calls are nested more than {DEEPEST_CALL} deep: a subprogram that calls itself must end at some time", column
+            )
+        if repeats < 1:
+            return
+        fanuc = arguments is None
+        tape, start = self._located(label, fanuc, column)
+        self.parameters.enter(arguments)
+        self._frames.append(_Frame(tape, start, label, fanuc, repeats, start))
+
+    def _located(self, label: str, fanuc: bool, column: int) -> tuple[Tape, int]:
+        if label not in self._subs:
+            found = self._find(label)
+            self._subs[label] = (
+                self._ahead(found, 0, label, fanuc, column)
+                if found
+                else self._ahead(self.frame.tape, self.frame.index, label, fanuc, column)
+            )
+        return self._subs[label]
+
+    def _ahead(self, tape: Tape, start: int, label: str, fanuc: bool, column: int) -> tuple[Tape, int]:
+        """Look for a subprogram from a line on."""
+        while (line := tape.line(start)) is not None:
+            start += 1
+            if starts_o_word(line):
+                found = read_o_word(line, self.parameters, skipping=True)
+                if found.label == label and found.keyword == ("" if fanuc else "sub"):
+                    return self._body(tape, start, found)
+        raise BlockError(f"there is no subprogram O{label}: neither here nor in a file {label}.ngc beside the program", column)
+
+    def _endsub(self, word: OWord) -> None:
+        frame = self.frame
+        # A return may carry the label of the condition that it stands in.
+        if not self.in_subprogram or frame.fanuc or (word.keyword == "endsub" and frame.label != word.label):
+            raise BlockError(f"O{word.label} {word.keyword} stands in no subprogram of this label", word.column)
+        self.parameters.returned = word.values[0] if word.values else None
+        self._leave()
+
+    _return = _endsub
+
+    def _leave(self) -> None:
+        self._frames.pop()
+        self.parameters.leave()
+
+    def _plain(self, word: OWord) -> None:
+        # O100 alone names a subprogram for M98; passing it by changes nothing.
+        if self.in_subprogram and not self.frame.fanuc:
+            raise BlockError(f"O{word.label} stands inside a subprogram: write it before or behind", word.column)
+
+    def back(self) -> bool:
+        """Return from M98 at M99: to the beginning where it is repeated; False in the program itself, which ends there."""
+        frame = self.frame
+        if not self.in_subprogram:
+            return False
+        if not frame.fanuc:
+            raise BlockError(f"M99 ends subprograms of M98; O{frame.label} was called: write O{frame.label} endsub", 0)
+        frame.repeats -= 1
+        if frame.repeats > 0:
+            frame.index = frame.start
+        else:
+            self._leave()
+        return True
+
+    # Looking for a line
+
+    def _skip_to(self, label: str, keywords: tuple[str, ...], word: OWord) -> OWord:
+        """Go behind the next line that has a label and one of the keywords."""
+        frame, begun = self.frame, self.frame.index
+        while (line := frame.tape.line(frame.index)) is not None:
+            frame.index += 1
+            if starts_o_word(line):
+                found = read_o_word(line, self.parameters, skipping=True)
+                if found.label == label and found.keyword in keywords:
+                    return found
+                if found.keyword == "sub" and keywords == ("endsub",):
+                    raise BlockError(f"O{found.label} sub stands inside O{label} sub: write it before or behind", found.column)
+            if not frame.loops and len(self._frames) == 1:
+                frame.tape.forget(frame.index)
+        frame.index = begun  # the line that has no end is the one to look at
+        raise BlockError(f"O{label} {word.keyword} has no end: write O{label} {keywords[-1]}", word.column)
+
+    def _last_line(self) -> str:
+        line = self.frame.tape.line(self.frame.index - 1)
+        assert line is not None  # it has just been read
+        return line

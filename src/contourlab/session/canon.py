@@ -1,0 +1,133 @@
+"""``contourlab canon``: the moves of a part program, one after another, as a canonical list."""
+
+from __future__ import annotations
+
+import json
+import tempfile
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any, TextIO
+
+from contourlab.program import Arc, Dwell, Feed, Move, Plane, Point, Reader, Reading, Spline, Traverse, open_program
+
+__all__ = ["canonical", "canonical_moves", "write_canon"]
+
+_KINDS = {Traverse: "traverse", Feed: "feed", Arc: "arc", Spline: "nurbs", Dwell: "dwell"}
+_CONTROLS = {None: "exact_path", "exact_path": "exact_path", "exact_stop": "exact_stop", "blend": "continuous"}
+_PLANES: dict[Plane, str] = {"XY": "XY", "YZ": "YZ", "ZX": "XZ"}
+IN_MEMORY = 16_000_000
+"""Characters of output that are held in memory; more of them wait in a temporary file until the whole program is known to be good."""
+
+
+def _shown(point: Point, tool: Point) -> list[float]:
+    """Return the tool's tip [mm] where the axes are at a point [m]."""
+    return [_mm(a - b) for a, b in zip(point, tool, strict=True)]
+
+
+def _mm(length: float) -> float:
+    # Twelve digits are more than any control prints, and 0.1 + 0.2 does not show.
+    return float(f"{length * 1e3:.12g}") + 0.0
+
+
+def canonical(move: Move, feedrate: float) -> dict[str, Any]:
+    """Return a move with the fields of a canonical list.
+
+    Parameters
+    ----------
+    move : Move
+    feedrate : float [m/s]
+        In force, for traverses, which do not use it.
+
+    Returns
+    -------
+    dict
+        Lengths in mm, feed in mm/min, positions those of the tool's tip in machine coordinates: kind, start, end, abc (always 0: there
+        are no rotary axes), feed, line, path_mode, blend_tol (None under exact path and stop; 0 for G64 without P), tlo (tool offset,
+        not in the positions). Arcs have plane, centre (at the height of the end) and turns (> 0 counterclockwise); splines their degree,
+        points, weights and knots; dwells kind, seconds and line alone.
+    """
+    if isinstance(move, Dwell):
+        return {"kind": "dwell", "seconds": move.seconds, "line": move.source_line}
+    mode = move.mode
+    found: dict[str, Any] = {
+        "kind": _KINDS[type(move)],
+        "start": _shown(move.start, mode.tool),
+        "end": _shown(move.end, mode.tool),
+        "abc": [0.0, 0.0, 0.0],
+        "feed": float(f"{6e4 * (feedrate if isinstance(move, Traverse) else move.feedrate):.12g}"),
+        "line": move.source_line,
+        "path_mode": _CONTROLS[mode.control],
+        "blend_tol": None if mode.control != "blend" else _mm(mode.tolerance or 0.0),
+        "tlo": [_mm(value) for value in mode.tool],
+    }
+    if isinstance(move, Arc):
+        normal = move.directions()[2]
+        rise = sum((end - centre) * n for end, centre, n in zip(move.end, move.centre, normal, strict=True))
+        x, y, z = (centre + rise * n for centre, n in zip(move.centre, normal, strict=True))
+        found |= {"plane": _PLANES[move.plane], "centre": _shown((x, y, z), mode.tool), "turns": move.turns}
+    elif isinstance(move, Spline):
+        points = [_shown(point, mode.tool) for point in move.points]
+        found |= {"degree": move.degree, "points": points, "weights": list(move.weights), "knots": list(move.knots)}
+    return found
+
+
+def canonical_moves(reader: Reader) -> Iterator[dict[str, Any]]:
+    """Yield the moves of a reader with the fields of `canonical`."""
+    state = reader.state
+    for move in reader.moves():
+        turning = state.speed / 60.0 if state.feed_mode == "per_turn" else 1.0
+        yield canonical(move, state.feedrate * turning)
+
+
+def write_canon(file: str | Path, out: TextIO, *, as_json: bool, reading: Reading | None = None) -> list[str]:
+    """Write the moves of a part program; nothing is written if it has a fault.
+
+    Parameters
+    ----------
+    file : str or Path
+    out : text stream
+    as_json : bool
+        One JSON document, ``{"moves": [...]}``, instead of one line for each move.
+    reading : Reading, optional
+        By default a program need not say where it ends.
+
+    Returns
+    -------
+    list of str
+        Where the reader was lenient.
+
+    Raises
+    ------
+    ProgramError
+        If the program has a fault, with its line.
+    """
+    chosen = reading or Reading(require_end=False)
+    with open_program(file, chosen, still=True) as reader, tempfile.SpooledTemporaryFile(IN_MEMORY, "w+", encoding="utf-8") as kept:
+        before = '{"moves": [' if as_json else ""
+        for move in canonical_moves(reader):
+            kept.write((before + "\n" + json.dumps(move)) if as_json else _line(move))
+            before = "," if as_json else ""
+        kept.write("\n]}\n" if as_json else "")
+        kept.seek(0)
+        while part := kept.read(1 << 20):
+            out.write(part)
+        out.flush()
+        return [f"{file}:{notice.line}:{notice.column}: {notice.message}" for notice in reader.notices]
+
+
+def _line(move: dict[str, Any]) -> str:
+    """Return a move as one line of text."""
+    words = [f"{move['line']:>7}", f"{move['kind']:<8}"]
+    if move["kind"] == "dwell":
+        return " ".join([*words, f"{move['seconds']:g} s"]) + "\n"
+    words += [f"{letter}{value:<11.6g}" for letter, value in zip("XYZ", move["end"], strict=True)]
+    if move["kind"] != "traverse":
+        words.append(f"F{move['feed']:.6g}")
+    if move["kind"] == "arc":
+        centre = ", ".join(f"{value:.6g}" for value in move["centre"])
+        words.append(f"{move['plane']} centre ({centre}) turns {move['turns']:+d}")
+    if move["kind"] == "nurbs":
+        words.append(f"degree {move['degree']}, {len(move['points'])} control points")
+    if move["path_mode"] != "exact_path":
+        words.append(move["path_mode"] + (f" {move['blend_tol']:g} mm" if move["blend_tol"] else ""))
+    return " ".join(words).rstrip() + "\n"

@@ -1,0 +1,56 @@
+"""The door to machine code: what goes through it, what is refused, and that a plain function and its twin agree."""
+
+from __future__ import annotations
+
+import subprocess
+import sys
+
+import numpy as np
+import pytest
+
+from contourlab.errors import EngineError
+from contourlab.native.door import kernel
+
+SUM = "f8[:,:] f8[:] f8 i8[:]"
+
+
+def _half(value):  # type: ignore[no-untyped-def]
+    return 0.5 * value
+
+
+def sums(table, out, factor, count):  # type: ignore[no-untyped-def]
+    for i in range(table.shape[0]):
+        out[i] = 0.0
+        for j in range(table.shape[1]):
+            out[i] += factor * _half(table[i, j])
+        count[0] += 1
+
+
+def greedy(table, out, factor, count):  # type: ignore[no-untyped-def]
+    out[:] = np.zeros(out.size)
+
+
+def test_a_kernel_does_what_its_source_says() -> None:
+    table = np.random.default_rng(3).normal(size=(5, 3))
+    plain, native = np.empty(5), np.empty(5)
+    counts = np.zeros(1, np.int64), np.zeros(1, np.int64)
+    sums(table, plain, 3.0, counts[0])
+    kernel(sums, SUM)(table, native, 3.0, counts[1])
+    np.testing.assert_allclose(native, plain, rtol=1e-15)
+    assert counts[0][0] == counts[1][0] == 5
+
+
+@pytest.mark.parametrize("table", [np.zeros((5, 3), np.float32), np.zeros(15), np.zeros((3, 5)).T])
+def test_other_arrays_are_refused(table: np.ndarray) -> None:
+    with pytest.raises(TypeError, match="argument 0"):
+        kernel(sums, SUM)(table, np.empty(5), 1.0, np.zeros(1, np.int64))
+
+
+def test_a_kernel_that_asks_for_memory_is_refused() -> None:
+    with pytest.raises(EngineError, match="greedy makes an array"):
+        kernel(greedy, SUM)
+
+
+def test_the_compiler_is_not_loaded_before_something_is_planned() -> None:
+    script = "import sys, contourlab.feed, contourlab.native; sys.exit('numba' in sys.modules)"
+    assert subprocess.run([sys.executable, "-c", script], check=False).returncode == 0
