@@ -50,7 +50,7 @@ class Writer:
 
     def shuffled(self, line: str) -> str:
         """The order of words means nothing."""
-        if line.lstrip()[:1] in ("o", "O", "#", "N") or "[" in line:
+        if line.lstrip()[:1] in ("o", "O", "#", "N") or "[" in line or "=" in line:
             return line
         words = line.split()
         self.dice.shuffle(words)
@@ -111,7 +111,8 @@ class Writer:
     def data(self) -> list[str]:
         turn = f" R{self.dice.choice(ANGLES)}" if self.dice.random() < 0.4 else ""
         if self.dice.random() < 0.6:
-            return [f"G10 L2 P{self.dice.randrange(10)}{self.axes()}{turn}"]
+            # With a shift of G92 in force, LinuxCNC loses its place where the rotation changes: its next incremental move goes astray.
+            return (["G92.1"] if turn else []) + [f"G10 L2 P{self.dice.randrange(10)}{self.axes()}{turn}"]
         return [f"G10 L20 P{self.dice.randrange(10)}{self.axes(least=1)}"]
 
     def shift(self) -> list[str]:
@@ -188,11 +189,11 @@ class Writer:
 
     def parameter(self) -> list[str]:
         return [self.dice.choice(["#7 = [#7 + 0.5]", "#7 = 3", "#<depth> = [#5422 - 1]\nG0 Z#<depth>", "#<_far> = 8 #7 = 2", "G0 X#5421 #7 = 1.25 Y#7",
-                                  "#5221 = 3", "#5243 = -2", "#5230 = 15", "#5211 = 1", "#7 = EXISTS[#<_far>]", "G1 X[#5221 + 1] Y[#5220]",
+                                  "#5221 = 3", "#5243 = -2", "#5230 = 15\nG55\nG54", "#5211 = 1\nG92.3", "#7 = EXISTS[#<_far>]", "G1 X[#5221 + 1] Y[#5220]",
                                   "G1 X[#5161 / 2] Y#5211"])][0].split("\n")  # fmt: skip
 
     def own(self) -> list[str]:
-        name = self.dice.choice(["_x", "_y", "_z", "_feed", "_metric", "_absolute", "_plane", "_motion_mode", "_coord_system", "_tool_offset", "_rpm",
+        name = self.dice.choice(["_x", "_y", "_z", "_metric", "_absolute", "_plane", "_motion_mode", "_coord_system", "_tool_offset", "_rpm",
                                  "_spindle_on", "_retract_r_plane", "_call_level", "_value", "_value_returned", "_incremental", "_abs_x", "_abs_z",
                                  "_ijk_absolute_mode", "_lathe_diameter_mode", "_units_per_minute", "_line"])  # fmt: skip
         return [f"G0 X[#<{name}> * 0.01]"]

@@ -111,45 +111,61 @@ def _over(tangent, second, third, row, v, a, j, velocity, acceleration, jerk, wo
             worst[3] = abs(turn) * jerk[axis]
 
 
-def _between(tangent, second, third, i, gap, part, t, k, c):
-    """Fill the derivatives of the path between the samples i and i + 1: cubics, since each is known with its own; the third quadratic."""
+def _between(tangent, second, third, i, gap, part, here):
+    """Fill `here` with the derivatives of the path between the samples i and i + 1: cubics, since each is known with its own; the third quadratic."""
     for axis in range(tangent.shape[1]):
         t0, t1 = tangent[i, axis], tangent[i + 1, axis]
         k0, k1 = second[i, axis], second[i + 1, axis]
         c0, c1 = third[i, axis], third[i + 1, axis]
         if gap <= 0.0 or (k0 == 0.0 and k1 == 0.0):
-            t[0, axis], k[0, axis], c[0, axis] = t0, k0, c0
+            here[0, 0, axis], here[1, 0, axis], here[2, 0, axis] = t0, k0, c0
             continue
         both = part * (1.0 - part)
         # What the straight line between the two slopes misses of the rise.
         t_bow, k_bow = (t1 - t0) / gap - 0.5 * (k0 + k1), (k1 - k0) / gap - 0.5 * (c0 + c1)
-        c[0, axis] = c0 + part * (c1 - c0) + 6.0 * both * k_bow
-        k[0, axis] = k0 + part * (k1 - k0) + gap * both * (0.5 * (c0 - c1) + (2.0 * part - 1.0) * k_bow)
-        t[0, axis] = t0 + part * (t1 - t0) + gap * both * (0.5 * (k0 - k1) + (2.0 * part - 1.0) * t_bow)
+        here[2, 0, axis] = c0 + part * (c1 - c0) + 6.0 * both * k_bow
+        here[1, 0, axis] = k0 + part * (k1 - k0) + gap * both * (0.5 * (c0 - c1) + (2.0 * part - 1.0) * k_bow)
+        here[0, 0, axis] = t0 + part * (t1 - t0) + gap * both * (0.5 * (k0 - k1) + (2.0 * part - 1.0) * t_bow)
+
+
+def _along(span, i, last, arc_length, tangent, second, third, ceiling, spans, velocity, acceleration, jerk, per_span, here, worst):
+    """Look at one span, from sample i on; return the last sample passed, the greatest demand, and where it is: sample, place, speed."""
+    lasting, s0, v0, a0, j = spans[span, 0], spans[span, 1], spans[span, 2], spans[span, 3], spans[span, 4]
+    for r in range(4):
+        worst[r] = 0.0
+    before, at, most = 0.0, s0, 0.0
+    where, place, speed = i, s0, v0
+    for step in range(per_span):
+        dt = lasting * step / (per_span - 1)
+        s = s0 + dt * (v0 + dt * (a0 / 2.0 + dt * j / 6.0))
+        # The samples on the way here, each end of a curve with its own derivatives.
+        while i < last and arc_length[i + 1] <= s:
+            i += 1
+            part = min(max((arc_length[i] - at) / (s - at), 0.0), 1.0) if s > at else 1.0
+            between = before + (dt - before) * part
+            v, a = v0 + between * (a0 + between * j / 2.0), a0 + between * j
+            _over(tangent, second, third, i, v, a, j, velocity, acceleration, jerk, worst)
+            worst[0] = max(worst[0], v / ceiling[i])
+            if max(worst[0], worst[1], worst[2]) > most:
+                most = max(worst[0], worst[1], worst[2])
+                where, place, speed = i, arc_length[i], v
+        v, a = v0 + dt * (a0 + dt * j / 2.0), a0 + dt * j
+        gap = arc_length[i + 1] - arc_length[i]
+        part = min(max((s - arc_length[i]) / gap, 0.0), 1.0) if gap > 0.0 else 0.0
+        _between(tangent, second, third, i, gap, part, here)
+        _over(here[0], here[1], here[2], 0, v, a, j, velocity, acceleration, jerk, worst)
+        worst[0] = max(worst[0], v / max(ceiling[i], ceiling[i + 1]))
+        if max(worst[0], worst[1], worst[2]) > most:
+            most = max(worst[0], worst[1], worst[2])
+            where, place, speed = i, s, v
+        before, at = dt, s
+    return i, most, where, place, speed
 
 
 def demand(
-    arc_length,
-    tangent,
-    second,
-    third,
-    ceiling,
-    begin,
-    spans,
-    begin_span,
-    velocity,
-    acceleration,
-    jerk,
-    per_span,
-    allowed,
-    t_here,
-    k_here,
-    c_here,
-    worst,
-    peak,
-    faults,
-    count,
-):
+    arc_length, tangent, second, third, ceiling, begin, spans, begin_span, velocity, acceleration, jerk, per_span, allowed, watched, here,
+    worst, peak, faults, count
+):  # fmt: skip
     """Look at a motion in every span and at every sample.
 
     Parameters
@@ -165,7 +181,9 @@ def demand(
         Places looked at in each span, both ends among them.
     allowed
         Part of a limit that is no fault.
-    t_here, k_here, c_here (1, n_axis), worst (4,)
+    watched (n,)
+        Zero at samples after which nothing is to be looked at.
+    here (3, 1, n_axis), worst (4,)
         Working memory.
     peak (n_stretch,)
         Filled with the greatest part of any limit that is needed in each stretch.
@@ -180,41 +198,17 @@ def demand(
         i, last = begin[stretch], begin[stretch + 1] - 2
         peak[stretch] = 0.0
         for span in range(begin_span[stretch], begin_span[stretch + 1]):
-            lasting, s0, v0, a0, j = spans[span, 0], spans[span, 1], spans[span, 2], spans[span, 3], spans[span, 4]
-            for r in range(4):
-                worst[r] = 0.0
-            before, at, most = 0.0, s0, 0.0
-            where, place_there, speed_there = i, s0, v0
-            for step in range(per_span):
-                dt = lasting * step / (per_span - 1)
-                s = s0 + dt * (v0 + dt * (a0 / 2.0 + dt * j / 6.0))
-                # The samples on the way here, each end of a curve with its own derivatives.
-                while i < last and arc_length[i + 1] <= s:
-                    i += 1
-                    if step == 0:
-                        continue
-                    part = min(max((arc_length[i] - at) / (s - at), 0.0), 1.0) if s > at else 1.0
-                    between = before + (dt - before) * part
-                    v, a = v0 + between * (a0 + between * j / 2.0), a0 + between * j
-                    _over(tangent, second, third, i, v, a, j, velocity, acceleration, jerk, worst)
-                    worst[0] = max(worst[0], v / ceiling[i])
-                    if max(worst[0], worst[1], worst[2]) > most:
-                        most = max(worst[0], worst[1], worst[2])
-                        where, place_there, speed_there = i, arc_length[i], v
-                v, a = v0 + dt * (a0 + dt * j / 2.0), a0 + dt * j
-                gap = arc_length[i + 1] - arc_length[i]
-                part = min(max((s - arc_length[i]) / gap, 0.0), 1.0) if gap > 0.0 else 0.0
-                _between(tangent, second, third, i, gap, part, t_here, k_here, c_here)
-                _over(t_here, k_here, c_here, 0, v, a, j, velocity, acceleration, jerk, worst)
-                worst[0] = max(worst[0], v / max(ceiling[i], ceiling[i + 1]))
-                if max(worst[0], worst[1], worst[2]) > most:
-                    most = max(worst[0], worst[1], worst[2])
-                    where, place_there, speed_there = i, s, v
-                before, at = dt, s
+            while i < last and arc_length[i + 1] <= spans[span, 1]:
+                i += 1
+            if watched[i] == 0:
+                continue
+            i, most, where, place, speed = _along(
+                span, i, last, arc_length, tangent, second, third, ceiling, spans, velocity, acceleration, jerk, per_span, here, worst
+            )
             peak[stretch] = max(peak[stretch], most)
             if most > allowed:
                 k = count[0]
-                faults[k, 0], faults[k, 1], faults[k, 2] = where, place_there, speed_there
+                faults[k, 0], faults[k, 1], faults[k, 2] = where, place, speed
                 for r in range(4):
                     faults[k, 3 + r] = worst[r]
                 count[0] = k + 1

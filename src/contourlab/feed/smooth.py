@@ -6,9 +6,9 @@ For many stretches at once, each from rest to rest:
    Pham, "A new approach to time-optimal path parameterization based on reachability analysis", IEEE Transactions on Robotics 34(3),
    2018). The jerk enters as a third family of limits, linear in the acceleration and in v^2: |t| a/T + 3 |k| v a + |c| v^3 <= J.
 2. The motion is averaged over the time T: its steps within T/`STEPS` each are averaged over `STEPS` neighbours and made the
-   coefficients of a cubic B-spline. That keeps the length, bounds the acceleration, and has constant jerk in each span. So that the average keeps to the
-   ceiling of the speed, each narrow of it is widened beforehand by what the average takes in there; and each summit of the speed is cut
-   off where it lasts T, so that the acceleration can change its sign.
+   coefficients of a cubic B-spline. That keeps the length, bounds the acceleration, and has constant jerk in each span. So that the
+   average keeps to the ceiling of the speed, each narrow of it is widened beforehand by what the average takes in there; and each
+   summit of the speed is cut off where it lasts T, so that the acceleration can change its sign.
 3. The result is held against the true limits in every span and at every sample. Around a place where it breaks one, the limits used in
    step 1 are lowered, and all is done again; what lies elsewhere does not change. At last the path itself is asked.
 
@@ -37,7 +37,9 @@ PERIODS = (1.0, 0.7, 0.5, 0.35, 0.25)  # T tried, in units of A/J: at 1 the acce
 STEPS = 4  # of the time grid in T
 ROUNDING = 1e-6  # of a limit
 CLOSE = 1e-3  # of a limit: what the path may show between the samples
-ROUNDS = 40  # corrections at most
+ROUNDS = 60  # corrections at most
+N_FULL = 4  # rounds that look at everything at first, and every which one does later
+AROUND = 24  # samples around a change that the others look at
 HASTE = 2.5  # rounds after which a correction counts twice, then three times: what is left is stubborn
 PER_SPAN = 4  # places looked at in each span, besides the samples
 MOST_SPANS = 4_000_000  # where the jerk is plentiful, T is no shorter than this asks for
@@ -107,7 +109,7 @@ def _kernels() -> _Kernels:
         kernel(kernels.reach, " ".join([f, m, m, m, f, f, f, f, f, f, "f8", m, i, f, f])),
         kernel(kernels.spread, " ".join([f, f, f, f, i])),
         kernel(kernels.flatten, " ".join([f, f, "f8", f])),
-        kernel(looking.demand, " ".join([f, m, m, m, f, i, m, i, f, f, f, "i8", "f8", m, m, m, f, f, m, i])),
+        kernel(looking.demand, " ".join([f, m, m, m, f, i, m, i, f, f, f, "i8", "f8", i, "f8[:,:,:]", f, f, m, i])),
         kernel(looking.clock, " ".join([f, f, f])),
         kernel(looking.steps, " ".join([f, f, f, i, i, "f8", f])),
         kernel(looking.lower, " ".join([f, m, m, "f8", "f8", m, m])),
@@ -163,16 +165,24 @@ class _Planner:
         self.run.reach(*self.place, self.parts[0], self.parts[1], reference, wide, *limits, *self.second)
         return self.second.square
 
-    def look(self, spans: Array, begin: Index) -> tuple[Array, Array]:
+    def look(self, spans: Array, begin: Index, watched: NDArray[np.int64]) -> tuple[Array, Array]:
         """Return the greatest demand of each stretch as a part of the limits, and the faults, as the kernel `demand` does."""
         peak, faults = np.empty(begin.size - 1), np.empty((len(spans), 7))
-        work = *(np.empty((1, self.velocity.size)) for _ in range(3)), np.empty(4)
+        here, worst = np.empty((3, 1, self.velocity.size)), np.empty(4)
         count = np.zeros(1, dtype=np.int64)
-        self.run.demand(
-            *self.place, self.samples.ceiling, self.begin, spans, begin.astype(np.int64), *self.inverse,
-            PER_SPAN, 1.0 + ROUNDING, *work, peak, faults, count,
-        )  # fmt: skip
+        where = *self.place, self.samples.ceiling, self.begin, spans, begin.astype(np.int64)
+        self.run.demand(*where, *self.inverse, PER_SPAN, 1.0 + ROUNDING, watched, here, worst, peak, faults, count)
         return peak, faults[: int(count[0])]
+
+    def watched(self, round_: int) -> NDArray[np.int64]:
+        """Return at which samples a round looks: now and then at all, else where something has changed."""
+        n = self.base.size
+        if round_ < N_FULL or round_ % N_FULL == 0:
+            return np.ones(n, dtype=np.int64)
+        changed = (self.second if self.period > 0.0 else self.first).flags != 0
+        low = np.clip(np.flatnonzero(changed) - AROUND, 0, n)
+        edge = np.bincount(low, minlength=n + 1) - np.bincount(np.clip(low + 2 * AROUND + 1, 0, n), minlength=n + 1)
+        return np.asarray(np.cumsum(edge)[:n], dtype=np.int64)
 
     def lower(self, faults: Array, haste: float) -> None:
         """Lower the limits of the samples that the average at each fault takes in."""
@@ -259,7 +269,10 @@ def _corrected(planner: _Planner) -> Shaped:
     """Lower the limits where the result breaks them, until it does not."""
     for round_ in range(ROUNDS):
         spans, begin = planner.spans(planner.square())
-        peak, faults = planner.look(spans, begin)
+        watched = planner.watched(round_ if round_ < ROUNDS - 1 else 0)
+        peak, faults = planner.look(spans, begin, watched)
+        if len(faults) == 0 and not np.all(watched):
+            peak, faults = planner.look(spans, begin, np.ones_like(watched))
         if len(faults) == 0 or round_ == ROUNDS - 1:
             # Good by the samples, which are cheap to ask; the path itself has the last word.
             by_path, faults = _by_path(planner, spans, begin)

@@ -1,7 +1,8 @@
 """Canned cycles: G73, G74, G81 to G89, in the plane in force, with L repeats, R, and G98 or G99.
 
 A cycle works across the plane: its depth, clearance (R) and level lie along the normal. Before each hole the tool goes, at the level or
-the clearance, to the hole; then come the strokes of the cycle. Within a cycle the path is exact (G61), as in LinuxCNC.
+the clearance, to the hole; then come the strokes of the cycle. Within a cycle the path is exact (G61), but for the rise to the clearance
+before all else, as in LinuxCNC.
 """
 
 from __future__ import annotations
@@ -46,7 +47,6 @@ def drill(block: Block, state: ModalState, line: int, *, again: bool) -> list[Mo
         If a word is missing, the depth lies above the clearance, or the spindle does not turn as the cycle needs it.
     """
     mode = state.mode
-    state.mode = replace(mode, control="exact_path", tolerance=None, merge=None)
     cycle = _Cycle(block, state, line, again)
     cycle.run()
     state.mode = mode
@@ -80,6 +80,7 @@ class _Cycle:
         if level < self.clearance:
             self._go(self.clearance)
             here = self.clearance
+        self.state.mode = replace(self.state.mode, control="exact_path", tolerance=None, merge=None)
         for repeat in range(self._repeats()):
             self._next_hole()
             if repeat == 0 and here > self.clearance:

@@ -125,8 +125,8 @@ def _check_letters(block: Block, motion: int | None) -> None:
     active: set[int | str] = {code.number if group in _G_GROUPS else f"M{code.number}" for group, code in block.codes.items()}
     if motion is not None:
         active.add(motion)
-    if "P" in block.words and 40 in active and active & {20, 30}:
-        raise BlockError("G4 and an arc in one block would share P: write G4 on a line of its own", block.words["P"].column)
+    if "P" in block.words and 40 in active and len(active & USERS["P"][0]) > 1:
+        raise BlockError("G4 and another code of the block would share P: write G4 on a line of its own", block.words["P"].column)
     for letter, word in block.words.items():
         if letter in USERS and not USERS[letter][0] & active:
             raise BlockError(f"{letter} has no {USERS[letter][1]} to use it: delete it, or write the code before it", word.column)

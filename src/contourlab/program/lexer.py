@@ -12,6 +12,7 @@ from typing import NamedTuple
 from contourlab.program.expressions import Cursor, read_assignment, read_value
 from contourlab.program.fault import BlockError
 from contourlab.program.parameters import Key, Parameters
+from contourlab.program.vocabulary import O_WORD_ALONE
 
 __all__ = ["LARGEST_NUMBER", "Word", "read_words", "without_blanks"]
 
@@ -99,6 +100,8 @@ def _words_and_values(line: str, parameters: Parameters) -> list[Word]:
             settings.append(read_assignment(cursor, parameters))
         elif letter in _LETTERS:
             cursor.at += 1
+            if letter == "O":
+                raise BlockError(O_WORD_ALONE, column)
             if letter == "N" and not cursor.next.isdigit():
                 raise BlockError("a line number is written in digits: write for example N10", column)
             value = read_value(cursor, parameters)

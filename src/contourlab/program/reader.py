@@ -213,6 +213,9 @@ class Reader:
         return Tape(iter(split_lines(read_text(file))), str(file))
 
     def _check_end(self, moved: bool) -> None:
+        if self.state.curve.points:
+            cure = "write G5.3 behind its last control point"
+            raise ProgramError(f"the NURBS begun with G5.2 is not closed: {cure}", file=self.name, line=self._walker.place[1])
         if not moved:
             raise ProgramError(
                 "the program holds no motion: write at least one G0, G1, G2 or G3 move that ends elsewhere than it begins "

@@ -10,6 +10,7 @@ __all__ = [
     "CYCLES",
     "G_GROUPS",
     "M_GROUPS",
+    "O_WORD_ALONE",
     "SPLINES",
     "USED_LETTERS",
     "USERS",
@@ -62,10 +63,12 @@ _USERS: tuple[tuple[str, str, tuple[int | str, ...]], ...] = (
         ("L", "G10, a cycle other than G74, G5.2 or M98", (100, 52, *(CYCLES - {740}), "M98")),
         ("Q", "G5, G10, G64, G73, G83, M61, M67 or M68", (50, 100, 640, 730, 830, "M19", "M61", "M67", "M68")),
         ("H", "G43 or G43.2", (430, 432)),
-        ("E", "M67 or M68", ("M67", "M68")),
+        ("E", "M67 or M68 (numbers take no exponent, extruders are not read)", ("M67", "M68")),
 )  # fmt: skip
 USERS: dict[str, tuple[frozenset[int | str], str]] = {letter: (frozenset(codes), shown) for letter, shown, codes in _USERS}
 """Letters that stand for nothing by themselves: the codes that use them (as numbers times ten, or as "M50"), and how to say it."""
+
+O_WORD_ALONE = "an O-word stands alone on its line, behind a line number at most: write for example O100 call on the next line"
 
 _CAM = "let the CAM system write plain G0, G1, G2 and G3 moves"
 _CENTRE_PATH = "let the CAM system write the path of the tool's centre"
@@ -126,6 +129,8 @@ def refuse_m(number: int) -> str:
 
 def refuse_letter(letter: str) -> str:
     """Say what the word of an unsupported letter is and what to do."""
+    if letter == "O":
+        return O_WORD_ALONE
     return _refusal(letter, _REFUSED_LETTERS.get(letter), "word")
 
 

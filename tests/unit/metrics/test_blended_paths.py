@@ -63,6 +63,11 @@ def test_nothing_is_left_out_of_a_rounded_path_but_what_the_corners_cut_off(tole
     assert at_end < 1e-9
     # In proportion to the lengths the place would be off by what all corners before it have saved.
     assert np.abs(reference.programmed_arc_length(s) - s * (route.programmed.length / s[-1])).max() < 1e-3
+    # A tool that stops short has left out the rest of the programmed path; along a staircase the way is x + y.
+    tool = reference.block(0, len(s)).position.copy()
+    tool[19_800:] = tool[19_800]
+    _, at_end = left_out(judge(made_run(reference, tool), reference), reference, (0, len(s)))
+    assert at_end == pytest.approx(route.programmed.length - tool[-1].sum(), rel=0, abs=2.0 * tolerance)
     off = route.programmed.position(reference.programmed_arc_length(s)) - route.path.position(s)
     assert np.linalg.norm(off, axis=1).max() < 2.0 * tolerance
 
@@ -75,9 +80,11 @@ def test_a_circle_of_the_program_is_found_though_corners_before_it_are_rounded()
     s = np.linspace(0.0, route.path.length, 8001)
     reference = along_the_plan(route, s)
     (found,) = circles_of(made_run(reference, reference.block(0, 8001).position), reference)
-    # Seen from 1 nm inside, the deviation is the same all around, up to the blend that leads into it.
+    # A reference that is followed has no deviation, behind the blend that leads into the circle.
     assert found.radius == pytest.approx(0.01)
     assert np.abs(found.deviation[200:-10]).max() < 1e-9
+    # All of it is seen: without the map as much is lost as the corners before it save, a third of a radian.
+    assert np.ptp(np.unwrap(found.angle)) > 2.0 * np.pi - 0.05
 
 
 def test_the_work_of_the_judge_grows_with_the_samples(monkeypatch: pytest.MonkeyPatch) -> None:

@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import pytest
 
 from contourlab.program import Event, Program, parse_program
+from contourlab.program.moves import PLAIN
 
 
 def read(text: str) -> Program:
@@ -36,10 +39,17 @@ def test_overrides_take_a_p(code: str) -> None:
     assert words(f"{code} P0") == [(code, 0.0)] and words(code) == [(code, None)]
 
 
-@pytest.mark.parametrize("idle", ["G40", "G49", "G54", "G59.3", "G61", "G61.1", "G80", "G97 S50", "G98", "G99", "G40 G49 G80 G54", "M5 M9"])
+@pytest.mark.parametrize("idle", ["G40", "G49", "G54", "G59.3", "G80", "G97 S50", "G98", "G99", "G40 G49 G80 G54", "M5 M9"])
 def test_what_changes_no_path(idle: str) -> None:
     plain, with_it = read("G0 Y2\n"), read(f"G0 Y2\n{idle}")
     assert with_it.moves == plain.moves
+
+
+@pytest.mark.parametrize("control", ["G61", "G61.1", "G64", "G64 P0.01 Q0.02"])
+def test_path_control_changes_the_mode_alone(control: str) -> None:
+    plain, with_it = read("G0 Y2\n"), read(f"G0 Y2\n{control}")
+    assert with_it.moves[1].mode.control is not None  # type: ignore[union-attr]
+    assert tuple(replace(move, mode=PLAIN) for move in with_it.moves) == plain.moves  # type: ignore[call-arg]
 
 
 def test_g80_ends_the_modal_motion_and_gives_way_to_another() -> None:

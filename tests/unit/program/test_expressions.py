@@ -109,14 +109,15 @@ def test_comments_and_blanks_inside() -> None:
         ("X#1.5", 3, r"#1\.5: the number of a parameter is whole"),
         ("#5 3", 4, "'=' is missing behind the parameter"),
         ("#5 =", 4, "a number is missing: the line ends here"),
-        ("#5221 = 3", 2, "one of the interpreter's own"),
+        ("#5420 = 3", 2, "#5420 is the interpreter's own"),
         ("G1 X[1] = 2", 9, "'=' has no parameter before it"),
         ("X1 ]#1=2", 4, "']' closes no expression"),
         ("N[1] X1", 1, "a line number is written in digits"),
         ("X[1e3]", 4, "an operation or ']' is missing before 'e'"),
         ("X" + "[" * 60 + "1" + "]" * 60, 53, "nested more than 50 deep"),
         ("X[2 ** 40]", 1, "no sensible number"),
-        ("O[1] sub", 1, "O-words"),
+        ("O[1] sub", 1, "an O-word stands alone on its line"),
+        ("G1 X[2] O[1] call", 9, "an O-word stands alone on its line"),
     ],
 )
 def test_refusals_name_the_place(line: str, column: int, message: str) -> None:
