@@ -16,7 +16,7 @@ BROKEN = (
     "G17 G81 X1 Z5 R1", "G81 X1 Z-1 R1 L0", "G82 X1 Z-1 R1", "G5 X1 Y1 I1 J1 P1", "G5.1 X1 Y1", "G5.3", "G93 G1 X1", "o901 endif",
     "o902 endwhile", "o903 break", "o904 call", "o905 continue", "#0 = 5", "#5 = ", "G0 X1 R5", "G1 X1 P3", "F-5", "G38 X1", "M3 M5", "G17 G18",
     "G0 X#<nothing>", "G2 X1 R0.1", "G28.1 X5 G1", "G92 X1 G1", "G10 L2 P1 X1 G1", "o<broken> if", "o906 sub\no907 sub\no907 endsub",
-    "G0 X1 Y", "G0 @5 X1", "G18 G0 @5 ^3", "T-1", "S-1", "G43.2", "G10 L20 P0 I5", "o908 return [1]", "G55 G54", "G61 G64", "G98 G99",
+    "G0 X1 Y", "G0 @5 X1", "G18 G0 @5 ^3", "T-1", "S-1", "G43.2", "G10 L20 P0 I5", "G55 G54", "G61 G64", "G98 G99",
 )  # fmt: skip
 
 
@@ -194,7 +194,7 @@ class Writer:
 
     def own(self) -> list[str]:
         name = self.dice.choice(["_x", "_y", "_z", "_metric", "_absolute", "_plane", "_motion_mode", "_coord_system", "_tool_offset", "_rpm",
-                                 "_spindle_on", "_retract_r_plane", "_call_level", "_value", "_value_returned", "_incremental", "_abs_x", "_abs_z",
+                                 "_spindle_on", "_retract_r_plane", "_call_level", "_incremental", "_abs_x", "_abs_z",
                                  "_ijk_absolute_mode", "_lathe_diameter_mode", "_units_per_minute", "_line"])  # fmt: skip
         return [f"G0 X[#<{name}> * 0.01]"]
 

@@ -1,18 +1,23 @@
 """Whatever the text, the reader answers with a program or a ProgramError, soon; and what is written is read back."""
 
+import itertools
 import math
 import random
+import time
 from dataclasses import replace
 from importlib.resources import files
+from pathlib import Path
 
 import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
 from contourlab.errors import ProgramError
-from contourlab.program import PLANE_AXES, Arc, Dwell, Feed, Move, Plane, Point, Traverse, parse_program, read_program
+from contourlab.program import PLANE_AXES, Arc, Dwell, Feed, Move, Plane, Point, Spline, Traverse, iter_moves, parse_program, read_program
 
+CORPUS = [(file.read_text(encoding="utf-8")) for file in sorted((Path(__file__).parents[1] / "golden" / "programs").glob("*.ngc"))]
 SHIPPED = (files("contourlab") / "machines" / "programs" / "circle_diamond_square.ngc").read_text(encoding="utf-8")
+CORPUS.append(SHIPPED)
 MODERATE = settings(max_examples=150, deadline=2000, suppress_health_check=[HealthCheck.too_slow])
 
 # --- any text -------------------------------------------------------------------------------------------------------
@@ -20,9 +25,15 @@ MODERATE = settings(max_examples=150, deadline=2000, suppress_health_check=[Heal
 
 def answer(text: str) -> None:
     """Read `text`: a sound program, or an error with a place inside the text."""
+    answer_within(text, 200_000)
+
+
+def answer_within(text: str, most: int) -> None:
+    """The same for at most so many moves: damage may make a loop endless."""
     lines = text.replace("\r\n", "\n").replace("\r", "\n").split("\n")
+    made: list[Move] = []
     try:
-        program = parse_program(text, "fuzz")
+        made += itertools.islice(iter_moves(lines, "fuzz"), most)
     except ProgramError as error:
         assert error.file == "fuzz"
         assert 0 <= error.line <= len(lines)
@@ -30,7 +41,7 @@ def answer(text: str) -> None:
             assert 1 <= error.column <= len(lines[error.line - 1])
         return
     place: Point = (0.0, 0.0, 0.0)
-    for move in program.moves:
+    for move in made:
         assert 1 <= move.source_line <= len(lines)
         if isinstance(move, Dwell):
             assert 0.0 < move.seconds < math.inf
@@ -38,7 +49,10 @@ def answer(text: str) -> None:
         assert move.start == place
         assert all(map(math.isfinite, move.end))
         place = move.end
-        if isinstance(move, Arc):
+        if isinstance(move, Spline):
+            assert len(move.knots) == len(move.points) + move.degree + 1
+            assert all(math.isfinite(v) for point in move.points for v in point)
+        elif isinstance(move, Arc):
             assert 0.0 < move.radius < math.inf
             assert 0.0 < abs(move.sweep) < math.inf
         else:
@@ -64,7 +78,10 @@ def test_any_bytes(tmp_path_factory: pytest.TempPathFactory, content: bytes) -> 
 
 VOCABULARY = (
     "G0 G1 G2 G3 G4 G17 G18 G19 G20 G21 G90 G91 G90.1 G91.1 G94 M2 M30 F100 F0 P1 P2 I5 J5 K5 I-5 J0 R5 R-8 R0 "
-    "X0 Y0 Z0 X10 Y10 Z10 X-5 Y2.5 Z.1 N10 (c) ; % ( ) G41 S100 #1 [1] O1"
+    "X0 Y0 Z0 X10 Y10 Z10 X-5 Y2.5 Z.1 N10 (c) ; % ( ) G41 S100 #1 [1] O1 "
+    "G5 G5.1 G5.2 G5.3 G7 G8 G10 G28 G28.1 G30 G43 G43.1 G43.2 G49 G52 G53 G54 G55 G59.3 G61 G61.1 G64 G73 G74 G80 G81 G82 G83 G84 G85 "
+    "G86 G87 G88 G89 G92 G92.1 G92.2 G92.3 G93 G95 G98 G99 L1 L2 L20 L3 Q1 Q-1 H1 E1 @5 ^30 M3 M4 M5 M6 M19 M61 M62 M67 M98 M99 T1 D1 "
+    "P0 P999999999 L999999999 R999999999 X999999999 Q0.0000001 #5221=3 #1=[#1+1] #<a>=2 #<_x> [1/0] /"
 )
 WORDS = st.one_of(
     st.sampled_from(VOCABULARY.split()),
@@ -78,16 +95,77 @@ def test_any_words(text: str) -> None:
     answer("F100 G1 X1\n" + text + "\nM2")
 
 
+FLOW = st.sampled_from(
+    [
+        "o1 sub", "o1 endsub", "o1 call", "o1 call [2] [3]", "o1 return", "o1 return [4]", "o2 if [1]", "o2 if [0]", "o2 elseif [1]", "o2 else",
+        "o2 endif", "o3 while [1]", "o3 while [#1 LT 3]", "o3 endwhile", "o4 do", "o4 while [0]", "o4 while [1]", "o5 repeat [3]", "o5 endrepeat",
+        "o3 break", "o3 continue", "o4 break", "o5 continue", "o5 break", "o6", "M98 P6", "M98 P6 L3", "M98 P1", "M99", "#1 = [#1 + 1]", "G91 G0 X1",
+        "o<a> call", "o[#1] if [1]", "o1", "o1 while", "/o2 endif", "o5 repeat [999999999]", "G1 Y2", "M2", "G81 X1 Z-1 R1 L3",
+    ]
+)  # fmt: skip
+
+
+@settings(max_examples=150, deadline=None, suppress_health_check=[HealthCheck.too_slow])
+@given(st.lists(FLOW, max_size=14))
+def test_any_flow(lines: list[str]) -> None:
+    """Loops that never end but move are the caller's to stop, after any number of moves: a thousand will do."""
+    begun = time.perf_counter()
+    moves = iter_moves(["F100", *lines, "G1 X1", "M2"])
+    try:
+        for _ in itertools.islice(moves, 1000):
+            pass
+    except ProgramError as error:
+        assert 0 <= error.line <= len(lines) + 3
+    assert time.perf_counter() - begun < 20.0
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "o1 sub\no1 call\no1 call\no1 endsub\no1 call",
+        "o1 repeat [999999999]\no1 endrepeat",
+        "o1 while [1]\no2 while [1]\no2 endwhile\no1 endwhile",
+        "M98 P1 L999999999\nM2\nO1\nM99",
+        "M98 P1\nM2\nO1\nM98 P1\nM99",
+        "G2 I1 P999999999",
+        "G81 X1 Z-1 R1 L999999999",
+        "G83 X1 Z-1 R1 Q0.0000001",
+        "G91 G81 X900000 Z-1 R1 L10000",
+        "#1 = 1\n" + "#1 = [#1 * 10]\n" * 400 + "G0 X#1",
+        "G0 X" + "[" * 100_000,
+        "G0 X" + "#" * 100_000 + "1",
+        "G0 X" + "-" * 100_000 + "1",
+        "o" + "[" * 100_000,
+        "o1 call" + " [1]" * 50_000,
+        "o" + "1" * 100_000 + " call",
+        "G10 L2 P1 X999999999\nG0 X1",
+        "G10 L2 P1 R999999999\nG0 X1",
+        "G92 X999999999\nG0 X1",
+        "G43.1 Z999999999\nG0 X1",
+        "#5221 = 999999999 #5220 = 77\nG55\nG54\nG0 X[#<_coord_system>]",
+        "#5161 = 999999999\nG28",
+        "G93 G1 X1 F999999999",
+        "G95 S999999999 F99999 G1 X1",
+        "G7\nG0 X999999",
+    ],
+    ids=lambda text: repr(text[:24]),
+)
+def test_absurd_programs_end_soon(text: str) -> None:
+    begun = time.perf_counter()
+    answer(f"F100 S10 M3\n{text}\nM2")
+    assert time.perf_counter() - begun < 10.0
+
+
 @MODERATE
 @given(st.data())
 def test_damaged_programs(data: st.DataObject) -> None:
-    text = SHIPPED
+    text = data.draw(st.sampled_from(CORPUS))
     for _ in range(data.draw(st.integers(1, 4))):
         at = data.draw(st.integers(0, len(text)))
         cut = data.draw(st.integers(0, 3))
-        new = data.draw(st.sampled_from(["", "-", ".", "9", " ", "\n", "G", "X", "(", ")", "%", "é"]))
+        new = data.draw(st.sampled_from(["", "-", ".", "9", " ", "\n", "G", "X", "(", ")", "%", "é", "o", "[", "]", "#", "/", "1"]))
         text = text[:at] + new + text[at + cut :]
-    answer(text)
+    answer_within(text, 3000)
 
 
 @pytest.mark.parametrize(

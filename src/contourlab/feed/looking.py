@@ -11,48 +11,80 @@ import math
 __all__ = ["clock", "demand", "lower", "steps"]
 
 
-def clock(arc_length, square, time):
-    """Fill the time (n,) [s] at each sample of a motion, running on over the stretches."""
-    time[0] = 0.0
-    before = math.sqrt(square[0])
-    for i in range(1, arc_length.size):
-        speed = math.sqrt(square[i])
-        step, both = arc_length[i] - arc_length[i - 1], speed + before
-        time[i] = time[i - 1] + (2.0 * step / both if step > 0.0 and both > 0.0 else 0.0)
-        before = speed
-
-
-def steps(arc_length, square, time, begin, begin_span, period, mean):
-    """Fill the mean speed in each step of the time grid of each stretch; the last one ends within its step.
+def clock(arc_length, square, first, last, free, period, time, lasting, count):
+    """Fill the time at each sample, counted from the start of its block.
 
     Parameters
     ----------
-    arc_length, square, time (n,)
-    begin, begin_span (n_stretch + 1,)
-        The samples of each stretch, and its steps with the empty ones behind them.
+    arc_length, square (n,)
+    first, last (n_block,)
+        Samples at which each block begins and ends; a block begins at the sample where the one before ends, or at a stop.
+    free (n_block,)
+        Zero for a block that is to take a whole number of periods: it is slowed down for the rest of one, gently, and not at its ends.
+    period [s]
+        0: none is slowed down.
+    time (n,) [s]
+        Filled, but for the end of a block, whose time is `lasting`.
+    lasting (n_block,) [s], count (n_block,)
+        Filled: the time that each block takes, and how many periods that are begun.
+    """
+    for block in range(first.size):
+        so_far = 0.0
+        before = math.sqrt(square[first[block]])
+        time[first[block]] = 0.0
+        for i in range(first[block] + 1, last[block] + 1):
+            speed = math.sqrt(square[i])
+            step, both = arc_length[i] - arc_length[i - 1], speed + before
+            so_far += 2.0 * step / both if step > 0.0 and both > 0.0 else 0.0
+            if i < last[block]:
+                time[i] = so_far
+            before = speed
+        lasting[block] = so_far
+        if period == 0.0:
+            continue
+        count[block] = max(math.ceil(so_far / period - 1e-9), 1)
+        if free[block] == 0:
+            lasting[block] = count[block] * period
+            more = lasting[block] - so_far
+            for i in range(first[block] + 1, last[block]):
+                part = time[i] / so_far
+                time[i] += more * part * part * (3.0 - 2.0 * part)
+
+
+def steps(arc_length, square, time, first, last, lasting, begin, count, period, mean):
+    """Fill the mean speed in each step of the time grid; the last step of a block that ends within it is short.
+
+    Parameters
+    ----------
+    arc_length, square, time (n,); first, last, lasting, count (n_block,)
+        As for `clock`.
+    begin (n_block,)
+        First step of each block.
     period [s]
         Of the grid.
     mean (n_step,) [m/s]
-        Zero beforehand.
+        Filled in the steps of the blocks.
     """
-    for stretch in range(begin.size - 1):
-        first, last = begin[stretch], begin[stretch + 1] - 1
-        i, reached, row = first, 0.0, begin_span[stretch]
-        whole = arc_length[last] - arc_length[first]
-        count = 1
-        while reached < whole:
-            at = time[first] + count * period
-            if at >= time[last] or row + count >= begin_span[stretch + 1]:
-                mean[row + count - 1] = (whole - reached) / period
-                break
-            while time[i + 1] <= at:
-                i += 1
-            dt, step = at - time[i], arc_length[i + 1] - arc_length[i]
-            pull = 0.5 * (square[i + 1] - square[i]) / step if step > 0.0 else 0.0
-            place = arc_length[i] - arc_length[first] + dt * (math.sqrt(square[i]) + 0.5 * dt * pull)
-            mean[row + count - 1] = (place - reached) / period
+    for block in range(first.size):
+        i, reached, end = first[block], 0.0, last[block]
+        whole = arc_length[end] - arc_length[i]
+        origin = arc_length[i]
+        for k in range(1, count[block] + 1):
+            at, place = k * period, whole
+            if k < count[block]:
+                while i + 1 < end and time[i + 1] <= at:
+                    i += 1
+                # A block that was slowed down passes its intervals in proportion.
+                until = lasting[block] if i + 1 == end else time[i + 1]
+                part = (at - time[i]) / (until - time[i]) if until > time[i] else 1.0
+                low, high = math.sqrt(square[i]), math.sqrt(square[i + 1])
+                both = low + high
+                step = arc_length[i + 1] - arc_length[i]
+                if both > 0.0:
+                    place = arc_length[i] - origin + step * part * (2.0 * low + part * (high - low)) / both
+                place = min(max(place, reached), whole)
+            mean[begin[block] + k - 1] = (place - reached) / period
             reached = place
-            count += 1
 
 
 def lower(arc_length, faults, factors, half, haste, low, parts):
@@ -112,7 +144,7 @@ def _over(tangent, second, third, row, v, a, j, velocity, acceleration, jerk, wo
 
 
 def _between(tangent, second, third, i, gap, part, here):
-    """Fill `here` with the derivatives of the path between the samples i and i + 1: cubics, since each is known with its own; the third quadratic."""
+    """Fill `here` with the derivatives of the path between the samples i and i + 1: cubics and, for the third, a quadratic."""
     for axis in range(tangent.shape[1]):
         t0, t1 = tangent[i, axis], tangent[i + 1, axis]
         k0, k1 = second[i, axis], second[i + 1, axis]

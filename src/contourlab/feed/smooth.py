@@ -38,11 +38,12 @@ STEPS = 4  # of the time grid in T
 ROUNDING = 1e-6  # of a limit
 CLOSE = 1e-3  # of a limit: what the path may show between the samples
 ROUNDS = 60  # corrections at most
-N_FULL = 4  # rounds that look at everything at first, and every which one does later
-AROUND = 24  # samples around a change that the others look at
+BEND = 4000.0  # slowing down by a step accelerates by 6 v h/D^2: D is as long as keeps that below 6/BEND of the limit
+BLOCK = 50  # periods in a part of a stretch that keeps a time grid of its own; it is slowed down by half a step at an average
 HASTE = 2.5  # rounds after which a correction counts twice, then three times: what is left is stubborn
-PER_SPAN = 4  # places looked at in each span, besides the samples
-MOST_SPANS = 4_000_000  # where the jerk is plentiful, T is no shorter than this asks for
+PER_SPAN = 4  # places looked at in each span, besides the samples ...
+PER_SPAN_MOST = 24  # ... or at which the path is asked, where there are many samples in each
+MOST_SPANS = (8, 10_000)  # a sample, and besides: where the jerk is plentiful, T is no shorter than this asks for
 MANY = (5_000, 200_000)  # samples above which only the two, and the one, most likely periods are tried
 CHUNK = 200_000  # places at which the path is asked at once
 
@@ -110,10 +111,18 @@ def _kernels() -> _Kernels:
         kernel(kernels.spread, " ".join([f, f, f, f, i])),
         kernel(kernels.flatten, " ".join([f, f, "f8", f])),
         kernel(looking.demand, " ".join([f, m, m, m, f, i, m, i, f, f, f, "i8", "f8", i, "f8[:,:,:]", f, f, m, i])),
-        kernel(looking.clock, " ".join([f, f, f])),
-        kernel(looking.steps, " ".join([f, f, f, i, i, "f8", f])),
+        kernel(looking.clock, " ".join([f, f, i, i, i, "f8", f, f, i])),
+        kernel(looking.steps, " ".join([f, f, f, i, i, f, i, i, "f8", f])),
         kernel(looking.lower, " ".join([f, m, m, "f8", "f8", m, m])),
     )
+
+
+class _Blocks(NamedTuple):
+    """First and last sample of each block, and whether it may end within a step (n_block,)."""
+
+    first: NDArray[np.int64]
+    last: NDArray[np.int64]
+    free: NDArray[np.int64]
 
 
 class _Memory(NamedTuple):
@@ -148,6 +157,10 @@ class _Planner:
         self.half = 0.5 * period * (STEPS + 2) / STEPS  # what the average takes in on either side
         self.parts, self.low = np.ones((3, n)), np.ones((3, n))
         self.first, self.second = _memory(n), _memory(n)
+        self.before = np.full(n, np.nan)
+        first, last = self.begin[:-1], self.begin[1:] - 1
+        self.blocks = _Blocks(first, last, np.ones_like(first))  # whole stretches, until `divide`
+        self.divided = False
 
     def square(self) -> Array:
         """Return v^2 at the samples."""
@@ -174,15 +187,20 @@ class _Planner:
         self.run.demand(*where, *self.inverse, PER_SPAN, 1.0 + ROUNDING, watched, here, worst, peak, faults, count)
         return peak, faults[: int(count[0])]
 
-    def watched(self, round_: int) -> NDArray[np.int64]:
-        """Return at which samples a round looks: now and then at all, else where something has changed."""
-        n = self.base.size
-        if round_ < N_FULL or round_ % N_FULL == 0:
-            return np.ones(n, dtype=np.int64)
-        changed = (self.second if self.period > 0.0 else self.first).flags != 0
-        low = np.clip(np.flatnonzero(changed) - AROUND, 0, n)
-        edge = np.bincount(low, minlength=n + 1) - np.bincount(np.clip(low + 2 * AROUND + 1, 0, n), minlength=n + 1)
-        return np.asarray(np.cumsum(edge)[:n], dtype=np.int64)
+    def changed(self, square: Array, faults: Array) -> NDArray[np.int64]:
+        """Return at which samples a motion is to be looked at: in blocks that have changed or had faults, and in their neighbours."""
+        different = square != self.before
+        different[faults[:, 0].astype(np.intp)] = True
+        self.before[:] = square
+        # A block's last sample is the next one's first; each block is looked at with the one before and the one behind it.
+        edges = np.append(self.blocks.first, square.size)
+        blocks = np.add.reduceat(different, edges[:-1]) > 0
+        ends = different[self.blocks.last]
+        blocks |= ends
+        near = blocks.copy()
+        near[1:] |= blocks[:-1]
+        near[:-1] |= blocks[1:]
+        return np.repeat(near, np.diff(edges)).astype(np.int64)
 
     def lower(self, faults: Array, haste: float) -> None:
         """Lower the limits of the samples that the average at each fault takes in."""
@@ -197,31 +215,59 @@ class _Planner:
         )
         self.run.lower(self.place[0], np.ascontiguousarray(faults), np.stack(factors), self.half, haste, self.low, self.parts)
 
+    def divide(self, square: Array) -> None:
+        """Divide the stretches into blocks of about `BLOCK` periods, each of a whole number of steps.
+
+        So what is corrected in one of them leaves the time grid of all others where it was, and they need not be looked at again.
+        """
+        first, last, speed = self.blocks.first, self.blocks.last, np.sqrt(square)
+        time, lasting, _ = self._clock(square, self.blocks)
+        of_stretch = np.repeat(np.arange(first.size), np.diff(self.begin))
+        size = max(BLOCK * self.period, np.sqrt(BEND * float(speed.max()) * self.period / STEPS / float(self.acceleration.min())))
+        number = np.floor(time / size)
+        # The last block of a stretch is a long one, not a short one; its time is not that of its last sample.
+        number = np.minimum(number, np.maximum(np.floor(lasting / size) - 1.0, 0.0)[of_stretch])
+        number[last] = number[np.maximum(last - 1, 0)]
+        border = np.flatnonzero((np.diff(number) > 0.0) & (of_stretch[1:] == of_stretch[:-1])) + 1
+        starts = np.sort(np.concatenate([first, border]))
+        ends = np.append(starts[1:], self.begin[-1])
+        free = np.isin(ends, self.begin[1:])
+        self.blocks = _Blocks(starts, np.where(free, ends - 1, ends), free.astype(np.int64))
+        self.divided = True
+
+    def _clock(self, square: Array, blocks: _Blocks) -> tuple[Array, Array, NDArray[np.int64]]:
+        time, lasting, count = np.empty_like(square), np.empty(blocks.first.size), np.zeros(blocks.first.size, dtype=np.int64)
+        self.run.clock(self.place[0], square, *blocks, self.period / STEPS, time, lasting, count)
+        return time, lasting, count
+
     def spans(self, square: Array) -> tuple[Array, Index]:
         """Turn v^2 at the samples into spans; return them and the first of each stretch."""
-        time = np.empty_like(square)
-        self.run.clock(self.place[0], square, time)
-        return self._averaged(square, time) if self.period > 0.0 else self._plain(square, time)
+        if self.period > 0.0 and not self.divided:
+            self.divide(square)
+        return self._averaged(square) if self.period > 0.0 else self._plain(square)
 
-    def _plain(self, square: Array, time: Array) -> tuple[Array, Index]:
+    def _plain(self, square: Array) -> tuple[Array, Index]:
         """Return spans of constant acceleration, one for each interval."""
-        lasting, step = np.diff(time), np.diff(self.place[0])
-        moves = (lasting > 0.0) & (step > 0.0)
+        speed, step = np.sqrt(square), np.diff(self.place[0])
+        moves = (step > 0.0) & (speed[1:] + speed[:-1] > 0.0)
         moves[self.begin[1:-1] - 1] = False
+        lasting = 2.0 * step[moves] / (speed[1:] + speed[:-1])[moves]
         acceleration = np.diff(square)[moves] / (2.0 * step[moves])
         none = np.zeros_like(acceleration)
-        spans = np.stack([lasting[moves], self.place[0][:-1][moves], np.sqrt(square[:-1][moves]), acceleration, none], axis=-1)
+        spans = np.stack([lasting, self.place[0][:-1][moves], speed[:-1][moves], acceleration, none], axis=-1)
         return spans, np.append(0, np.cumsum(moves))[np.append(self.begin[:-1], moves.size)]
 
-    def _averaged(self, square: Array, time: Array) -> tuple[Array, Index]:
+    def _averaged(self, square: Array) -> tuple[Array, Index]:
         """Return spans of constant jerk, each a part of the period long."""
-        h, arc_length = self.period / STEPS, self.place[0]
+        h, arc_length, blocks = self.period / STEPS, self.place[0], self.blocks
         first, last = self.begin[:-1], self.begin[1:] - 1
-        n_step = np.maximum(np.ceil((time[last] - time[first]) / h).astype(np.intp), 1)
+        time, lasting, count = self._clock(square, blocks)
+        leading = np.searchsorted(blocks.first, first)
         # Steps of each stretch, and behind them zeros enough that no average reaches into the next.
-        begin = np.append(0, np.cumsum(n_step + STEPS + 1))
+        begin = np.append(0, np.cumsum(np.add.reduceat(count, leading) + STEPS + 1))
+        shift = np.repeat((STEPS + 1) * np.arange(first.size), np.diff(np.append(leading, count.size)))
         mean = np.zeros(int(begin[-1]))
-        self.run.steps(arc_length, square, time, self.begin, begin.astype(np.int64), h, mean)
+        self.run.steps(arc_length, square, time, blocks.first, blocks.last, lasting, np.cumsum(count) - count + shift, count, h, mean)
         padded = np.concatenate([np.zeros(STEPS + 1), mean])
         box = padded[2 : 2 + mean.size].copy()
         for k in range(1, STEPS):
@@ -237,8 +283,8 @@ class _Planner:
 
 def _by_path(planner: _Planner, spans: Array, begin: Index) -> tuple[Array, Array]:
     """Return what `_Planner.look` does, by the derivatives of the path instead of those of the samples."""
-    per_span = PER_SPAN if planner.period > 0.0 else 2 * PER_SPAN
     samples, stretch = planner.samples, np.repeat(np.arange(begin.size - 1), np.diff(begin))
+    per_span = min(PER_SPAN + 2 * samples.arc_length.size // len(spans), PER_SPAN_MOST) if planner.period > 0.0 else 2 * PER_SPAN
     peak, faults = np.zeros(begin.size - 1), []
     inside = np.linspace(1e-9, 1.0 - 1e-9, per_span)
     limits = planner.velocity, planner.acceleration, planner.jerk
@@ -267,16 +313,16 @@ def _by_path(planner: _Planner, spans: Array, begin: Index) -> tuple[Array, Arra
 
 def _corrected(planner: _Planner) -> Shaped:
     """Lower the limits where the result breaks them, until it does not."""
+    faults = np.empty((0, 7))
     for round_ in range(ROUNDS):
-        spans, begin = planner.spans(planner.square())
-        watched = planner.watched(round_ if round_ < ROUNDS - 1 else 0)
-        peak, faults = planner.look(spans, begin, watched)
-        if len(faults) == 0 and not np.all(watched):
-            peak, faults = planner.look(spans, begin, np.ones_like(watched))
+        square = planner.square()
+        spans, begin = planner.spans(square)
+        peak, faults = planner.look(spans, begin, planner.changed(square, faults))
         if len(faults) == 0 or round_ == ROUNDS - 1:
             # Good by the samples, which are cheap to ask; the path itself has the last word.
-            by_path, faults = _by_path(planner, spans, begin)
-            peak = np.maximum(peak, by_path)
+            peak, faults = planner.look(spans, begin, np.ones_like(planner.queue))
+            by_path, more = _by_path(planner, spans, begin)
+            peak, faults = np.maximum(peak, by_path), np.concatenate([faults, more])
             if len(faults) == 0:
                 break
         planner.lower(faults, 1.0 + round_ / HASTE)
@@ -305,7 +351,7 @@ def shaped(path: Path, samples: Samples, limits: AxisLimits) -> list[Shaped]:
         return [_corrected(_Planner(path, samples, limits, 0.0))]
     fastest = np.maximum(np.minimum(samples.ceiling, float(np.linalg.norm(limits.velocity))), 1e-12)
     least = float(np.sum(np.diff(samples.arc_length) / np.minimum(fastest[1:], fastest[:-1])))
-    shortest = STEPS * least / MOST_SPANS
+    shortest = STEPS * least / (MOST_SPANS[0] * samples.arc_length.size + MOST_SPANS[1])
     periods = sorted({max(part * unit, shortest) for part in PERIODS})
     n_tried = 3 - int(np.searchsorted(MANY, samples.arc_length.size))
     if n_tried < 3 and len(periods) > n_tried:

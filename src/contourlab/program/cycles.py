@@ -19,8 +19,8 @@ __all__ = ["drill"]
 
 PECK_CLEARANCE = 0.010 * 0.0254
 """How far above the last depth a pecking tool comes back to feed [m]."""
-LEAST_PECK = 1e-10
-"""A last stroke of at most this length [m] is rounding, and left out."""
+LEAST_STROKE = 1e-10
+"""Strokes of at most this length [m] are rounding, and left out."""
 MOST_REPEATS = 10_000
 MOST_PECKS = 100_000
 LONGEST_DWELL = 86_400.0
@@ -83,7 +83,7 @@ class _Cycle:
         self.state.mode = replace(self.state.mode, control="exact_path", tolerance=None, merge=None)
         for repeat in range(self._repeats()):
             self._next_hole()
-            if repeat == 0 and here > self.clearance:
+            if repeat == 0 and here > self.clearance + LEAST_STROKE:
                 self._go(here)
                 self._go(self.clearance)
             else:
@@ -112,6 +112,8 @@ class _Cycle:
             memory.clearance = state.length(self.words["R"].value)
         level = memory.level = state.position[normal] if memory.level is None else memory.level
         self.clearance = memory.clearance if state.absolute else memory.clearance + level
+        if abs(level - self.clearance) < LEAST_STROKE:
+            level = self.clearance
         self.depth = memory.depth if state.absolute else self.clearance + memory.depth
         if self.clearance < self.depth:
             raise BlockError(f"the clearance R lies below the depth {letter}: the cycle would work upwards", self.column)
@@ -229,7 +231,7 @@ class _Cycle:
     def _peck(self) -> None:
         """Drill in strokes: G83 comes out to the clearance after each, G73 only breaks the chip."""
         reached = self.clearance - self.state.cycle.peck
-        while reached > self.depth + LEAST_PECK:
+        while reached > self.depth + LEAST_STROKE:
             self._go(reached, feed=True)
             if self.code == 830:
                 self._go(self.clearance)

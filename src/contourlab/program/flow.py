@@ -116,12 +116,12 @@ def _label(cursor: Cursor, parameters: Parameters) -> str:
             raise BlockError("the name of the O-word has no end: write for example O<drill>", cursor.column)
         cursor.at = end + 1
         return name
-    digits = cursor.take(_DIGITS)
+    column, digits = cursor.column, cursor.take(_DIGITS)
     if digits:
         if len(digits) > 9:
-            raise BlockError("the number of an O-word has at most 9 digits", cursor.column)
+            raise BlockError("the number of an O-word has at most 9 digits: shorten it", column)
         return str(int(digits))
-    column, value = cursor.column, read_value(cursor, parameters)
+    value = read_value(cursor, parameters)
     if abs(value - round(value)) > 1e-4 or not 0 <= value <= 1e9:
         raise BlockError(f"the label of an O-word is a whole number: {value:g} is none", column)
     return str(round(value))

@@ -9,6 +9,7 @@ from contourlab.program.state import ModalState
 
 __all__ = ["tolerated"]
 
+_COMMENT = re.compile(r"\([^()]*\)|;.*")
 _AXIS = re.compile(r"[XYZxyz]")
 _MOTION = re.compile(r"[Gg][ \t]*0*(?:[0-3](?:\.0*)?|38\.[2-5]|28|30|92|10|53|43\.1|80)(?![0-9.])")
 
@@ -33,15 +34,18 @@ def tolerated(line: str, number: int, notices: list[Notice], state: ModalState) 
     if plain == "%":
         notices.append(Notice("a line of % was passed over", number, 1))
         return ""
-    opened = line.rfind("(")
-    if opened >= 0 and line.find(")", opened) < 0:
+    blank = _without_comments(line)
+    opened = blank.find("(")
+    if opened >= 0 and ")" not in blank[opened:]:
         notices.append(Notice("the comment has no end: the rest of the line was taken for it", number, opened + 1))
         line = line[:opened]
-    if state.motion is None and _AXIS.search(_without_comments(line)) and not _MOTION.search(line):
-        notices.append(Notice("a move before any motion code: taken for G0, as after grbl's start", number, 1))
+        blank = blank[:opened]
+    if state.motion is None and (axis := _AXIS.search(blank)) and not _MOTION.search(blank):
+        notices.append(Notice("a move before any motion code: taken for G0, as after grbl's start", number, axis.start() + 1))
         state.motion = 0
     return line
 
 
 def _without_comments(line: str) -> str:
-    return re.sub(r"\([^()]*\)|;.*", "", line)
+    """Return a line with blanks for its comments, so that the columns stay; a comment without an end is left."""
+    return _COMMENT.sub(lambda comment: " " * len(comment[0]), line)

@@ -64,6 +64,8 @@ def execute(block: Block, state: ModalState, line: int) -> list[Move]:
         raise BlockError("polar coordinates lie in the XY plane: write G17 on a line before", (words.get("@") or words["^"]).column)
     motion = _motion_to_be(block, state)
     _check_letters(block, motion)
+    if motion not in (0, 10) and "other" in codes and codes["other"].number == 530:
+        raise BlockError("G53 goes with G0 or G1: write one of them, and X, Y or Z, on its line", codes["other"].column)
     if "feed_mode" in codes:
         state.feed_mode = _FEED_MODES[codes["feed_mode"].number]  # type: ignore[assignment]  # the table holds the three
         if state.feed_mode != "inverse_time":

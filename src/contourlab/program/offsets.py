@@ -195,11 +195,9 @@ def machine_target(block: Block, state: ModalState) -> Point:
     Raises
     ------
     BlockError
-        If the motion is neither G0 nor G1, or the block is incremental or polar.
+        If the block is incremental or polar.
     """
     words, column = block.words, block.codes["other"].column
-    if state.motion not in (0, 10):
-        raise BlockError("G53 goes with G0 or G1: write one of them on its line", column)
     if not state.absolute:
         raise BlockError("G53 means machine coordinates, which are absolute: write G90", column)
     if "@" in words or "^" in words:

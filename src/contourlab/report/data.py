@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
-from typing import Any, Protocol
+from typing import TYPE_CHECKING, Any, Protocol
 
 import numpy as np
 from numpy.typing import NDArray
@@ -12,6 +12,9 @@ from numpy.typing import NDArray
 from contourlab.errors import ParameterError
 from contourlab.metrics import Bidirectional, CircleFigures, Metrics, Spike
 from contourlab.result import Result
+
+if TYPE_CHECKING:
+    from contourlab.report.feed_picture import FeedRun
 
 __all__ = [
     "AxisBounds",
@@ -349,6 +352,8 @@ class ReportData:
         What the errors are held against.
     notes : sequence of str
         What else is to be known of the path, such as that it was scaled.
+    feed : FeedRun or None
+        The planned motion, the same for all schemes.
 
     Raises
     ------
@@ -364,6 +369,7 @@ class ReportData:
     program: Sequence[str] = ()
     tolerance: float | None = None
     notes: Sequence[str] = ()
+    feed: FeedRun | None = None
 
     def __post_init__(self) -> None:
         if not self.schemes:

@@ -15,6 +15,7 @@ from contourlab.report.comparison import compare
 from contourlab.report.data import ReportData
 from contourlab.report.decimate import share
 from contourlab.report.error_pictures import circle_tables, error_charts, polar_charts
+from contourlab.report.feed_picture import feed_charts
 from contourlab.report.path_picture import path_charts
 from contourlab.report.plotly_view import Figure, line_figure, path_figure, polar_figure
 from contourlab.report.style import scheme_style
@@ -104,7 +105,7 @@ def _figures(data: ReportData, points: int) -> dict[str, list[dict[str, Any]]]:
         "path": [_entry(chart, path_figure(chart), view=chart.view) for chart in path_charts(data, points)],
         "circles": [_entry(chart, polar_figure(chart)) for chart in polar_charts(data, points)],
         "errors": [_entry(chart, line_figure(chart)) for chart in error_charts(data, points)],
-        "axes": [_entry(chart, line_figure(chart)) for chart in axis_charts(data, points)],
+        "axes": [_entry(chart, line_figure(chart)) for chart in (*feed_charts(data.feed), *axis_charts(data, points))],
         "bode": [_entry(chart, line_figure(chart)) for chart in bode_charts(data, points)],
     }
 

@@ -12,6 +12,7 @@ from contourlab.report.axis_pictures import axis_charts, bode_charts
 from contourlab.report.charts import Chart, PathChart, PolarChart
 from contourlab.report.data import ReportData
 from contourlab.report.error_pictures import error_charts, polar_charts
+from contourlab.report.feed_picture import feed_charts
 from contourlab.report.path_picture import path_charts
 from contourlab.result.atomic import write_bytes_atomic
 
@@ -78,6 +79,8 @@ def _drawings(data: ReportData) -> Iterator[tuple[str, Figure]]:
     for make in charts:
         for chart in make(data, POINTS):
             yield chart.key, _draw(chart)
+    for chart in feed_charts(data.feed):
+        yield chart.key, _draw(chart)
 
 
 def _draw(chart: Any) -> Figure:

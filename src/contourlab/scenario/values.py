@@ -256,6 +256,10 @@ class Case:
             return uniform(self.motion.path, self.feed.frequency * factor, self.feed.laps, period)
         return plan(self._route(factor), self.limits, period, laps=self.feed.laps)
 
+    def route(self) -> Route | None:
+        """Return the path with its feedrates as it is planned along; None under the uniform law, which plans nothing."""
+        return None if self.feed.law == "uniform" else self._route(self.feed.override)
+
     def _route(self, factor: float) -> Route:
         tolerance = DEFAULT_CORNER_TOLERANCE if self.feed.corner_tolerance is None else self.feed.corner_tolerance
         if isinstance(self.motion, Contour):

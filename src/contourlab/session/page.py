@@ -9,11 +9,24 @@ from collections.abc import Sequence
 import numpy as np
 
 from contourlab import __version__
+from contourlab.feed.binding import Binding, limiting
 from contourlab.metrics.circles import pairs
 from contourlab.report.data import AxisBounds, CircleRun, FrequencyResponse, Mark, Provenance, ReportData, SchemeReport
+from contourlab.report.feed_picture import FeedRun
 from contourlab.studies.compare import AxisBode, Outcome
 
 __all__ = ["report_data"]
+
+FEED_POINTS = 4000
+_HELD_BY = {
+    Binding.REST: "at rest",
+    Binding.FEEDRATE: "programmed feed",
+    Binding.VELOCITY: "axis velocity",
+    Binding.ACCELERATION: "axis acceleration",
+    Binding.JERK: "axis jerk",
+    Binding.CURVATURE_STEP: "step of curvature",
+    Binding.PLANNER: "planner's distance",
+}
 
 
 def report_data(title: str, outcomes: Sequence[Outcome], *, scenario: str, command: str) -> ReportData:
@@ -36,7 +49,25 @@ def report_data(title: str, outcomes: Sequence[Outcome], *, scenario: str, comma
     again = "save the scenario below as scenario.toml, then: contourlab run scenario.toml"
     provenance = Provenance(__version__, command, again, scenario, first.case.seed, system)
     schemes = [_scheme(outcome) for outcome in outcomes]
-    return ReportData(title, schemes, reference.path, provenance, programmed, first.case.lines, first.case.tolerance, first.case.notes)
+    return ReportData(
+        title, schemes, reference.path, provenance, programmed, first.case.lines, first.case.tolerance, first.case.notes, _feed(first)
+    )
+
+
+def _feed(outcome: Outcome) -> FeedRun | None:
+    """Return the planned motion at places spread over time and over the changes of speed; None where it was not planned within limits."""
+    reference, profile, route = outcome.reference, outcome.reference.profile, outcome.case.route()
+    if profile is None or route is None:
+        return None
+    # Evenly over time, and within the ramps, which a rapid passes between two even places.
+    ends = np.append(profile.t0[1:], profile.duration)
+    ramps = np.linspace(profile.t0, ends, 4)[:-1].ravel()
+    ramps = np.sort(ramps)[:: max(ramps.size // FEED_POINTS, 1)]
+    time = np.unique(np.concatenate([np.linspace(0.0, profile.duration, FEED_POINTS), ramps]))
+    motion = profile.motion(time)
+    codes = limiting(route, outcome.case.limits, profile, motion.arc_length)
+    asked = route.feedrate[reference.path.curve_index(motion.arc_length)]
+    return FeedRun(motion.arc_length, motion.speed, asked, time, codes, [_HELD_BY[code] for code in Binding])
 
 
 def _scheme(outcome: Outcome) -> SchemeReport:

@@ -8,7 +8,7 @@ from typing import Protocol
 
 from contourlab.analysis import AxisResponse, Margins, sampled_loop
 from contourlab.errors import ComponentError
-from contourlab.feed import Reference
+from contourlab.feed import AxisLimits, Reference, Route
 from contourlab.loop import Controller, Machine, simulate
 from contourlab.metrics import CircleFigures, Metrics, Spike, circles_of, judge, reversal_spikes, summarise
 from contourlab.result import Result
@@ -51,6 +51,13 @@ class Case(Protocol):
     @property
     def notes(self) -> tuple[str, ...]:
         """What is to be known of the motion, such as that it was scaled."""
+
+    @property
+    def limits(self) -> AxisLimits:
+        """Limits of the axes that the motion was planned with."""
+
+    def route(self) -> Route | None:
+        """The path with its feedrates; None where the motion was not planned."""
 
     def reference(self, feed_scale: float = 1.0) -> Reference:
         """Return the sampled reference, at a part of the programmed feed."""

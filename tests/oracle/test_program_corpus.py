@@ -1,0 +1,121 @@
+"""Programs of other people, as they are: LinuxCNC's interpreter makes the same moves, or the unsupported word is named."""
+
+from __future__ import annotations
+
+import re
+from pathlib import Path
+from types import ModuleType
+
+import pytest
+from program_oracle import NEEDED, SHARED, compare, load_oracle, our_moves, their_moves
+
+from contourlab.errors import ProgramError
+from contourlab.program import read_program
+
+pytestmark = NEEDED
+
+GCODE, INSTALLED = SHARED / "gcode", Path("/usr/share/linuxcnc/ncfiles")
+FILES = {
+    str(path.relative_to(root)): path
+    for root in (GCODE, INSTALLED)
+    for path in sorted(root.rglob("*"))
+    if path.suffix in {".ngc", ".nc", ".gcode"}
+}
+FILES = {key: file for key, file in FILES.items() if file.parent == GCODE or not (GCODE / f"linuxcnc__nc_files_{file.name}").is_file()}
+
+UNSUPPORTED = {
+    "cncjs__examples_gcode_helical-thread-milling.gcode": "G42",
+    "linuxcnc__nc_files_daisy.ngc": "A",
+    "b-index.ngc": "B",
+    "comp-g1.ngc": "G41",
+    "comp.ngc": "G42",
+    "comp311.ngc": "G41",
+    "comp311_2.ngc": "G41",
+    "cone.ngc": "B",
+    "g76.ngc": "G41",
+    "gmoccapy_2_tools_with_cutter_radius_compensation.ngc": "G41",
+    "gridprobe.ngc": "G38.2",
+    "lathe-g76.ngc": "G41",
+    "lathe_g70_71_demo.ngc": "G71.1",
+    "lathe_g7x_face_boring.ngc": "G72",
+    "lathe_g7x_quadrants.ngc": "G70",
+    "lathecomp.ngc": "G42",
+    "m70m72-demo.ngc": "M70",
+    "m73-demo.ngc": "M73",
+    "mmount.ngc": "G41",
+    "smartprobe.ngc": "G38.5",
+    "threading.ngc": "G33",
+    "toplevel.ngc": "M70",
+    "useful-subroutines.ngc": "G41",
+}
+"""Files that need a word that is not supported, and the first such word."""
+ONLY_CLOSING_PERCENT = {"CAMotics__examples_compass_text.ngc"}
+
+
+@pytest.fixture(scope="module")
+def oracle() -> ModuleType:
+    return load_oracle()
+
+
+OTHERS = [key for key in FILES if key not in UNSUPPORTED.keys() | ONLY_CLOSING_PERCENT]
+
+
+@pytest.mark.parametrize("key", OTHERS)
+def test_the_same_moves(oracle: ModuleType, key: str) -> None:
+    """Four decimals, and inches for machine units: the stand-alone program alone reads tool changes."""
+    file = FILES[key]
+    theirs, complaint = their_moves(oracle, file, "rs274")
+    if complaint:
+        # Subprograms in files of their own, and faults: refused here too.
+        with pytest.raises(ProgramError):
+            read_program(file)
+        return
+    _, wrong = compare(oracle, file, backend="rs274")
+    assert not wrong, wrong
+
+
+@pytest.mark.parametrize("key", [key for key in FILES if key in UNSUPPORTED])
+def test_unsupported_words_are_named_where_they_stand(key: str) -> None:
+    file, word = FILES[key], UNSUPPORTED[key]
+    with pytest.raises(ProgramError) as caught:
+        read_program(file)
+    error = caught.value
+    assert error.message.startswith(f"{word} (")
+    assert "is not supported yet: " in error.message
+    there = Path(error.file).read_text(encoding="latin-1").split("\n")[error.line - 1][error.column - 1 :]
+    assert re.sub(r"(?<=[A-Z])0+(?=[0-9])", "", there.upper().replace(" ", "")).startswith(word)
+
+
+def test_the_list_of_unsupported_files_is_up_to_date() -> None:
+    if not INSTALLED.is_dir() or not GCODE.is_dir():
+        pytest.skip("one of the two collections is not there")
+    assert FILES.keys() >= UNSUPPORTED.keys() | ONLY_CLOSING_PERCENT
+    assert len(OTHERS) > 150
+
+
+@pytest.mark.parametrize("name", sorted(ONLY_CLOSING_PERCENT))
+def test_a_percent_that_only_closes_is_refused(name: str) -> None:
+    """The interpreter refuses it, too; without that line the moves are the same."""
+    if name not in FILES:
+        pytest.skip("the file is not there")
+    with pytest.raises(ProgramError, match="a % that closes has none that opens"):
+        read_program(FILES[name])
+
+
+DOUBLES = [key for key, file in FILES.items() if file.parent == GCODE and key in OTHERS]
+
+
+@pytest.mark.parametrize("key", DOUBLES)
+def test_the_same_moves_in_full_doubles(oracle: ModuleType, tmp_path: Path, key: str) -> None:
+    """Without the words that the module cannot stand outside LinuxCNC, which move nothing: tools of no length."""
+    text = FILES[key].read_text(encoding="latin-1")
+    file = tmp_path / "program.ngc"
+    file.write_text(re.sub(r"\bT[0-9]+\b|\bM0?6(?![0-9])|G43\s*H[0-9]+|(?<![A-Z])G43(?![.0-9])", " ", text), encoding="latin-1")
+    made, error = our_moves(file.read_text(encoding="latin-1"))
+    if error is not None:
+        pytest.skip(f"left without a tool: {error.message}")
+    count, wrong = compare(oracle, file)
+    if "gcode module: rc=-11" in wrong:
+        pytest.skip("the module gives up on a word of it")
+    assert not wrong, wrong
+    assert count == len(made) > 1

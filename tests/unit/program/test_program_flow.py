@@ -1,0 +1,199 @@
+"""O-words, M98 and M99: which lines are executed, how often, and what is said where they do not fit together."""
+
+from __future__ import annotations
+
+import time
+import tracemalloc
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+
+from contourlab.errors import ProgramError
+from contourlab.program import Dwell, Reading, iter_moves, parse_program, read_program
+from contourlab.program.flow import Tape
+
+
+def ends(text: str) -> list[float]:
+    """Return the x [mm] that the moves of a program end at."""
+    moves = parse_program(f"G21 F100 G1\n{text}\nM2").moves
+    return [round(1e3 * move.end[0], 9) for move in moves if not isinstance(move, Dwell)]
+
+
+@pytest.mark.parametrize(
+    ("text", "wanted"),
+    [
+        ("o1 if [1]\nX1\no1 else\nX2\no1 endif", [1]),
+        ("o1 if [0]\nX1\no1 else\nX2\no1 endif", [2]),
+        ("o1 if [0]\nX1\no1 endif\nX3", [3]),
+        ("#1 = 2\no1 if [#1 EQ 1]\nX1\no1 elseif [#1 EQ 2]\nX2\no1 elseif [1]\nX3\no1 else\nX4\no1 endif", [2]),
+        ("o1 if [0]\nX1\no1 elseif [0]\nX2\no1 else\nX4\no1 endif", [4]),
+        ("o1 if [0]\no2 if [1]\nX1\no2 else\nX2\no2 endif\no1 endif\nX5", [5]),
+        ("o1 if [1]\no2 if [0]\nX1\no2 else\nX2\no2 endif\no1 else\nX3\no1 endif", [2]),
+        ("#1 = 0\no1 while [#1 LT 3]\n#1 = [#1 + 1]\nX#1\no1 endwhile", [1, 2, 3]),
+        ("o1 while [0]\nX1\no1 endwhile\nX2", [2]),
+        ("#1 = 5\no1 do\n#1 = [#1 + 1]\nX#1\no1 while [#1 LT 3]", [6]),
+        ("#1 = 0\no1 repeat [3]\n#1 = [#1 + 1]\nX#1\no1 endrepeat", [1, 2, 3]),
+        ("o1 repeat [0]\nX1\no1 endrepeat\nX2", [2]),
+        ("o1 repeat [-2]\nX1\no1 endrepeat\nX2", [2]),
+        ("#1 = 0\no1 while [1]\n#1 = [#1 + 1]\no2 if [#1 EQ 3]\no1 break\no2 endif\nX#1\no1 endwhile\nX9", [1, 2, 9]),
+        ("#1 = 0\no1 while [#1 LT 4]\n#1 = [#1 + 1]\no2 if [#1 EQ 2]\no1 continue\no2 endif\nX#1\no1 endwhile", [1, 3, 4]),
+        ("#1 = 0\no1 do\n#1 = [#1 + 1]\no2 if [#1 EQ 2]\no1 continue\no2 endif\nX#1\no1 while [#1 LT 4]", [1, 3, 4]),
+        ("#1 = 0\no1 repeat [4]\n#1 = [#1 + 1]\no2 if [#1 EQ 2]\no1 continue\no2 endif\nX#1\no1 endrepeat", [1, 3, 4]),
+        ("#1 = 0\no1 repeat [2]\no2 repeat [2]\n#1 = [#1 + 1]\nX#1\no3 if [#1 EQ 1]\no1 continue\no3 endif\no2 endrepeat\no1 endrepeat", [1, 2, 3]),
+        ("o1 repeat [2]\no2 while [1]\nG91 X1\no2 break\no2 endwhile\no1 endrepeat", [1, 2]),
+        ("o[1 + 1] if [1]\nX1\no2 endif", [1]),
+        ("o<A b> if [1]\nX1\nO<ab> endif", [1]),
+        ("o007 if [1]\nX1\nO7 endif", [1]),
+        ("N10 o1 if [1]\n N20 O1 endif (there)\nX1", [1]),
+    ],
+)
+def test_conditions_and_loops(text: str, wanted: list[float]) -> None:
+    assert ends(text) == wanted
+
+
+@pytest.mark.parametrize(
+    ("text", "wanted"),
+    [
+        ("o1 sub\nX#1 Y#2\no1 endsub\no1 call [3] [4]\no1 call [5]", [3, 5]),
+        ("#1 = 7\no1 sub\n#1 = 9\nX#1\no1 endsub\no1 call [3]\nX#1", [9, 7]),
+        ("#31 = 7\no1 sub\n#31 = 9\no1 endsub\no1 call\nX#31", [9]),
+        ("#<_g> = 2 #<l> = 3\no1 sub\n#<_g> = 5 #<l> = 6\nX#<l>\no1 endsub\no1 call\nX#<_g>\nX#<l>", [6, 5, 3]),
+        ("o1 sub\nX1\no2 if [#1 EQ 1]\no1 return\no2 endif\nX2\no1 endsub\no1 call [1]\nX3\no1 call [2]", [1, 3, 1, 2]),
+        ("o1 sub\no1 endsub [#1 * 2]\no1 call [4]\nX#<_value>\nX[#<_value_returned> + 20]", [8, 21]),
+        ("o1 sub\no1 endsub\no1 call\nX[#<_value_returned> + 20]", [20]),
+        ("o1 sub\nX1\no1 endsub\no2 sub\nX2\no1 call\nX3\no2 endsub\no2 call", [2, 1, 3]),
+        ("o1 call\nX5\nM2\no1 sub\nX1\no1 endsub", [1, 5]),
+        ("o1 sub\nX#1\no2 if [#1 GT 1]\no1 call [#1 - 1]\no2 endif\no1 endsub\no1 call [4]", [4, 3, 2, 1]),
+        ("o1 sub\nX[#<_call_level>]\no1 endsub\no1 call\nX[#<_call_level> + 7]", [1, 7]),
+        ("M98 P5 L3\nX9\nM2\nO5\nG91 X1\nG90\nM99", [1, 2, 3, 9]),
+        ("#1 = 4\nM98 P5\nX#1\nM2\nO5\nX#1\n#1 = 6\nM99", [4, 6]),
+        ("M98 P5\nM2\nO5\nX1\nM98 P6\nX3\nM99\nO6\nX2\nM99", [1, 2, 3]),
+        ("o1 sub\no2 while [1]\nX1\no1 return\no2 endwhile\no1 endsub\no1 call\nX2", [1, 2]),
+    ],
+)
+def test_subprograms(text: str, wanted: list[float]) -> None:
+    assert ends(text) == wanted
+
+
+@pytest.mark.parametrize(
+    ("text", "line", "column", "message"),
+    [
+        ("o100 sub", 1, 1, "O100 sub has no end: write O100 endsub"),
+        ("o<name> call", 1, 1, "there is no subprogram Oname"),
+        ("G0 X1\n  O100 if [0]\nX2\nX3", 2, 3, "O100 if has no end"),
+        ("G0 X1\no1 while [1]\nX2", 3, 0, "O1 while has no end: write O1 endwhile"),
+        ("o1 endif", 1, 1, "O1 endif belongs to no if"),
+        ("o1 else", 1, 1, "O1 else belongs to no if"),
+        ("o1 if [1]\no2 endif", 2, 1, "O2 endif belongs to no if"),
+        ("o1 if [1]\no2 while [1]\no1 endif", 3, 1, "O1 endif belongs to no if"),
+        ("o1 endwhile", 1, 1, "closes no while"),
+        ("o1 endrepeat", 1, 1, "closes no repeat"),
+        ("o1 break", 1, 1, "stands in no loop"),
+        ("o1 continue", 1, 1, "stands in no loop"),
+        ("o1 endsub", 1, 1, "stands in no subprogram"),
+        ("o1 return [1]", 1, 1, "stands in no subprogram"),
+        ("o1 if", 1, 1, "if takes one expression"),
+        ("o1 if [1] [2]", 1, 1, "if takes one expression"),
+        ("o1 repeat [1/0]", 1, 13, "1 / 0 has no value"),
+        ("o1 repeat [2 ** 60]", 1, 1, "keep the number of repeats below"),
+        ("o1 begin", 1, 4, "is followed by no keyword"),
+        ("o1 do [2]", 1, 1, "do takes no value"),
+        ("o1 if [1] X2", 1, 11, "behind an O-word"),
+        ("o call", 1, 3, "begins no function"),
+        ("o<open call", 1, 2, "has no end"),
+        ("o[1.5] call", 1, 2, "whole number"),
+        ("o1234567890 call", 1, 2, "at most 9 digits"),
+        ("o1 sub\no2 sub\no2 endsub\no1 endsub", 2, 1, "O2 sub stands inside O1 sub"),
+        ("o1 sub\no1 endsub\no1 sub\no1 endsub", 3, 1, "there twice"),
+        ("o1 if [1]\no1 endif\no1 if [1]\no1 endif", 3, 1, "the label O1 stands for a block that begins in line 1"),
+        ("o1 repeat [1]\no1 endrepeat\no1 while [1]\no1 endwhile", 3, 1, "the label O1 stands for a block that begins in line 1"),
+        ("o1 call" + " [1]" * 31, 1, 1, "at most 30 arguments"),
+        ("M98", 1, 1, "M98 has no P"),
+        ("M98 P1.5", 1, 5, "whole number"),
+        ("M98 P7", 1, 1, "there is no subprogram O7"),
+        ("o1 sub\no1 call\no1 endsub\no1 call", 2, 1, "nested more than 9 deep"),
+        ("M98 P1\nM2\nO1\nM98 P1\nM99", 4, 1, "nested more than 9 deep"),
+    ],
+)
+def test_refusals(text: str, line: int, column: int, message: str) -> None:
+    with pytest.raises(ProgramError, match=message) as caught:
+        parse_program(f"{text}\nM2" if line < 3 or "while has" not in message else text)
+    assert (caught.value.line, caught.value.column) == (line, column)
+
+
+@pytest.mark.parametrize(
+    "text",
+    ["o1 while [1]\no1 endwhile", "o1 do\nG21\no1 while [1]", "o1 repeat [999999999]\no1 endrepeat",
+     "M98 P1 L999999999\nM2\nO1\nM99", "o1 while [1]\no2 repeat [3]\n#1 = 2\no2 endrepeat\no1 endwhile", "o1 while [1]\nG0 X0\no1 endwhile",
+     "o1 while [1]\nG92 X0\no1 continue\no1 endwhile"],
+)  # fmt: skip
+def test_endless_loops_are_stopped_soon(text: str) -> None:
+    begun = time.perf_counter()
+    with pytest.raises(ProgramError, match="endless loop"):
+        parse_program(f"{text}\nM2")
+    assert time.perf_counter() - begun < 5.0
+
+
+def test_a_label_may_serve_in_a_subprogram_again() -> None:
+    assert ends("o1 sub\no9 if [1]\nX1\no9 endif\no1 endsub\no9 if [1]\no1 call\no1 call\no9 endif") == [1]
+
+
+def test_subprograms_in_files_of_their_own(tmp_path: Path) -> None:
+    (tmp_path / "drill.ngc").write_text("o<drill> sub\nG0 X#1\no<drill> endsub\nM2\n", encoding="utf-8")
+    (tmp_path / "bad.ngc").write_text("(a)\no<bad> sub\nG0 X\no<bad> endsub\nM2\n", encoding="utf-8")
+    main = tmp_path / "main.ngc"
+    main.write_text("o<Drill> call [7]\nG0 Y1\nM2\n", encoding="utf-8")
+    moves = read_program(main).moves
+    assert [move.end for move in moves] == [(0.007, 0.0, 0.0), (0.007, 0.001, 0.0)]  # type: ignore[union-attr]
+    main.write_text("o<bad> call\nM2\n", encoding="utf-8")
+    with pytest.raises(ProgramError, match="X has no number") as caught:
+        read_program(main)
+    assert (caught.value.file, caught.value.line) == (str(tmp_path / "bad.ngc"), 3)
+    with pytest.raises(ProgramError, match="there is no subprogram Odrill"):
+        parse_program("o<drill> call [7]\nM2")
+    assert len(parse_program("o<drill> call [7]\nM2", reading=Reading(folder=tmp_path)).moves) == 1
+    with pytest.raises(ProgramError, match="there is no subprogram"):
+        parse_program("o<../main> call\nM2", reading=Reading(folder=tmp_path / "deeper"))
+
+
+def test_block_delete() -> None:
+    text = "/G0 X1\nG0 X2\n /N5 X3\n/o1 if [1]\n/X4\n/o1 endif\nM2"
+    assert [1e3 * m.end[0] for m in parse_program(text).moves] == [1, 2, 3, 4]  # type: ignore[union-attr]
+    assert [1e3 * m.end[0] for m in parse_program(text, reading=Reading(block_delete=True)).moves] == [2]  # type: ignore[union-attr]
+
+
+def test_a_tape_keeps_what_may_be_needed_again() -> None:
+    tape = Tape(iter(f"line {i}" for i in range(10)), "t")
+    assert tape.line(3) == "line 3"
+    tape.forget(3)
+    assert tape.line(3) == "line 3"
+    assert tape.line(9) == "line 9"
+    assert tape.line(10) is None
+
+
+@pytest.mark.slow
+def test_a_long_program_keeps_no_lines() -> None:
+    """Ten times as many lines, loops among them, take no more memory."""
+
+    def peak(count: int) -> int:
+        tracemalloc.start()
+        for _ in iter_moves(_lines(count), require_end=False):
+            pass
+        found = tracemalloc.get_traced_memory()[1]
+        tracemalloc.stop()
+        return found
+
+    peak(1000)
+    short, long = peak(4_000), peak(40_000)
+    assert long < 1.5 * short + 20_000
+
+
+def _lines(count: int) -> Iterator[str]:
+    yield "G21 G1 F100 #1 = 0"
+    for number in range(count):
+        yield f"X{number % 977} Y{number % 31}"
+        if number % 1000 == 0:
+            yield f"o{number} repeat [3]"
+            yield "#1 = [#1 + 1]"
+            yield f"o{number} endrepeat"
