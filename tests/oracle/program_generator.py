@@ -12,9 +12,11 @@ NUMBERS = ("0", "0.001", "1", "-1", "2.5", "-2.5", "5", "10", "-10", "3.1416", "
 ANGLES = ("0", "30", "-45", "90", "123.4", "180", "-270")
 BROKEN = (
     "X1 X2", "G0 G1 X1", "G1.05 X1", "G0 X1 (a (b))", "G2 X10 I5 P0", "G4", "G4 P-1", "G0 X[1/0]", "G0 XSQRT[-1]", "G10 L2 P11 X1",
-    "G10 L3 P1 X1", "G10 L2 X5", "G10 L20 P1 R5", "G53 G2 X1 I1", "G91 G53 G0 X1", "G43.1 G49", "G92", "G52", "G80 X5", "G81 X1", "G83 X1 Z-1 R1",
+    "G10 L3 P1 X1", "G10 L2 X5", "G10 L20 P1 R5", "G53 G2 X1 I1", "G91 G53 G0 X1", "G43.1 G49", "G92", "G52", "G80 X5", "G81 X1",
+    "G83 X1 Z-1 R1",
     "G17 G81 X1 Z5 R1", "G81 X1 Z-1 R1 L0", "G82 X1 Z-1 R1", "G5 X1 Y1 I1 J1 P1", "G5.1 X1 Y1", "G5.3", "G93 G1 X1", "o901 endif",
-    "o902 endwhile", "o903 break", "o904 call", "o905 continue", "#0 = 5", "#5 = ", "G0 X1 R5", "G1 X1 P3", "F-5", "G38 X1", "M3 M5", "G17 G18",
+    "o902 endwhile", "o903 break", "o904 call", "o905 continue", "#0 = 5", "#5 = ", "G0 X1 R5", "G1 X1 P3", "F-5", "G38 X1", "M3 M5",
+    "G17 G18",
     "G0 X#<nothing>", "G2 X1 R0.1", "G28.1 X5 G1", "G92 X1 G1", "G10 L2 P1 X1 G1", "o<broken> if", "o906 sub\no907 sub\no907 endsub",
     "G0 X1 Y", "G0 @5 X1", "G18 G0 @5 ^3", "T-1", "S-1", "G43.2", "G10 L20 P0 I5", "G55 G54", "G61 G64", "G98 G99",
 )  # fmt: skip
@@ -116,7 +118,11 @@ class Writer:
         return [f"G10 L20 P{self.dice.randrange(10)}{self.axes(least=1)}"]
 
     def shift(self) -> list[str]:
-        return [self.dice.choice([f"G92{self.axes(least=1)}", f"G92{self.axes(least=1)}", f"G52{self.axes(least=1)}", "G92.1", "G92.2", "G92.3"])]
+        return [
+            self.dice.choice(
+                [f"G92{self.axes(least=1)}", f"G92{self.axes(least=1)}", f"G52{self.axes(least=1)}", "G92.1", "G92.2", "G92.3"]
+            )
+        ]
 
     def home(self) -> list[str]:
         which, first = self.dice.choice([("G28", 5161), ("G30", 5181)])
@@ -142,13 +148,23 @@ class Writer:
         absolute = self.dice.random() < 0.6
         at = f" {first}{self.number()}" + (f" {second}{self.number()}" if self.dice.random() < 0.6 else "")
         depth = f" {normal}{self.dice.choice(['-3', '-4.25', '-10'])} R{self.dice.choice(['-1', '0', '2', '5'])}"
-        rest = {"G82": " P0.5", "G86": " P0.25", "G88": " P1", "G89": " P0.75", "G73": " Q1.3", "G83": " Q0.9", "G84": "", "G74": " P0.5"}.get(code, "")
+        rest = {
+            "G82": " P0.5",
+            "G86": " P0.25",
+            "G88": " P1",
+            "G89": " P0.75",
+            "G73": " Q1.3",
+            "G83": " Q0.9",
+            "G84": "",
+            "G74": " P0.5",
+        }.get(code, "")
         repeats = f" L{self.dice.randrange(1, 5)}" if self.dice.random() < 0.3 and code != "G74" else ""
         mode = ("G90 " if absolute else "G91 ") + self.dice.choice(["G98 ", "G99 ", ""])
         spindle = ["M4"] if code == "G74" else ["M3"]
         lines = [f"{plane} G94 F120", *spindle, f"{mode}{code}{at}{depth}{rest}{repeats}"]
         for _ in range(self.dice.randrange(3)):
-            sticky = self.dice.choice([f"{second}{self.number()}", f"{first}{self.number()} L2", f"{first}1 {normal}-5", f"{first}2 R1", "G98 " + f"{first}1",
+            sticky = self.dice.choice([f"{second}{self.number()}", f"{first}{self.number()} L2", f"{first}1 {normal}-5", f"{first}2 R1",
+            "G98 " + f"{first}1",
                                        f"G91 {first}1", f"G90 {second}2", f"{code} {first}3"])  # fmt: skip
             lines.append(sticky)
         return [*lines, self.dice.choice(["G80", "G80", "G0 X1", "G1 Y2", "G80 G0 Z9"])]
@@ -157,7 +173,9 @@ class Writer:
         lines = ["G93"]
         for _ in range(self.dice.randrange(1, 4)):
             i = OFFSETS[AXES[self.plane][0]]
-            lines.append(self.dice.choice([f"G1{self.axes(least=1)} F{self.dice.choice(['2', '0.5', '30'])}", f"G2 {i}3 F4", f"G0{self.axes()}"]))
+            lines.append(
+                self.dice.choice([f"G1{self.axes(least=1)} F{self.dice.choice(['2', '0.5', '30'])}", f"G2 {i}3 F4", f"G0{self.axes()}"])
+            )
         return [*lines, "G94 F90"]
 
     def per_turn(self) -> list[str]:
@@ -173,7 +191,13 @@ class Writer:
         elif kind == 1:
             lines.append(self.dice.choice(["G90 G5.1 X6 Y2 I2 J3", "G91 G5.1 X2 Y2 I0 J3"]))
         else:
-            lines += [f"G90 G5.2 X{self.dice.randrange(3, 6)} Y2 P1{self.dice.choice(['', ' L3', ' L4'])}", "X6 Y5 P2", "X8 Y1 P0.7", "X10 Y4 P1", "G5.3"]
+            lines += [
+                f"G90 G5.2 X{self.dice.randrange(3, 6)} Y2 P1{self.dice.choice(['', ' L3', ' L4'])}",
+                "X6 Y5 P2",
+                "X8 Y1 P0.7",
+                "X10 Y4 P1",
+                "G5.3",
+            ]
         return [*lines, "G1 X0"]
 
     def polar(self) -> list[str]:
@@ -188,12 +212,15 @@ class Writer:
         return [self.dice.choice(["G61", "G61.1", "G64", "G64 P0.01", "G64 P0.02 Q0.005", "G64 P0", "G64 Q0.1"])]
 
     def parameter(self) -> list[str]:
-        return [self.dice.choice(["#7 = [#7 + 0.5]", "#7 = 3", "#<depth> = [#5422 - 1]\nG0 Z#<depth>", "#<_far> = 8 #7 = 2", "G0 X#5421 #7 = 1.25 Y#7",
-                                  "#5221 = 3", "#5243 = -2", "#5230 = 15\nG55\nG54", "#5211 = 1\nG92.3", "#7 = EXISTS[#<_far>]", "G1 X[#5221 + 1] Y[#5220]",
+        return [self.dice.choice(["#7 = [#7 + 0.5]", "#7 = 3", "#<depth> = [#5422 - 1]\nG0 Z#<depth>", "#<_far> = 8 #7 = 2",
+        "G0 X#5421 #7 = 1.25 Y#7",
+                                  "#5221 = 3", "#5243 = -2", "#5230 = 15\nG55\nG54", "#5211 = 1\nG92.3", "#7 = EXISTS[#<_far>]",
+                                  "G1 X[#5221 + 1] Y[#5220]",
                                   "G1 X[#5161 / 2] Y#5211"])][0].split("\n")  # fmt: skip
 
     def own(self) -> list[str]:
-        name = self.dice.choice(["_x", "_y", "_z", "_metric", "_absolute", "_plane", "_motion_mode", "_coord_system", "_tool_offset", "_rpm",
+        name = self.dice.choice(["_x", "_y", "_z", "_metric", "_absolute", "_plane", "_motion_mode", "_coord_system", "_tool_offset",
+        "_rpm",
                                  "_spindle_on", "_retract_r_plane", "_call_level", "_incremental", "_abs_x", "_abs_z",
                                  "_ijk_absolute_mode", "_lathe_diameter_mode", "_units_per_minute", "_line"])  # fmt: skip
         return [f"G0 X[#<{name}> * 0.01]"]
@@ -225,8 +252,22 @@ class Writer:
     def while_loop(self, label: str, body: list[str]) -> list[str]:
         self.label += 1
         counter = f"#<n{self.label}>"
-        leave = [[], [f"o{self.label} if [{counter} EQ 2]", f"  {label} {self.dice.choice(['break', 'continue'][not self.breaks :])}", f"o{self.label} endif"]]
-        return [f"{counter} = 0", f"{label} while [{counter} LT 3]", f"{counter} = [{counter} + 1]", *self.dice.choice(leave), *body, f"{label} endwhile"]
+        leave = [
+            [],
+            [
+                f"o{self.label} if [{counter} EQ 2]",
+                f"  {label} {self.dice.choice(['break', 'continue'][not self.breaks :])}",
+                f"o{self.label} endif",
+            ],
+        ]
+        return [
+            f"{counter} = 0",
+            f"{label} while [{counter} LT 3]",
+            f"{counter} = [{counter} + 1]",
+            *self.dice.choice(leave),
+            *body,
+            f"{label} endwhile",
+        ]
 
     def do_loop(self, label: str, body: list[str]) -> list[str]:
         self.label += 1
@@ -242,7 +283,11 @@ class Writer:
         inside = self.dice.choice([["G1 X#1 Y#2"], ["G0 Z#1", "#7 = 9"], ["#1 = [#1 + 1]", "G1 Y#1"], ["#<own> = #2", "G0 X#<own>"]])
         end = self.dice.choice(["endsub", "endsub [#1 * 2]", "endsub"])
         sub = [f"{label} sub", *[line for line in body if " sub" not in line], *inside, f"{label} {end}"]
-        use = [f"{label} call [{self.number()}] [2]", "G0 X[#<_value> + 1]"] if self.dice.random() < 0.5 else [f"{label} call", f"{label} call [#7]"]
+        use = (
+            [f"{label} call [{self.number()}] [2]", "G0 X[#<_value> + 1]"]
+            if self.dice.random() < 0.5
+            else [f"{label} call", f"{label} call [#7]"]
+        )
         return [*sub, *use]
 
     def call_fanuc(self) -> list[str]:

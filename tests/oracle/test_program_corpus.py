@@ -64,7 +64,7 @@ OTHERS = [key for key in FILES if key not in UNSUPPORTED.keys() | ONLY_CLOSING_P
 def test_the_same_moves(oracle: ModuleType, key: str) -> None:
     """Four decimals, and inches for machine units: the stand-alone program alone reads tool changes."""
     file = FILES[key]
-    theirs, complaint = their_moves(oracle, file, "rs274")
+    _, complaint = their_moves(oracle, file, "rs274")
     if complaint:
         # Subprograms in files of their own, and faults: refused here too.
         with pytest.raises(ProgramError):
@@ -102,7 +102,9 @@ def test_a_percent_that_only_closes_is_refused(name: str) -> None:
         read_program(FILES[name])
 
 
-DOUBLES = [key for key, file in FILES.items() if file.parent == GCODE and key in OTHERS]
+GIVES_UP = {"linuxcnc__nc_files_3D_Chips.ngc"}
+"""Outside LinuxCNC the module gives up on a word of these."""
+DOUBLES = [key for key, file in FILES.items() if file.parent == GCODE and key in OTHERS and key not in GIVES_UP]
 
 
 @pytest.mark.parametrize("key", DOUBLES)
@@ -111,11 +113,6 @@ def test_the_same_moves_in_full_doubles(oracle: ModuleType, tmp_path: Path, key:
     text = FILES[key].read_text(encoding="latin-1")
     file = tmp_path / "program.ngc"
     file.write_text(re.sub(r"\bT[0-9]+\b|\bM0?6(?![0-9])|G43\s*H[0-9]+|(?<![A-Z])G43(?![.0-9])", " ", text), encoding="latin-1")
-    made, error = our_moves(file.read_text(encoding="latin-1"))
-    if error is not None:
-        pytest.skip(f"left without a tool: {error.message}")
     count, wrong = compare(oracle, file)
-    if "gcode module: rc=-11" in wrong:
-        pytest.skip("the module gives up on a word of it")
     assert not wrong, wrong
-    assert count == len(made) > 1
+    assert count == len(our_moves(file.read_text(encoding="latin-1"))[0]) > 1

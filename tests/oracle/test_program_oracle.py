@@ -98,9 +98,12 @@ def test_random_programs(oracle: ModuleType, tmp_path: Path, seed: int) -> None:
     [
         "F100\nG94\nG1 X1", "X1", "F100 G1 X1\nG4 X2 P-1", "F10 G2 X20.029 I10", "F10 G2 X200.11 I100",
         "F10 G2 X10 R4.9987", "F10 G2 X0.002 I0.001", "G20 F10 G2 X2.0029 I1", "F10 G2 X12005 I6000", "G0 X1 X2",
-        "G1.05 X1", "G0 X1 (a (b))", "F10 G2 X10 I5\nX20", "F10 G2 X10 I5 P0", "F10 G90.1 G2 X10 I5", "F0\nG1 X1", "G53 X1", "G53", "G2 I1 F3\nG53 X2",
-        "G17 G81 X1 Z-1 R1 L0 F9", "M3 S9 F9 G74 X1 Z-1 R1", "S9 M4 F9 G74 X1 Z-1 R1 L2", "G10 L2 P10 X1", "G10 L20 P1 R5", "G43.1 G49 Z1", "G5.3",
-        "G93\nG1 X1", "G93 F2 G81 X1 Z-1 R1", "o1 endif", "o1 if [1]\no1 endif\no1 if [1]\no1 endif", "o1 sub\no2 sub\no2 endsub\no1 endsub",
+        "G1.05 X1", "G0 X1 (a (b))", "F10 G2 X10 I5\nX20", "F10 G2 X10 I5 P0", "F10 G90.1 G2 X10 I5", "F0\nG1 X1", "G53 X1", "G53",
+        "G2 I1 F3\nG53 X2",
+        "G17 G81 X1 Z-1 R1 L0 F9", "M3 S9 F9 G74 X1 Z-1 R1", "S9 M4 F9 G74 X1 Z-1 R1 L2", "G10 L2 P10 X1", "G10 L20 P1 R5",
+        "G43.1 G49 Z1", "G5.3",
+        "G93\nG1 X1", "G93 F2 G81 X1 Z-1 R1", "o1 endif", "o1 if [1]\no1 endif\no1 if [1]\no1 endif",
+        "o1 sub\no2 sub\no2 endsub\no1 endsub",
         "G92 X1 G1", "G10 L2 P1 X1 G1", "G28 X1 G0", "G55 G54", "G0 X#<nothing>", "#5420 = 1", "G18 G5 X1 Y1 I1 J1 P1 Q1 F9",
     ],
 )  # fmt: skip
@@ -114,8 +117,10 @@ def test_both_refuse(oracle: ModuleType, tmp_path: Path, text: str) -> None:
     [
         "F10 G2 X20.028 I10", "F10 G2 X200.1 I100", "F10 G2 X10 R4.9988", "F10 G2 X0.0028 I0.0014",
         "G20 F10 G2 X2.0028 I1", "F10 G2 X10002.8 I5000", "F10 G2 X0 Y0 I5", "%\nG0 X1\n%", "g 0 x - 1 . 5 (c)",
-        "G1 X1 G20 F10", "G94 F10 G1 X1", "G1 F10 X1 G55", "G2 K5 G18 F10", "G0 X1 G91", "/G0 X1", "#1 = 5 G0 X#1 Y1", "G0 X1 Z2 G43.1", "G7 G0 X10",
-        "o1 if [0]\nG0 X2\no1 else\nG0 X1\no1 endif", "G10 L2 P1 X5 G20\nG0 X1", "o1 repeat [1.4]\nG0 X1\no1 endrepeat", "G92 X5\nG53 G0 X1",
+        "G1 X1 G20 F10", "G94 F10 G1 X1", "G1 F10 X1 G55", "G2 K5 G18 F10", "G0 X1 G91", "/G0 X1", "#1 = 5 G0 X#1 Y1", "G0 X1 Z2 G43.1",
+        "G7 G0 X10",
+        "o1 if [0]\nG0 X2\no1 else\nG0 X1\no1 endif", "G10 L2 P1 X5 G20\nG0 X1", "o1 repeat [1.4]\nG0 X1\no1 endrepeat",
+        "G92 X5\nG53 G0 X1",
         "G93 G1 X0.001 F2",
     ],
 )  # fmt: skip

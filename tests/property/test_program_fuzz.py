@@ -97,9 +97,12 @@ def test_any_words(text: str) -> None:
 
 FLOW = st.sampled_from(
     [
-        "o1 sub", "o1 endsub", "o1 call", "o1 call [2] [3]", "o1 return", "o1 return [4]", "o2 if [1]", "o2 if [0]", "o2 elseif [1]", "o2 else",
-        "o2 endif", "o3 while [1]", "o3 while [#1 LT 3]", "o3 endwhile", "o4 do", "o4 while [0]", "o4 while [1]", "o5 repeat [3]", "o5 endrepeat",
-        "o3 break", "o3 continue", "o4 break", "o5 continue", "o5 break", "o6", "M98 P6", "M98 P6 L3", "M98 P1", "M99", "#1 = [#1 + 1]", "G91 G0 X1",
+        "o1 sub", "o1 endsub", "o1 call", "o1 call [2] [3]", "o1 return", "o1 return [4]", "o2 if [1]", "o2 if [0]", "o2 elseif [1]",
+        "o2 else",
+        "o2 endif", "o3 while [1]", "o3 while [#1 LT 3]", "o3 endwhile", "o4 do", "o4 while [0]", "o4 while [1]", "o5 repeat [3]",
+        "o5 endrepeat",
+        "o3 break", "o3 continue", "o4 break", "o5 continue", "o5 break", "o6", "M98 P6", "M98 P6 L3", "M98 P1", "M99", "#1 = [#1 + 1]",
+        "G91 G0 X1",
         "o<a> call", "o[#1] if [1]", "o1", "o1 while", "/o2 endif", "o5 repeat [999999999]", "G1 Y2", "M2", "G81 X1 Z-1 R1 L3",
     ]
 )  # fmt: skip

@@ -13,7 +13,7 @@ from contourlab.feed.correspondence import Correspondence
 from contourlab.feed.merging import merged
 from contourlab.feed.route import Route
 from contourlab.geometry import Arc, Curve, Line, Path
-from contourlab.geometry.blend import blends, quintic_bezier
+from contourlab.geometry.blend import blends, halves, quintic_bezier
 from contourlab.geometry.path import CORNER_ANGLE
 
 __all__ = ["blended", "rounded"]
@@ -72,8 +72,8 @@ def rounded(route: Route) -> Route:
     -----
     A corner between lines, arcs and helices is replaced by a curve of continuous tangent and curvature; see `contourlab.feed.corner_blend`.
     At most half of a curve goes to the blend at either end, and at most 99 % where only one end has a blend. Corners with a dwell or an
-    exact stop, reversals (more than 175 degrees) and corners of other curves stay. A blend has the lower feedrate of its two curves and
-    is rapid only if both are; its line of the program is that of the curve before it.
+    exact stop, those between a rapid and a feed move, reversals (more than 175 degrees) and corners of other curves stay. Where the
+    feedrate changes at a corner, the blend is cut in its middle and each half is driven as its side is.
     """
     path = route.path
     corners = _corners(route)
@@ -96,6 +96,8 @@ def _corners(route: Route) -> _Corners:
     turn = 2.0 * np.arctan2(np.linalg.norm(second - first, axis=1), np.linalg.norm(second + first, axis=1))
     plain = np.array([type(curve) in (Line, Arc) for curve in path.curves], dtype=bool)
     wanted = (route.corner_tolerance[before] > 0.0) & (route.dwell[before] == 0.0) & ~route.exact_stop[before]
+    # A rapid comes to rest before a cut begins or after it has ended: slowing down to a cut within a blend would gain no time.
+    wanted &= route.rapid[before] == route.rapid[after]
     wanted &= (turn > CORNER_ANGLE) & (turn < MOST_TURN) & plain[before] & plain[after]
     return _Corners(before[wanted], after[wanted], turn[wanted])
 
@@ -127,7 +129,10 @@ class _Part(NamedTuple):
 
 def _assembled(route: Route, corners: _Corners, reach: Array, span: Array) -> Route:
     path, points = route.path, control_points(route.path, *corners, reach)
-    made, number = blends(quintic_bezier(points))
+    # Where the feedrate changes at a corner, each half of the blend is driven at that of its side.
+    coefficients, corner, second = _halved(quintic_bezier(points), route.feedrate[corners.before] != route.feedrate[corners.after])
+    made, piece = blends(coefficients)
+    number, second = corner[piece], second[piece]
     begin = path.breaks[corners.before + 1] - reach
     # A blend that had to be divided is spread over its place by length.
     length = np.array([blend.length for blend in made])
@@ -143,17 +148,24 @@ def _assembled(route: Route, corners: _Corners, reach: Array, span: Array) -> Ro
     places = np.append(places, places[0] + path.length if path.closed else path.length)
     between = Correspondence(planned.breaks, places)
     owner = np.concatenate([kept.owner, rounds.owner])[order]
-    is_round = order >= len(kept.curves)
-    ahead = (owner + 1) % route.n_curve
+    side = np.concatenate([kept.owner, np.where(second, corners.after[number], corners.before[number])])[order]
     return replace(
         route,
         path=planned,
         programmed=route.programmed,
-        feedrate=np.where(is_round, np.minimum(route.feedrate[owner], route.feedrate[ahead]), route.feedrate[owner]),
-        rapid=np.where(is_round, route.rapid[owner] & route.rapid[ahead], route.rapid[owner]),
         correspondence=between if route.correspondence is None else route.correspondence.after(between),
-        **{name: getattr(route, name)[owner] for name in ("dwell", "source_line", "corner_tolerance", "merge_tolerance", "exact_stop")},
+        **{name: getattr(route, name)[side] for name in ("feedrate", "rapid", "source_line")},
+        **{name: getattr(route, name)[owner] for name in ("dwell", "corner_tolerance", "merge_tolerance", "exact_stop")},
     )
+
+
+def _halved(coefficients: Array, wanted: NDArray[np.bool_]) -> tuple[Array, Index, NDArray[np.bool_]]:
+    """Return curves (n, 6, n_axis) with the wanted ones in halves, to which of the n each belongs, and whether it is a second half."""
+    corner = np.repeat(np.arange(len(wanted)), np.where(wanted, 2, 1))
+    second = np.append(False, corner[1:] == corner[:-1])
+    found = coefficients[corner]
+    found[wanted[corner]] = halves(coefficients[wanted])
+    return found, corner, second
 
 
 def _trimmed(path: Path, corners: _Corners, reach: Array, points: Array, span: Array) -> _Part:

@@ -347,12 +347,11 @@ def shaped(path: Path, samples: Samples, limits: AxisLimits) -> list[Shaped]:
     if not np.all(np.isfinite(limits.acceleration)):
         return []
     unit = float(np.max(limits.acceleration / limits.jerk))
-    if unit == 0.0:
-        return [_corrected(_Planner(path, samples, limits, 0.0))]
     fastest = np.maximum(np.minimum(samples.ceiling, float(np.linalg.norm(limits.velocity))), 1e-12)
     least = float(np.sum(np.diff(samples.arc_length) / np.minimum(fastest[1:], fastest[:-1])))
     shortest = STEPS * least / (MOST_SPANS[0] * samples.arc_length.size + MOST_SPANS[1])
-    periods = sorted({max(part * unit, shortest) for part in PERIODS})
+    # Without a limit of the jerk, a short average still wins where the plain motion would have to be corrected.
+    periods = sorted({max(part * unit, shortest) for part in PERIODS}) if unit > 0.0 else [0.0, shortest]
     n_tried = 3 - int(np.searchsorted(MANY, samples.arc_length.size))
     if n_tried < 3 and len(periods) > n_tried:
         # What a motion takes before its corrections tells well enough which periods are worth them.

@@ -11,7 +11,7 @@ from numpy.typing import ArrayLike, NDArray
 from contourlab.errors import GeometryError
 from contourlab.geometry.curve import Curve, Together, by_arc_length, ends, rows
 
-__all__ = ["Blend", "Blends", "blends", "quintic_bezier"]
+__all__ = ["Blend", "Blends", "blends", "halves", "quintic_bezier"]
 
 Array = NDArray[np.float64]
 Index = NDArray[np.int64]
@@ -117,7 +117,7 @@ def _measured(c: Array) -> tuple[Array, Array, NDArray[np.bool_]]:
     return length, inverse, good
 
 
-def _halves(c: Array) -> Array:
+def halves(c: Array) -> Array:
     """Return both halves of quintics c (n, 6, n_axis), one after the other: (2 n, 6, n_axis)."""
     scale = 0.5 ** np.arange(6.0)
     # (1 + u)^k in powers of u.
@@ -129,7 +129,7 @@ def _halves(c: Array) -> Array:
 def _inverted(c: Array) -> tuple[Array, Array, NDArray[np.bool_]]:
     """Return, of quintics c (n, 6, n_axis), the borders of their quarters (n, 5) [m], the series (n, 4, terms), and which are good."""
     n = len(c)
-    quarters = np.moveaxis(_halves(_halves(c)), 0, 2)
+    quarters = np.moveaxis(halves(halves(c)), 0, 2)
     parts = [_measured(quarters[:, :, i : i + _CHUNK].copy()) for i in range(0, 4 * n, _CHUNK)]
     length, inverse, good = (np.concatenate(column, axis=-1) for column in zip(*parts, strict=True))
     borders = np.concatenate([np.zeros((n, 1)), np.cumsum(length.reshape(n, 4), axis=1)], axis=1)
@@ -258,7 +258,7 @@ def blends(coefficients: ArrayLike) -> tuple[list[Blend], Index]:
             break
         borders, inverse, good = _inverted(c)
         made.append((owner[good], begin[good], c[good], borders[good], inverse[good]))
-        c, owner, begin = _halves(c[~good]), np.repeat(owner[~good], 2), np.repeat(begin[~good], 2)
+        c, owner, begin = halves(c[~good]), np.repeat(owner[~good], 2), np.repeat(begin[~good], 2)
         begin[1::2] += 0.5 ** (depth + 1)
     if len(c):
         raise GeometryError(f"blend {int(owner[0])} has a cusp, where it stands still: no arc length can be told there")

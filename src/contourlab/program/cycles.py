@@ -39,7 +39,7 @@ def drill(block: Block, state: ModalState, line: int, *, again: bool) -> list[Mo
         Its motion is the cycle.
     line : int
     again : bool
-        Whether the same cycle was in force before: words that are missing are then those of the last time.
+        Whether the same cycle was in force before: words that are missing are then those of the last time, unless the units have changed.
 
     Raises
     ------
@@ -58,6 +58,9 @@ class _Cycle:
 
     def __init__(self, block: Block, state: ModalState, line: int, again: bool) -> None:
         assert state.motion is not None  # the caller has seen that it is a cycle
+        # LinuxCNC takes the numbers that it remembers for ones of the new units: here they are to be written anew.
+        again = again and state.cycle.millimetres == state.millimetres
+        state.cycle.millimetres = state.millimetres
         self.words, self.state, self.line, self.again = block.words, state, line, again
         self.code, self.name = state.motion, g_name(state.motion)
         self.column = block.codes["motion"].column if "motion" in block.codes else next(iter(block.words.values())).column
@@ -135,7 +138,7 @@ class _Cycle:
         elif not self.again:
             raise BlockError(f"{self.name} has no peck: write Q, the depth of one stroke", self.column)
         if memory.peck <= 0.0:
-            raise BlockError(f"the peck Q of {self.name} must be greater than 0", self.column)
+            raise BlockError(f"the peck Q of {self.name} must be greater than 0: write Q with the depth of one stroke", self.column)
         if (self.clearance - self.depth) / memory.peck > MOST_PECKS:
             raise BlockError(f"the peck Q of {self.name} would take more than {MOST_PECKS} strokes: make it larger", self.column)
 

@@ -52,12 +52,22 @@ def _execute(block: Block, state: ModalState, line: int, code: int, column: int)
     index = block.words.get("E") if code in (67, 68) else None
     if index is None and code in (67, 68):
         raise BlockError(f"M{code} has no E: write the number of the output", column)
+    if code == 19:
+        _check_orientation(block)
     if code in (6, 61):
         state.tools.current = state.tools.selected if code == 6 or word is None else _tool_number(word)
         show_tool(state)
     if code in _SENSES:
         state.turning = _SENSES[code]
     state.events.append(Event(f"M{code}", None if word is None else word.value, line, None if index is None else index.value))
+
+
+def _check_orientation(block: Block) -> None:
+    turn, way = block.words.get("R"), block.words.get("P")
+    if turn is not None and not 0.0 <= turn.value <= 360.0:
+        raise BlockError(f"R{turn.value:g}: M19 turns the spindle to 0 to 360 degrees, correct it", turn.column)
+    if way is not None and way.value not in (0.0, 1.0, 2.0):
+        raise BlockError(f"P{way.value:g}: the P of M19 is 0 (shorter way), 1 (clockwise) or 2 (counterclockwise)", way.column)
 
 
 def _tool_number(word: Word) -> int:

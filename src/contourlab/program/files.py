@@ -53,8 +53,8 @@ def iter_moves(
     G89, G90 to G91.1, G93 to G95, G97 to G99, polar coordinates, parameters, expressions, O-words, M98 and M99. S, T, M0, M1, M3 to M9,
     M19, M48 to M53, M60 to M65, M67 and M68 are kept as events. Everything else is refused.
 
-    Stricter than LinuxCNC: a spline begun with G5.2 must be closed, and numbers beyond any machine are refused. More tolerant: lines may be
-    longer than 255 characters.
+    Stricter than LinuxCNC: a spline begun with G5.2 must be closed, G4 shares its P with no other code, a cycle wants its words anew after
+    a change of units, and numbers beyond any machine are refused. More tolerant: lines may be longer than 255 characters.
 
     References
     ----------

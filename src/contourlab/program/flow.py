@@ -99,11 +99,11 @@ _NUMBER = re.compile(r"[0-9]*\.?[0-9]*")
 
 def _check_values(keyword: str, count: int, column: int) -> None:
     if keyword in _CONDITIONS and count != 1:
-        raise BlockError(f"{keyword} takes one expression in brackets, as in [#1 LT 5]", column)
+        raise BlockError(f"{keyword} takes one expression: write it in brackets, as in [#1 LT 5]", column)
     if keyword in _VALUES and count > 1:
-        raise BlockError(f"{keyword} takes at most one value in brackets", column)
+        raise BlockError(f"{keyword} takes at most one value in brackets: delete the others", column)
     if keyword == "call" and count > MOST_ARGUMENTS:
-        raise BlockError(f"a call takes at most {MOST_ARGUMENTS} arguments", column)
+        raise BlockError(f"a call takes at most {MOST_ARGUMENTS} arguments: hand over the rest in #31 and on", column)
     if keyword not in (*_CONDITIONS, *_VALUES, "call") and count:
         raise BlockError(f"{keyword or 'O'} takes no value: delete the brackets", column)
 

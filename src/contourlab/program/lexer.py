@@ -28,8 +28,8 @@ _MORE_THAN_NUMBERS = re.compile(r"[#\[]|[+-][ \t]*[+-]")
 _BAD = {
     "]": "']' closes no expression: delete it, or write '[' where the expression starts",
     "=": "'=' has no parameter before it: write #1 = 2, at the start of a line or between words",
-    "<": "'<' belongs to a named parameter, as in #<depth>, or to O<name> at the start of a line",
-    ">": "'>' belongs to a named parameter, as in #<depth>, or to O<name> at the start of a line",
+    "<": "'<' belongs to a named parameter or to O<name> at the start of a line: write # before it, as in #<depth>",
+    ">": "'>' belongs to a named parameter or to O<name> at the start of a line: write #< before the name, as in #<depth>",
     "/": "/ (block delete) stands first on its line, or divides within [ ]: move or delete it",
     "%": "% may only stand alone on the first line and on the last: delete it here",
     "*": "* has no meaning here: checksums of printers are not part of RS274/NGC, delete it",

@@ -201,7 +201,7 @@ def machine_target(block: Block, state: ModalState) -> Point:
     if not state.absolute:
         raise BlockError("G53 means machine coordinates, which are absolute: write G90", column)
     if "@" in words or "^" in words:
-        raise BlockError("G53 takes X, Y and Z, no polar coordinates", column)
+        raise BlockError("G53 takes no polar coordinates: write X, Y and Z", column)
     x, y, z = (old if new is None else new for old, new in zip(state.axes, state.given(words), strict=True))
     point = state.frame.point((x, y, z))
     state.check_reach(point, words)

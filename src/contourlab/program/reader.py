@@ -198,7 +198,7 @@ class Reader:
             if word is not None:
                 values[letter] = round(word.value)
                 if abs(word.value - values[letter]) > 1e-4 or word.value < 0:
-                    raise BlockError(f"{letter}{word.value:g} of M98 is a whole number from 0", word.column)
+                    raise BlockError(f"{letter}{word.value:g} of M98 is no whole number from 0: correct it", word.column)
         if values["P"] < 0:
             raise BlockError("M98 has no P: write the number of the subprogram", column)
         self._walker.enter(str(values["P"]), None, column, values["L"])

@@ -32,7 +32,8 @@ def bezier(block: Block, state: ModalState, line: int) -> list[Move]:
     _check_plane(block, state, name)
     given = [letter in words for letter in "IJ"]
     if any(given) != all(given):
-        raise BlockError(f"{name} takes both I and J" + (", or neither to go on from the G5 before" if cubic else ""), column)
+        cure = "write both" + (", or neither to go on from the G5 before" if cubic else "")
+        raise BlockError(f"{name} takes both I and J: {cure}", column)
     away = (state.length(words["I"].value), state.length(words["J"].value)) if all(given) else state.tangent if cubic else None
     if away is None:
         raise BlockError(f"{name} has no I and J: the first of a row needs them", column)
@@ -41,7 +42,7 @@ def bezier(block: Block, state: ModalState, line: int) -> list[Move]:
     state.tangent = None
     if cubic:
         if "P" not in words or "Q" not in words:
-            raise BlockError("G5 takes both P and Q, from the end to the second control point", column)
+            raise BlockError("G5 takes both P and Q: they lead from the end to the second control point", column)
         p, q = state.length(words["P"].value), state.length(words["Q"].value)
         points.append((end[0] + p, end[1] + q, end[2]))
         state.tangent = (-p, -q)
@@ -72,12 +73,12 @@ def add_control_point(block: Block, state: ModalState) -> None:
     state.path_feedrate(column, "G5.2")
     _check_plane(block, state, "G5.2")
     if ("X" in words) != ("Y" in words):
-        raise BlockError("a control point of G5.2 has both X and Y", column)
+        raise BlockError("a control point of G5.2 has both X and Y: write the other, too", column)
     weight, fresh, point = words["P"].value if "P" in words else None, not curve.points, "X" in words
     if not (fresh or point):
-        raise BlockError("a control point of G5.2 has X and Y", column)
+        raise BlockError("a control point of G5.2 has X and Y: write them", column)
     if (weight is None and point) or (weight is not None and weight <= 0.0):
-        raise BlockError("each control point of G5.2 has a weight P greater than 0", column)
+        raise BlockError("each control point of G5.2 has a weight P greater than 0: write for example P1", column)
     if fresh:
         # The first one is where the tool is; a P without X and Y is its weight.
         curve.order = 3
@@ -108,7 +109,9 @@ def close_curve(block: Block, state: ModalState, line: int) -> list[Move]:
         raise BlockError("G5.3 closes a NURBS that no G5.2 has begun: write the control points before it", column)
     if len(curve.points) < curve.order:
         raise BlockError(
-            f"a NURBS of order {curve.order} takes at least {curve.order} control points, here are {len(curve.points)}", column
+            f"a NURBS of order {curve.order} takes at least {curve.order} control points, here are {len(curve.points)}: "
+            "write more of them before G5.3, or a smaller L",
+            column,
         )
     points: list[Point] = [(u, v, state.position[2]) for u, v in curve.points]
     state.curve, state.motion = Curve(), None

@@ -27,7 +27,7 @@ FeedMode: TypeAlias = Literal["per_minute", "per_turn", "inverse_time"]
 
 @dataclass(slots=True)
 class Cycle:
-    """What a canned cycle remembers from block to block, in program coordinates [m] and seconds."""
+    """What a canned cycle remembers from block to block, in program coordinates [m] and seconds, and the units it was written in."""
 
     depth: float = 0.0
     clearance: float = 0.0
@@ -35,6 +35,7 @@ class Cycle:
     dwell: float = 0.0
     peck: float = 0.0
     bore: Point = (0.0, 0.0, 0.0)
+    millimetres: bool = True
 
 
 @dataclass(slots=True)

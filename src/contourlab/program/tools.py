@@ -56,13 +56,14 @@ def read_tools(file: str | Path) -> Tools:
 
 def _add(tools: Tools, entry: str, file: str | Path, line: int) -> None:
     if _ENTRY.sub("", entry).strip():
-        raise ProgramError("a tool table has words such as T1 P1 D3.0 Z+25.4 on each line, and comments behind ';'", file=file, line=line)
+        cure = "write words such as T1 P1 D3.0 Z+25.4, and comments behind ';'"
+        raise ProgramError(f"this is no line of a tool table: {cure}", file=file, line=line)
     words = {letter.upper(): float(value) for letter, value in _ENTRY.findall(entry)}
     tool = words.get("T", 0.0)
     if tool != round(tool) or not 1 <= tool <= LARGEST_TOOL:
-        raise ProgramError(f"a tool has a whole number from 1 to {LARGEST_TOOL}, as in T1", file=file, line=line)
+        raise ProgramError(f"a tool has a whole number from 1 to {LARGEST_TOOL}: write for example T1", file=file, line=line)
     if int(tool) in tools.offsets:
-        raise ProgramError(f"tool {int(tool)} stands there twice", file=file, line=line)
+        raise ProgramError(f"tool {int(tool)} stands there twice: delete one of the lines", file=file, line=line)
     x, y, z = (words.get(letter, 0.0) / 1000.0 for letter in _LENGTHS)
     tools.offsets[int(tool)] = (x, y, z)
     tools.diameters[int(tool)] = words.get("D", 0.0) / 1000.0

@@ -117,7 +117,7 @@ class Walker:
         first = self._begun.setdefault((self.frame.label, word.label), place)
         if first != place:
             raise BlockError(
-                f"O{word.label} {word.keyword}: the label O{word.label} stands for a block that begins in line {first[1]}, take another one",
+                f"O{word.label} {word.keyword}: the label stands for a block that begins in line {first[1]}, take another one",
                 word.column,
             )
 
@@ -216,7 +216,7 @@ class Walker:
         """Leave the loops inside the one that is named, and return it."""
         loops = self.frame.loops
         if not any(loop.label == word.label for loop in loops):
-            raise BlockError(f"O{word.label} {word.keyword} stands in no loop of this label", word.column)
+            raise BlockError(f"O{word.label} {word.keyword} stands in no loop of this label: correct the label or delete it", word.column)
         while loops[-1].label != word.label:
             loops.pop()
         del self.frame.ifs[loops[-1].ifs :]
@@ -238,11 +238,17 @@ class Walker:
         while (line := tape.line(end)) is not None:
             lines.append(line)
             end += 1
-            if starts_o_word(line):
-                found = read_o_word(line, self.parameters, skipping=True)
-                if found.keyword == "endsub" and found.label == word.label:
-                    break
+            found = self._ahead_of_time(line)
+            if found and found.keyword == "endsub" and found.label == word.label:
+                break
         return Tape.of(lines, start, tape.name), start
+
+    def _ahead_of_time(self, line: str) -> OWord | None:
+        """Return the O-word of a line that is only looked at; what is wrong with it is told where it is executed."""
+        try:
+            return read_o_word(line, self.parameters, skipping=True) if starts_o_word(line) else None
+        except BlockError:
+            return None
 
     def _call(self, word: OWord) -> None:
         self.enter(word.label, list(word.values), word.column)
@@ -280,17 +286,17 @@ class Walker:
         """Look for a subprogram from a line on."""
         while (line := tape.line(start)) is not None:
             start += 1
-            if starts_o_word(line):
-                found = read_o_word(line, self.parameters, skipping=True)
-                if found.label == label and found.keyword == ("" if fanuc else "sub"):
-                    return self._body(tape, start, found)
+            found = self._ahead_of_time(line)
+            if found and found.label == label and found.keyword == ("" if fanuc else "sub"):
+                return self._body(tape, start, found)
         raise BlockError(f"there is no subprogram O{label}: neither here nor in a file {label}.ngc beside the program", column)
 
     def _endsub(self, word: OWord) -> None:
         frame = self.frame
         # A return may carry the label of the condition that it stands in.
         if not self.in_subprogram or frame.fanuc or (word.keyword == "endsub" and frame.label != word.label):
-            raise BlockError(f"O{word.label} {word.keyword} stands in no subprogram of this label", word.column)
+            cure = f"write O{word.label} sub before it, or delete it"
+            raise BlockError(f"O{word.label} {word.keyword} stands in no subprogram of this label: {cure}", word.column)
         self.parameters.returned = word.values[0] if word.values else None
         self._leave()
 

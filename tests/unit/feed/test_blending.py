@@ -206,11 +206,17 @@ def test_feedrates_rapids_and_lines_of_the_program() -> None:
     found = blended(
         route(zigzag, feedrate=[0.1, 0.05, np.inf, np.inf, 0.2], rapid=[False, False, True, True, False], source_line=[3, 4, 6, 7, 9])
     )
-    np.testing.assert_array_equal(found.feedrate, [0.1, 0.05, 0.05, 0.05, np.inf, np.inf, np.inf, 0.2, 0.2])
-    np.testing.assert_array_equal(found.rapid, [False, False, False, False, True, True, True, False, False])
-    np.testing.assert_array_equal(found.source_line, [3, 3, 4, 4, 6, 6, 7, 7, 9])
+    # Each half of a blend is driven as its side of the corner is; between two rapids there is nothing to halve.
+    np.testing.assert_array_equal(found.feedrate, [0.1, 0.1, 0.05, 0.05, 0.05, np.inf, np.inf, np.inf, np.inf, np.inf, 0.2, 0.2])
+    np.testing.assert_array_equal(found.rapid, [False] * 5 + [True] * 5 + [False] * 2)
+    np.testing.assert_array_equal(found.source_line, [3, 3, 4, 4, 4, 6, 6, 6, 7, 7, 9, 9])
     assert (found.corner_tolerance == P).all()
     assert not found.dwell.any()
+    # The two halves are one curve: place, direction and curvature go on from one to the other, in the middle of the blend.
+    ends, starts = (found.path.derivatives(found.path.breaks[2] + step, 2)[:, 0] for step in (-1e-13, 1e-13))
+    np.testing.assert_allclose(ends[1], starts[1], atol=1e-7)
+    np.testing.assert_allclose(ends[2], starts[2], rtol=1e-4)
+    assert found.path.curves[1].length == pytest.approx(found.path.curves[2].length, rel=1e-9)
 
 
 def test_a_closed_path_is_rounded_where_it_closes_and_goes_on_in_laps() -> None:

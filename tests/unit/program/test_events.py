@@ -6,6 +6,7 @@ from dataclasses import replace
 
 import pytest
 
+from contourlab.errors import ProgramError
 from contourlab.program import Event, Program, parse_program
 from contourlab.program.moves import PLAIN
 
@@ -58,3 +59,11 @@ def test_g80_ends_the_modal_motion_and_gives_way_to_another() -> None:
 
 def test_an_m2_ends_and_an_m0_does_not() -> None:
     assert len(parse_program("G0 X1\nM0\nX2\nM1\nX3\nM2\nX4").moves) == 3
+
+
+@pytest.mark.parametrize(("words", "column"), [("M19 R400", 5), ("M19 R-1", 5), ("M19 R90 P3", 9), ("M19 P0.5", 5)])
+def test_spindle_orientation_has_bounds(words: str, column: int) -> None:
+    with pytest.raises(ProgramError, match="M19") as caught:
+        read(words)
+    assert (caught.value.line, caught.value.column) == (2, column)
+    assert read("M19 R90 P2").events[0].word == "M19"

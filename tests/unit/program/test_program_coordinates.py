@@ -130,7 +130,7 @@ def test_tools_from_a_table(tmp_path: Path) -> None:
         ("T1 Z1\nT1 Z2", 2, "tool 1 stands there twice"),
         ("T1.5 Z1", 1, "whole number"),
         ("Z1", 1, "whole number"),
-        ("T1 Z1 what", 1, "has words such as"),
+        ("T1 Z1 what", 1, "write words such as"),
     ],
 )
 def test_bad_tables(tmp_path: Path, text: str, line: int, message: str) -> None:
@@ -166,7 +166,7 @@ def test_bad_tables(tmp_path: Path, text: str, line: int, message: str) -> None:
         ("G53", 1, "G53 goes with G0 or G1"),
         ("G53 X1", 5, "X without a motion"),
         ("G91 G53 G0 X1", 5, "G53 means machine coordinates"),
-        ("G53 G0 @5 ^3", 1, "no polar coordinates"),
+        ("G53 G0 @5 ^3", 1, "takes no polar coordinates"),
         ("H1", 1, "H has no G43"),
     ],
 )

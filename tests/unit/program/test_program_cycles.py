@@ -27,11 +27,16 @@ def strokes(text: str) -> list[tuple[str, tuple[float, ...] | float]]:
 
 
 def test_drilling_in_a_row() -> None:
-    """Level 5, clearance 2: G98 comes back to 5, G99 to 2; L2 with G91 steps on."""
-    assert strokes("G0 Z5\nG98 G81 X1 Y2 Z-3 R2\nG99 X4\nG91 X1 Z-4 L2")[1:] == [
+    """Level 5, clearance 2: G98 comes back to 5, G99 to 2; with G91, R and Z count from where the row began, and L steps on."""
+    assert strokes("G0 Z5\nG98 G81 X1 Y2 Z-3 R2\nG99 X4\nX5 L2")[1:] == [
         ("rapid", (1, 2, 5)), ("rapid", (1, 2, 2)), ("feed", (1, 2, -3)), ("rapid", (1, 2, 5)),
         ("rapid", (4, 2, 5)), ("rapid", (4, 2, 2)), ("feed", (4, 2, -3)), ("rapid", (4, 2, 2)),
-    ] + strokes("G0 Z5\nG98 G81 X1 Y2 Z-3 R2\nG99 X4\nG91 X1 Z-4 L2")[9:]  # fmt: skip
+        ("rapid", (5, 2, 2)), ("feed", (5, 2, -3)), ("rapid", (5, 2, 2)), ("feed", (5, 2, -3)), ("rapid", (5, 2, 2)),
+    ]  # fmt: skip
+    assert strokes("G0 Z5\nG91 G99 G81 X1 Z-3 R-2 L2")[1:] == [
+        ("rapid", (1, 0, 5)), ("rapid", (1, 0, 3)), ("feed", (1, 0, 0)), ("rapid", (1, 0, 3)),
+        ("rapid", (2, 0, 3)), ("feed", (2, 0, 0)), ("rapid", (2, 0, 3)),
+    ]  # fmt: skip
 
 
 def test_a_start_below_the_clearance_rises_first() -> None:
@@ -49,7 +54,10 @@ def test_a_start_below_the_clearance_rises_first() -> None:
         ("G89 P0.25", [("feed", -3), ("wait", 0.25), ("feed", 2)]),
         ("G84", [("feed", -3), ("feed", 2)]),
         ("G73 Q2", [("feed", 0), ("rapid", 0.254), ("feed", -2), ("rapid", -1.746), ("feed", -3), ("rapid", 2)]),
-        ("G83 Q2", [("feed", 0), ("rapid", 2), ("rapid", 0.254), ("feed", -2), ("rapid", 2), ("rapid", -1.746), ("feed", -3), ("rapid", 2)]),
+        (
+            "G83 Q2",
+            [("feed", 0), ("rapid", 2), ("rapid", 0.254), ("feed", -2), ("rapid", 2), ("rapid", -1.746), ("feed", -3), ("rapid", 2)],
+        ),
         ("G83 Q9", [("feed", -3), ("rapid", 2)]),
     ],
 )
@@ -109,6 +117,13 @@ def test_cycle_refusals(text: str, column: int, message: str) -> None:
     with pytest.raises(ProgramError, match=message) as caught:
         parse_program(f"{HEAD}{text}\nM2")
     assert (caught.value.line, caught.value.column) == (2, column)
+
+
+def test_remembered_words_do_not_outlive_a_change_of_units() -> None:
+    with pytest.raises(ProgramError, match="G81 has no depth") as caught:
+        parse_program(f"{HEAD}G81 X1 Z-1 R1\nG20\nX2\nM2")
+    assert caught.value.line == 4
+    assert parse_program(f"{HEAD}G81 X1 Z-1 R1\nG20\nX2 Z-1 R1\nM2").moves[-1].end == (0.0508, 0.0, 0.0254)  # type: ignore[union-attr]
 
 
 # Splines
