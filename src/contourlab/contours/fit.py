@@ -10,9 +10,9 @@ from itertools import pairwise
 import numpy as np
 from numpy.typing import NDArray
 
-from contourlab.contours.splines import split_at
 from contourlab.errors import GeometryError
 from contourlab.geometry import BSpline, Curve, Line, Path, with_ends
+from contourlab.geometry.spline_cut import split_at
 
 __all__ = ["PointFit", "fit_points"]
 

@@ -7,8 +7,9 @@ from numpy.typing import NDArray
 
 from contourlab.errors import GeometryError
 from contourlab.geometry import BSpline, Curve, Line, Nurbs
+from contourlab.geometry.spline_cut import cut_where_curvature_jumps, inner_knots, split_at
 
-__all__ = ["spline_curves", "split_at"]
+__all__ = ["spline_curves"]
 
 Array = NDArray[np.float64]
 SAME_KNOT = 1e-10
@@ -48,10 +49,11 @@ def spline_curves(degree: int, points: Array, knots: Array, weights: Array | Non
         return [Line(points[0], points[-1])] if _starts_and_ends_at_points(degree, t) else [_line(degree, points, t, weights)]
     lifted = points if weights is None else np.column_stack([points * weights[:, None], weights])
     lifted, t = _without_gaps(degree, lifted, t)
-    inner, count = _inner(degree, t)
+    inner, count = inner_knots(degree, t)
     # Where a knot stands `degree` times or as often as a tangent may jump there.
     pieces = split_at(degree, lifted, t, inner[count >= degree])
-    return [_curve(degree, c, k, weights is not None) for c, k in _smoothly_joined(degree, pieces, weights is not None)]
+    found = [_curve(degree, c, k, weights is not None) for c, k in _smoothly_joined(degree, pieces, weights is not None)]
+    return [piece for curve in found for piece in (cut_where_curvature_jumps(curve) if isinstance(curve, BSpline | Nurbs) else [curve])]
 
 
 def _settled(knots: Array) -> Array:
@@ -65,15 +67,9 @@ def _settled(knots: Array) -> Array:
     return t
 
 
-def _inner(degree: int, t: Array) -> tuple[Array, NDArray[np.int64]]:
-    """Return the knots inside the curve, and how often each stands."""
-    inner, count = np.unique(t[(t > t[degree]) & (t < t[-degree - 1])], return_counts=True)
-    return inner, count
-
-
 def _without_gaps(degree: int, points: Array, t: Array) -> tuple[Array, Array]:
     """Make one control point of two that coincide at a knot which stands more often than the degree."""
-    inner, count = _inner(degree, t)
+    inner, count = inner_knots(degree, t)
     for u in inner[count > degree]:
         k = int(np.searchsorted(t, u))
         if np.count_nonzero(t == u) > degree + 1 or np.abs(points[k] - points[k - 1]).max() > 1e-9 * np.ptp(points, axis=0).max():
@@ -101,42 +97,6 @@ def _line(degree: int, points: Array, t: Array, weights: Array | None) -> Line:
     whole = BSpline(degree, points, t) if weights is None else Nurbs(degree, points, t, weights)
     ends = whole.raw(np.array([whole.first, whole.last]), 0)[0]
     return Line(ends[0], ends[1])
-
-
-def _insert(degree: int, points: Array, t: Array, u: float) -> tuple[Array, Array]:
-    """Insert a knot once: Boehm's algorithm; The NURBS Book, 2nd ed., eq. (5.15)."""
-    k, stands = int(np.searchsorted(t, u, side="right")) - 1, int(np.count_nonzero(t == u))
-    i = np.arange(k - degree + 1, k - stands + 1)
-    alpha = ((u - t[i]) / (t[i + degree] - t[i]))[:, None]
-    between = alpha * points[i] + (1.0 - alpha) * points[i - 1]
-    fresh = np.concatenate([points[: k - degree + 1], between, points[k - stands :]])
-    return fresh, np.concatenate([t[: k + 1], [u], t[k + 1 :]])
-
-
-def split_at(degree: int, points: Array, t: Array, places: Array) -> list[tuple[Array, Array]]:
-    """Cut a spline at parameters inside it.
-
-    Parameters
-    ----------
-    degree : int
-    points : ndarray (n, m)
-        Control points; of a rational spline times their weights, with the weights beside them.
-    t : ndarray (n + degree + 1,)
-    places : ndarray of float
-        Rising.
-
-    Returns
-    -------
-    list of (points, knots)
-    """
-    found: list[tuple[Array, Array]] = []
-    for u in places:
-        while np.count_nonzero(t == u) < degree:
-            points, t = _insert(degree, points, t, float(u))
-        k = int(np.searchsorted(t, u))  # the first of `degree` equal knots; the curve passes through point k - 1
-        found.append((points[:k], np.append(t[: k + degree], u)))
-        points, t = points[k - 1 :], np.concatenate([[u], t[k:]])
-    return [*found, (points, t)]
 
 
 def _smoothly_joined(degree: int, pieces: list[tuple[Array, Array]], rational: bool) -> list[tuple[Array, Array]]:

@@ -12,6 +12,7 @@ from numpy.typing import ArrayLike, NDArray
 from contourlab.errors import FeedError, ProgramError
 from contourlab.feed.correspondence import Correspondence, place_on_programmed
 from contourlab.geometry import Arc, BSpline, Curve, Line, Nurbs, Path
+from contourlab.geometry.spline_cut import cut_where_curvature_jumps
 from contourlab.program import Arc as ArcMove
 from contourlab.program import Dwell, Program, Spline, Traverse
 
@@ -180,13 +181,16 @@ def _check_axes(program: Program, move: Any, columns: list[int]) -> None:
         )
 
 
-def _bent(move: ArcMove | Spline, columns: list[int]) -> Curve:
-    """Return the arc, helix or spline of a move, in the machine's axes; it joins the programmed ends exactly."""
-    if isinstance(move, Spline):
-        points = np.array([_point(point, columns) for point in move.points])
-        if len(set(move.weights)) == 1:
-            return BSpline(move.degree, points, move.knots)
-        return Nurbs(move.degree, points, move.knots, move.weights)
+def _spline(move: Spline, columns: list[int]) -> list[Curve]:
+    """Return the spline of a move in the machine's axes, cut where its curvature jumps."""
+    points = np.array([_point(point, columns) for point in move.points])
+    if len(set(move.weights)) == 1:
+        return cut_where_curvature_jumps(BSpline(move.degree, points, move.knots))
+    return cut_where_curvature_jumps(Nurbs(move.degree, points, move.knots, move.weights))
+
+
+def _arc(move: ArcMove, columns: list[int]) -> Curve:
+    """Return the arc or helix of a move, in the machine's axes; it joins the programmed ends exactly."""
     u, v = (_point(unit, columns) for unit in move.directions()[:2])
     start, end, centre = (_point(point, columns) for point in (move.start, move.end, move.centre))
     return Arc.through(start, end, centre, move.sweep, u, v)
@@ -251,12 +255,21 @@ def route_from_program(program: Program, axes: Sequence[str] = ("x", "y", "z"), 
                 before += move.seconds
             continue
         _check_axes(program, move, columns)
-        if isinstance(move, ArcMove | Spline):
-            bent[len(rows)] = _bent(move, columns)
+        row = _row(move, default_tolerance)
+        if isinstance(move, Spline):
+            for piece in _spline(move, columns):
+                bent[len(rows)] = piece
+                ends.append((move.start, move.end))  # of no consequence beside a curve
+                rows.append(row._replace(exact_stop=False))
+                dwell.append(0.0)
+            rows[-1] = row
+            continue
+        if isinstance(move, ArcMove):
+            bent[len(rows)] = _arc(move, columns)
         elif all(move.start[column] == move.end[column] for column in columns):
             continue
         ends.append((move.start, move.end))
-        rows.append(_row(move, default_tolerance))
+        rows.append(row)
         dwell.append(0.0)
     if not rows:
         raise FeedError(f"{program.name}: the program moves no axis: there is nothing to drive along")

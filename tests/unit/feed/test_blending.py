@@ -207,9 +207,11 @@ def test_feedrates_rapids_and_lines_of_the_program() -> None:
         route(zigzag, feedrate=[0.1, 0.05, np.inf, np.inf, 0.2], rapid=[False, False, True, True, False], source_line=[3, 4, 6, 7, 9])
     )
     # Each half of a blend is driven as its side of the corner is; between two rapids there is nothing to halve.
-    np.testing.assert_array_equal(found.feedrate, [0.1, 0.1, 0.05, 0.05, 0.05, np.inf, np.inf, np.inf, np.inf, np.inf, 0.2, 0.2])
-    np.testing.assert_array_equal(found.rapid, [False] * 5 + [True] * 5 + [False] * 2)
-    np.testing.assert_array_equal(found.source_line, [3, 3, 4, 4, 4, 6, 6, 6, 7, 7, 9, 9])
+    # Between a rapid and a feed move the corner stays.
+    np.testing.assert_array_equal(found.feedrate, [0.1, 0.1, 0.05, 0.05, np.inf, np.inf, np.inf, 0.2])
+    np.testing.assert_array_equal(found.rapid, [False] * 4 + [True] * 3 + [False])
+    np.testing.assert_array_equal(found.source_line, [3, 3, 4, 4, 6, 6, 7, 9])
+    np.testing.assert_allclose(found.programmed_arc_length(found.path.corners), [0.02, 0.04], rtol=1e-12)
     assert (found.corner_tolerance == P).all()
     assert not found.dwell.any()
     # The two halves are one curve: place, direction and curvature go on from one to the other, in the middle of the blend.

@@ -53,6 +53,19 @@ def test_path_control_changes_the_mode_alone(control: str) -> None:
     assert tuple(replace(move, mode=PLAIN) for move in with_it.moves) == plain.moves  # type: ignore[call-arg]
 
 
+def test_tolerances_of_g64() -> None:
+    """Joined lines keep to P where there is no Q; the lengths are in the units in force."""
+    moves = parse_program("F9 G64 P0.1 Q0.02 G1 X1\nG64 P0.1 X2\nG20 G64 P1 X3\nG64 X4\nG61 X5\nM2").moves
+    found = [(move.mode.control, move.mode.tolerance, move.mode.merge) for move in moves]  # type: ignore[union-attr]
+    assert found == [
+        ("blend", 0.0001, 0.02 / 1000.0),
+        ("blend", 0.0001, 0.0001),
+        ("blend", 0.0254, 0.0254),
+        ("blend", None, None),
+        ("exact_path", None, None),
+    ]
+
+
 def test_g80_ends_the_modal_motion_and_gives_way_to_another() -> None:
     assert read("G80 G1 X3").moves == read("G1 X3").moves
 

@@ -45,6 +45,7 @@ def ends(text: str) -> list[float]:
             [1, 2, 3],
         ),
         ("o1 repeat [2]\no2 while [1]\nG91 X1\no2 break\no2 endwhile\no1 endrepeat", [1, 2]),
+        ("o9 if [1]\no1 while [1]\no2 if [1]\no1 break\no2 endif\no1 endwhile\nX1\no9 endif", [1]),
         ("o[1 + 1] if [1]\nX1\no2 endif", [1]),
         ("o<A b> if [1]\nX1\nO<ab> endif", [1]),
         ("o007 if [1]\nX1\nO7 endif", [1]),
@@ -180,7 +181,6 @@ def test_a_tape_keeps_what_may_be_needed_again() -> None:
     assert tape.line(10) is None
 
 
-@pytest.mark.slow
 def test_a_long_program_keeps_no_lines() -> None:
     """Ten times as many lines, loops among them, take no more memory."""
 

@@ -119,6 +119,12 @@ def test_inverse_time_is_one_over_the_minutes() -> None:
         parse_program("G93\nG1 X3 F2\nX4\nM2")
 
 
+def test_inverse_time_is_never_slower_than_a_tenth_per_minute() -> None:
+    """As LinuxCNC has it, in the units of the program."""
+    moves = parse_program("G93\nG1 X0.001 F2\nG20 G1 X0.001 F2\nM2").moves
+    assert [m.feedrate for m in moves if isinstance(m, Feed)] == pytest.approx([1e-4 / 60.0, 2.54e-3 / 60.0])
+
+
 def test_feed_per_turn_needs_a_speed() -> None:
     moves = parse_program("G95 F0.5 S120\nG1 X1\nM2").moves
     assert [round(6e4 * m.feedrate, 9) for m in moves if isinstance(m, Feed)] == [60.0]
