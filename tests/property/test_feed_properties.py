@@ -5,10 +5,11 @@ from __future__ import annotations
 from itertools import pairwise
 
 import numpy as np
-from hypothesis import given, settings
+from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
 from contourlab.feed import AxisLimits, Reference, Route, limit_report, plan, route_from_path
+from contourlab.feed.joints import MOST_KINK, joints
 from contourlab.feed.scurve import ramp_distance, reachable_speed
 from contourlab.geometry import Arc, Line, Path
 
@@ -66,7 +67,9 @@ def test_spans_cover_the_path_and_stop_at_corners(case: tuple[Route, AxisLimits]
     assert profile is not None
     gone = last * (profile.v0 + last * (profile.a0 / 2 + last * profile.j / 6))
     np.testing.assert_allclose(gone.sum(), route.path.length, rtol=1e-12)
-    for corner in route.path.corners:
+    before, after = (route.path.tangent(route.path.corners + step) for step in (-1e-9, 1e-9))
+    sharp = np.linalg.norm(after - before, axis=1) > 1.01 * MOST_KINK
+    for corner in route.path.corners[sharp]:
         at = int(np.argmin(np.abs(profile.s0 - corner)))
         assert abs(profile.s0[at] - corner) < 1e-15
         assert profile.v0[at] == 0.0
@@ -78,6 +81,8 @@ def test_spans_cover_the_path_and_stop_at_corners(case: tuple[Route, AxisLimits]
 @given(routes(), st.floats(0.2, 5.0))
 def test_a_faster_machine_drives_the_same_motion_in_less_time(case: tuple[Route, AxisLimits], factor: float) -> None:
     route, limits = case
+    # A kink is passed at a speed that a fixed time decides.
+    assume(not joints(route).kink.any())
     fast = Route(route.path, route.feedrate * factor, route.rapid, route.dwell, route.source_line)
     scaled = AxisLimits(limits.velocity * factor, limits.acceleration * factor**2, limits.jerk * factor**3)
     slow, quick = plan(route, limits, PERIOD), plan(fast, scaled, PERIOD)

@@ -108,7 +108,7 @@ def _joint_ceiling(route: Route, limits: AxisLimits, where: Array, curvature_ste
     breaks = np.asarray(route.path.breaks)
     within = np.mod(where, route.path.length) if route.path.closed else where
     joint = np.clip(np.searchsorted(0.5 * (breaks[1:] + breaks[:-1]), within), 0, breaks.size - 1)
-    ceiling = joint_speed(joints(route).jump, limits, curvature_step)
+    ceiling = joint_speed(joints(route), limits, curvature_step)
     return np.asarray(np.where(np.abs(within - breaks[joint]) <= MARGIN, ceiling[joint - 1], np.inf))
 
 

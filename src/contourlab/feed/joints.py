@@ -1,4 +1,4 @@
-"""Where the curves of a path meet: exact stops, and jumps of curvature."""
+"""Where the curves of a path meet: exact stops, jumps of curvature, and small jumps of direction."""
 
 from __future__ import annotations
 
@@ -9,12 +9,17 @@ from numpy.typing import NDArray
 
 from contourlab.feed.route import Route
 from contourlab.geometry import Path
+from contourlab.geometry.path import CORNER_ANGLE
 
-__all__ = ["NUDGE", "Joints", "curvature_jump", "joints"]
+__all__ = ["KINK_TIME", "MOST_KINK", "NUDGE", "Joints", "curvature_jump", "direction_jump", "joints"]
 
 Array = NDArray[np.float64]
 
 NUDGE = 1e-7  # of a curve's length: the ends are looked at from inside the curve
+MOST_KINK = 0.1
+"""Larger jumps of direction [rad] are corners, and stops."""
+KINK_TIME = 1e-5
+"""At a smaller one, the velocity of an axis jumps by at most what its acceleration limit gives in this time [s]."""
 JUMP = 1e-6  # [1/m], and as a part of the curvature: jumps below this are rounding
 
 
@@ -23,6 +28,8 @@ class Joints(NamedTuple):
 
     stop: NDArray[np.bool_]  # exact stop
     jump: Array  # (n_curve, n_axis) [1/m] step of d2r/ds2
+    kink: Array  # (n_curve, n_axis) step of dr/ds where the motion does not stop
+    room: Array  # [m] the shorter of the two curves that meet
 
 
 def curvature_jump(path: Path) -> Array:
@@ -53,11 +60,34 @@ def curvature_jump(path: Path) -> Array:
     return np.asarray(jump)
 
 
-def joints(route: Route) -> Joints:
-    """Find exact stops and jumps of curvature.
+def direction_jump(path: Path) -> Array:
+    """Return the step of dr/ds at the end of each curve.
 
-    The motion stops where the tangent jumps, at a dwell, where rapid and feed moves meet, where the route asks for it, and at the end of
-    an open path.
+    Parameters
+    ----------
+    path : Path
+
+    Returns
+    -------
+    ndarray (n_curve, n_axis)
+        From the end of a curve to the start of the next; zero where they are tangent. The last row leads back to the first curve, and is
+        zero on an open path. Its length is the angle [rad] where that is small.
+    """
+    breaks = np.asarray(path.breaks)
+    inside = np.diff(breaks) * NUDGE
+    after, before = path.derivatives(breaks[:-1] + inside, 2), path.derivatives(breaks[1:] - inside, 2)
+    jump = np.roll(after[1] - inside[:, None] * after[2], -1, axis=0) - (before[1] + inside[:, None] * before[2])
+    jump[np.linalg.norm(jump, axis=1) <= CORNER_ANGLE] = 0.0
+    if not path.closed:
+        jump[-1] = 0.0
+    return np.asarray(jump)
+
+
+def joints(route: Route) -> Joints:
+    """Find exact stops, and jumps of curvature and direction that are driven through.
+
+    The motion stops where the direction jumps by more than `MOST_KINK`, at a dwell, where rapid and feed moves meet, where the route asks
+    for it, and at the end of an open path.
 
     Parameters
     ----------
@@ -66,12 +96,16 @@ def joints(route: Route) -> Joints:
     Returns
     -------
     Joints
+
+    Notes
+    -----
+    Decimals of a program leave small jumps of direction where none are meant. As controls do under exact path mode, the motion goes through
+    where the velocity of no axis jumps by more than its acceleration limit makes up for in
+    `KINK_TIME`, or on the way to the next joint where that is shorter.
     """
-    breaks = np.asarray(route.path.breaks)
-    stop = (route.dwell > 0.0) | route.exact_stop | (route.rapid != np.roll(route.rapid, -1))
-    corners = np.asarray(route.path.corners, dtype=np.float64)
-    # A corner lies at a break, to rounding; one at 0 is the closing point, the end of the last curve.
-    nearest = np.searchsorted(0.5 * (breaks[1:] + breaks[:-1]), corners)
-    stop[nearest - 1] = True
+    turn = direction_jump(route.path)
+    angle = np.linalg.norm(turn, axis=1)
+    stop = (route.dwell > 0.0) | route.exact_stop | (route.rapid != np.roll(route.rapid, -1)) | (angle > MOST_KINK)
     stop[-1] |= not route.path.closed
-    return Joints(stop, curvature_jump(route.path))
+    length = np.diff(np.asarray(route.path.breaks))
+    return Joints(stop, curvature_jump(route.path), np.where(stop[:, None], 0.0, turn), np.minimum(length, np.roll(length, -1)))

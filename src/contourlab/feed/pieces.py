@@ -14,7 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from contourlab.feed.bounds import SHARES, Bounds, Samples, piece_bounds, speed_limit
-from contourlab.feed.joints import NUDGE, Joints, joints
+from contourlab.feed.joints import KINK_TIME, NUDGE, Joints, joints
 from contourlab.feed.limits import AxisLimits
 from contourlab.feed.route import Route
 from contourlab.geometry import Arc, Curve, Line
@@ -33,6 +33,7 @@ NODES_FIRST = 65  # samples of a general curve before refinement
 TURN = 0.05  # [rad] the tangent turns less than this between samples of a general curve ...
 STEP = 1.06  # ... and the permitted speed changes by less than this factor, ...
 DEPTH = 14  # ... unless the interval was halved this many times
+WORTH = 0.5  # of the feedrate: a kink that has to be passed more slowly is a stop
 FLAT = 1e-6  # [1/m, 1/m^2] derivatives below this are rounding
 
 
@@ -151,11 +152,15 @@ def _cells(nodes: Nodes, kind: NDArray[np.int8], permitted: Array, smooth_line: 
     return np.flatnonzero(ends)
 
 
-def joint_speed(jump: Array, limits: AxisLimits, curvature_step: float) -> Array:
-    """Return the ceiling of speed at each joint from the step of acceleration |jump| v^2."""
-    with np.errstate(divide="ignore", invalid="ignore"):
-        square = np.where(jump == 0.0, np.inf, curvature_step * limits.acceleration / np.abs(jump))
-    return np.asarray(np.sqrt(square.min(axis=1)))
+def joint_speed(meet: Joints, limits: AxisLimits, curvature_step: float) -> Array:
+    """Return the ceiling of speed at each joint from the steps of acceleration, |jump| v^2, and of velocity, |kink| v."""
+    with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
+        square = np.where(meet.jump == 0.0, np.inf, curvature_step * limits.acceleration / np.abs(meet.jump))
+        step = min(curvature_step, 1.0) * limits.acceleration * KINK_TIME
+        speed = np.where(meet.kink == 0.0, np.inf, step / np.abs(meet.kink)).min(axis=1)
+        # Where kinks follow one another faster than that, they are a curve: turning from one to the next takes acceleration.
+        turning = np.where(meet.kink == 0.0, np.inf, step / KINK_TIME / np.abs(meet.kink)).min(axis=1) * meet.room
+    return np.asarray(np.minimum(np.sqrt(np.minimum(square.min(axis=1), turning)), speed))
 
 
 class Survey(NamedTuple):
@@ -184,7 +189,11 @@ def survey(route: Route, limits: AxisLimits, curvature_step: float) -> Survey:
     """
     meet = joints(route)
     nodes, kind = _first_nodes(route)
-    return Survey(meet, _refined(route, nodes, kind, limits), kind, joint_speed(meet.jump, limits, curvature_step))
+    ceiling = joint_speed(meet, limits, curvature_step)
+    # To slow down for a kink and not to stop there gains nothing.
+    slow = np.any(meet.kink != 0.0, axis=1) & (ceiling < WORTH * np.minimum(route.feedrate, np.roll(route.feedrate, -1)))
+    meet = meet._replace(stop=meet.stop | slow, kink=np.where(slow[:, None], 0.0, meet.kink))
+    return Survey(meet, _refined(route, nodes, kind, limits), kind, ceiling)
 
 
 def cut(route: Route, seen: Survey, limits: AxisLimits, wanted: Flags) -> Pieces:
@@ -209,7 +218,8 @@ def cut(route: Route, seen: Survey, limits: AxisLimits, wanted: Flags) -> Pieces
         nodes = chosen_nodes(nodes, wanted[nodes.curve])
     samples = _samples(route, nodes)
     straight_on = kind == 0
-    smooth_line = ~meet.stop & straight_on & np.roll(straight_on, -1) & (route.feedrate == np.roll(route.feedrate, -1))
+    smooth_line = ~meet.stop & ~np.any(meet.kink != 0.0, axis=1) & straight_on & np.roll(straight_on, -1)
+    smooth_line &= route.feedrate == np.roll(route.feedrate, -1)
     smooth_line[-1] = False
     last = _cells(nodes, kind, speed_limit(samples, limits, SHARES[0]), smooth_line)
     within = np.append(nodes.curve[1:] == nodes.curve[:-1], False)[last]  # the piece ends inside a curve

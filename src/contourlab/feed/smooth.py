@@ -74,7 +74,7 @@ def _ceiling(samples: Samples, limits: AxisLimits, shaped: bool) -> Array:
 
     A motion that is to be averaged must be able to hold it: without acceleration, turning alone is within the limits.
     """
-    with np.errstate(divide="ignore", invalid="ignore"):
+    with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
         lowest = np.fmin.reduce(limits.velocity / np.abs(samples.tangent), axis=1)
         if shaped:
             lowest = np.fmin(lowest, np.sqrt(np.fmin.reduce(limits.acceleration / np.abs(samples.second), axis=1)))
@@ -205,7 +205,7 @@ class _Planner:
     def lower(self, faults: Array, haste: float) -> None:
         """Lower the limits of the samples that the average at each fault takes in."""
         of_speed, of_acceleration, of_jerk, turn = faults.T[3:]
-        with np.errstate(divide="ignore", invalid="ignore"):
+        with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
             ease = np.clip((0.99 - turn) / (of_jerk - turn), 0.7, 0.98)
         slower = np.clip(1.0 - (of_jerk - 0.99) * turn / 3.0, 0.9, 1.0)
         factors = (

@@ -29,7 +29,7 @@ class Stretches(NamedTuple):
     first, after : ndarray (n_stretch,) of int
         The curves [first, after).
     straight : ndarray (n_stretch,) of bool
-        Whether all of them are lines.
+        Whether all of them are lines in one direction.
     """
 
     first: Index
@@ -81,7 +81,8 @@ def stretches(seen: Survey, laps: int) -> Stretches:
     stop[-1] = True
     after = np.flatnonzero(stop) + 1
     first = np.append(0, after[:-1])
-    bent = np.add.reduceat(np.tile(seen.kind != 0, laps).astype(np.intp), first)
+    turns = (seen.kind != 0) | np.any(seen.meet.kink != 0.0, axis=1)
+    bent = np.add.reduceat(np.tile(turns, laps).astype(np.intp), first)
     return Stretches(first, after, bent == 0)
 
 

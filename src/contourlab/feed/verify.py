@@ -12,7 +12,7 @@ from dataclasses import dataclass, field
 import numpy as np
 from numpy.typing import NDArray
 
-from contourlab.feed.joints import curvature_jump
+from contourlab.feed.joints import KINK_TIME, MOST_KINK, curvature_jump, direction_jump
 from contourlab.feed.limits import AxisLimits
 from contourlab.feed.reference import Reference
 from contourlab.geometry import Path
@@ -69,7 +69,10 @@ class LimitReport:
     curvature_step : tuple of Worst
         Steps of acceleration where the curvature jumps (line to arc), held against the acceleration limit: there no
         finite jerk limit can hold short of a stop. Without a jerk limit no step is an offence, its limit is inf.
-    n_step : int
+    kink : tuple of Worst
+        Steps of velocity [m/s] where the direction jumps by a little (`contourlab.feed.joints.MOST_KINK`), held against what the
+        acceleration limit gives in `KINK_TIME`; the acceleration is without those places.
+    n_step, n_kink : int
         How many such places were driven through.
     """
 
@@ -77,21 +80,33 @@ class LimitReport:
     acceleration: tuple[Worst, ...]
     jerk: tuple[Worst, ...]
     curvature_step: tuple[Worst, ...]
+    kink: tuple[Worst, ...]
     n_step: int = 0
+    n_kink: int = 0
 
     def ok(self, tolerance: float = 0.005) -> bool:
         """Tell whether every limit holds within `tolerance` (a part of the limit, >= 0)."""
         return all(worst.ratio <= 1.0 + tolerance for worst in self.all())
 
     def all(self) -> tuple[Worst, ...]:
-        """Return every entry: velocity, acceleration, jerk, curvature step."""
-        return (*self.velocity, *self.acceleration, *self.jerk, *self.curvature_step)
+        """Return every entry: velocity, acceleration, jerk, curvature step, kink."""
+        return (*self.velocity, *self.acceleration, *self.jerk, *self.curvature_step, *self.kink)
 
 
 def _jump_places(path: Path) -> Array:
     """Return the arc lengths in [0, length) where the curvature jumps, corners among them [m]."""
-    jumps = np.any(curvature_jump(path) != 0.0, axis=1)
-    return np.asarray(np.asarray(path.breaks)[:-1][np.roll(jumps, 1)], dtype=np.float64)
+    return _joints_at(path, np.any(curvature_jump(path) != 0.0, axis=1))
+
+
+def _kink_places(path: Path) -> Array:
+    """Return the arc lengths in [0, length) where the direction jumps by little [m]."""
+    angle = np.linalg.norm(direction_jump(path), axis=1)
+    return _joints_at(path, (angle > 0.0) & (angle <= MOST_KINK))
+
+
+def _joints_at(path: Path, wanted: NDArray[np.bool_]) -> Array:
+    """Return the arc lengths in [0, length) of the ends of some curves [m]."""
+    return np.asarray(np.asarray(path.breaks)[:-1][np.roll(wanted, 1)], dtype=np.float64)
 
 
 @dataclass
@@ -178,17 +193,21 @@ def limit_report(reference: Reference, limits: AxisLimits) -> LimitReport:
         _Record(limits.acceleration, 2.0 * noise / period**2),
         _Record(limits.jerk, 4.0 * noise / period**3),
         _Record(step_limit, eased + 4.0 * noise / period**2),
+        _Record(limits.acceleration * KINK_TIME, limits.acceleration * period * (2 + 2 * wide) + 2.0 * noise / period),
     )
-    jumps = _jump_places(reference.path)
-    n_step = 0
+    places = _jump_places(reference.path), _kink_places(reference.path)
+    n_step = n_kink = 0
     for start in range(0, reference.n_sample, BLOCK):
-        n_step += _look(reference, start, min(start + BLOCK, reference.n_sample), records, jumps, wide)
-    velocity, acceleration, jerk, step = (_told(record, reference) for record in records)
-    return LimitReport(velocity, acceleration, jerk, step, n_step)
+        steps, kinks = _look(reference, start, min(start + BLOCK, reference.n_sample), records, places, wide)
+        n_step, n_kink = n_step + steps, n_kink + kinks
+    velocity, acceleration, jerk, step, kink = (_told(record, reference) for record in records)
+    return LimitReport(velocity, acceleration, jerk, step, kink, n_step, n_kink)
 
 
-def _look(reference: Reference, start: int, stop: int, records: tuple[_Record, ...], jumps: Array, wide: int) -> int:
-    """Take in the samples [start, stop), with enough of their neighbours; return the number of curvature steps."""
+def _look(
+    reference: Reference, start: int, stop: int, records: tuple[_Record, ...], places: tuple[Array, Array], wide: int
+) -> tuple[int, int]:
+    """Take in the samples [start, stop), with enough of their neighbours; return the numbers of curvature steps and kinks."""
     margin = 4 + wide
     low, high = max(start - margin, 0), min(stop + margin, reference.n_sample)
     block = reference.block(low, high)
@@ -198,8 +217,13 @@ def _look(reference: Reference, start: int, stop: int, records: tuple[_Record, .
     jerk = np.diff(acceleration, axis=0) / period  # row i: from low + i to low + i + 3
     index = np.arange(low, high)
     records[0].see(np.abs(velocity), index[:-1])
-    records[1].see(np.abs(acceleration), index[1:-1])
-    passed = _jumps_passed(block.arc_length, jumps, float(reference.path.length))
+    length, kinks = float(reference.path.length), _jumps_passed(block.arc_length, places[1], float(reference.path.length))
+    clear = (
+        kinks[np.clip(np.arange(acceleration.shape[0]) - wide, 0, None)]
+        == kinks[np.clip(np.arange(2, index.size) + wide, None, index.size - 1)]
+    )
+    records[1].see(np.abs(acceleration[clear]), index[1:-1][clear])
+    passed = kinks + _jumps_passed(block.arc_length, places[0], length)
     first = np.clip(np.arange(jerk.shape[0]) - wide, 0, None)
     last = np.clip(np.arange(jerk.shape[0]) + 3 + wide, None, index.size - 1)
     smooth = passed[first] == passed[last]
@@ -209,4 +233,9 @@ def _look(reference: Reference, start: int, stop: int, records: tuple[_Record, .
     at = at[(at - 2 - wide >= 0) & (at + 1 + wide < acceleration.shape[0])]
     step = np.abs(acceleration[at + 1 + wide] - acceleration[at - 2 - wide])
     records[3].see(step, index[at])
-    return int(np.count_nonzero((index[at] >= start) & (index[at] < stop)))
+    # The velocity before a kink between the samples k and k + 1 is that of row k - 1, behind it that of row k + 1.
+    turn = np.flatnonzero(np.diff(kinks) != 0)
+    turn = turn[(turn - 1 - wide >= 0) & (turn + 1 + wide < velocity.shape[0])]
+    records[4].see(np.abs(velocity[turn + 1 + wide] - velocity[turn - 1 - wide]), index[turn])
+    at = at[np.diff(passed - kinks)[at] != 0]
+    return tuple(int(np.count_nonzero((index[some] >= start) & (index[some] < stop))) for some in (at, turn))  # type: ignore[return-value]
