@@ -2,30 +2,8 @@
 
     python benchmarks/planning.py [--quick] [--json FILE] [--only WORD]
 
-**LinuxCNC** runs headless, the released program in simulation, and hands out its 1 kHz position commands. What was found out about it
-(2.9, parts that this benchmark relies on):
-
-- Limits: velocity and acceleration of each axis. `MAX_LINEAR_VELOCITY` caps the speed along the path too (a rapid on a diagonal keeps to
-  200 mm/s of path speed, not of each axis), so our rapids get the same cap here. `MAX_LINEAR_ACCELERATION` does not cap the acceleration
-  along a diagonal. There is no jerk limit; ours is set so that a ramp takes A / J = 1 ms, one of its servo periods.
-- On an arc v^2 / R is at most sqrt(3)/2 of the acceleration, whatever the direction. Under G64 even a lone circle ramps with half of it.
-- G61 stops at corners and drives through joints that are tangent, or so nearly that the jump of velocity is far below what the
-  acceleration permits in one period: joints of 0.003 degrees at 100 mm/s, left by rounded ends of arcs, do not slow it down.
-- G64 P blends corners; P is the distance of the corner itself, so at a right angle no point is further than P / sqrt(2) from the path.
-  P alone also merges short lines: P and P with the same Q gave the same motion, Q0 another. Both together may exceed P by a quarter.
-- Its samples have six decimals of a mm: a second difference is good to 2 mm/s^2, 0.2 % of the limit here. Under G64 it may end a
-  quarter of a micrometre beside the programmed point.
-- Start and end: all axes stand still before and after, so the cycle time is from the last sample at the start to the first at the end, a
-  whole number of ms. Dwells before and after are not in it, and the programs here have none.
-- It runs in real time, after 2.5 s of start and end: programs are cut by our duration to `SECONDS`; the tool itself stops at 60 s.
-- Time is counted in servo cycles, so a busy computer does not stretch the figures. Samples carry a counter: a run with a gap, with another
-  end than the program's, or with an error is done again, twice at most. Two at a time are impossible (one shared memory): a lock orders
-  them.
-
-A program is read by our reader and written anew for LinuxCNC, one line a move, with the mode in front, so that both plan the same moves
-and its own G61 and G64 count for nothing. All feed moves get one feedrate, as slow ones would hide the planners.
-
-Deviation: the largest distance of a commanded sample to the programmed path by its exact foot point, the same function for both.
+What was found out about LinuxCNC stands in `linuxcnc.py`. It has no jerk limit: ours is planned with J = 1000 m/s^3, where a ramp takes one
+of its servo periods, and without any jerk limit beside it.
 
 **toppra** gives the least time along a path under limits of velocity and acceleration alone, on a grid; between exact stops, for every
 stretch; for single lines the closed form. No planner with a jerk limit reaches it.
@@ -35,157 +13,58 @@ from __future__ import annotations
 
 import argparse
 import dataclasses
-import importlib.util
 import json
 import logging
 import math
 import platform
-import re
-import shutil
-import subprocess
 import sys
-import tempfile
 import time
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from itertools import pairwise
 from pathlib import Path
 from typing import Any
 
 import numpy as np
+from linuxcnc import (
+    FEED,
+    HERE,
+    PERIOD,
+    VELOCITY,
+    OracleError,
+    deviation,
+    driven,
+    limits,
+    programs,
+    rewritten,
+    their_samples,
+    why_no_linuxcnc,
+    worst_rates,
+)
 from rich.console import Console
 from rich.table import Table
 
-import contourlab.feed
-from contourlab.errors import ContourlabError, ProgramError
-from contourlab.feed import AxisLimits, Reference, Route, limit_report, plan, route_from_path, route_from_program
+from contourlab.errors import ContourlabError
+from contourlab.feed import AxisLimits, Reference, Route, blended, limit_report, plan, route_from_path
 from contourlab.geometry import Line, contour
 from contourlab.geometry import Path as Curves
-from contourlab.program import PLANE_AXES, Arc, Dwell, Program, Traverse, parse_program
+from contourlab.program import Arc, Dwell, Program
 
-HERE = Path(__file__).resolve().parent
-SHARED = HERE.parents[1] / "shared"
-TOOL = SHARED / "tools" / "planner_oracle.py"
-PERIOD = 1e-3
-VELOCITY, ACCELERATION, JERK = 0.2, 1.0, 1000.0  # m/s, m/s^2, m/s^3; A / J is one period
-FEED = 0.1  # m/s
+REAL_JERK = 40.0  # m/s^3
 PATIENCE = 30.0  # s: no longer programs in a mode that took more for one
-FASTER = {"circle R20": 0.2}  # m/s, where only the acceleration is to count
 SECONDS = 8.0  # of a program on LinuxCNC, by our duration under G61
-END = 1e-6  # m: a run that ends further from the programmed point is not complete
 MODES = {"G61": None, "G64 P0.01": 1e-5, "G64 P0.1": 1e-4}  # tolerance [m]
-CORPUS = {
-    "3D_Chips": "linuxcnc__nc_files_3D_Chips.ngc",
-    "3dtest": "linuxcnc__nc_files_3dtest.ngc",
-    "arcspiral": "linuxcnc__nc_files_arcspiral.ngc",
-    "tort": "linuxcnc__nc_files_tort.ngc",
-    "heart": "CAMotics__examples_heart_heart.ngc",
-    "vcarve": "CAMotics__examples_vcarve_vcarve.ngc",
-    "8x_gear": "grbl__test_gcode_8x_gear_test.nc",
-    "HSM": "grbl__test_gcode_HSM_test.nc",
-}
-OWN_MODE = re.compile(r"\([^)]*\)|G6[14](?:\.1)?(?![0-9])(?:\s*[PQ]\s*[0-9.]+)*|^\s*%\s*$", re.IGNORECASE | re.MULTILINE)
 
 
-# Programs.
-
-
-def lines_through(points: Sequence[Sequence[float]]) -> str:
-    """Return a program of lines through points [mm]."""
-    return "\n".join(["G21 G90 G17 F6000", *(f"G1 X{x:.6f} Y{y:.6f}" for x, y in points), "M2", ""])
-
-
-def generated() -> dict[str, str]:
-    """Return the short programs: a circle, a square, short zigzags, dust along a curve, a star."""
-    angle = np.linspace(0.0, 2.0 * math.pi, 601)[1:]
-    dust = np.column_stack([20.0 - 20.0 * np.cos(angle), 10.0 * np.sin(angle)])
-    star = [(25.0 * math.sin(k * 0.8 * math.pi), 25.0 * math.cos(k * 0.8 * math.pi) - 25.0) for k in range(6)]
-    return {
-        "circle R20": "G21 G90 G17 F12000\nG2 X0 Y0 I20 J0\nM2\n",
-        "square 20": lines_through([(20, 0), (20, 20), (0, 20), (0, 0)]),
-        "zigzag 2 mm": lines_through([(1.5 * k, 1.3 * (k % 2)) for k in range(1, 31)]),
-        "dust 0.16 mm": lines_through(dust.tolist()),
-        "star": lines_through(star[1:]),
-    }
-
-
-def read(text: str, name: str) -> Program:
-    """Return a program without its own path modes; an end is added where it has none."""
-    bare = OWN_MODE.sub(" ", text)
-    try:
-        return parse_program(bare, name)
-    except ProgramError as error:
-        if "no end" not in str(error):
-            raise
-        return parse_program(bare + "\nM2\n", name)
-
-
-def programs() -> Iterator[tuple[str, Program | str]]:
-    """Yield names and programs, or why one cannot be read."""
-    for name, text in generated().items():
-        yield name, read(text, name)
-    for name, file in CORPUS.items():
-        path = SHARED / "gcode" / file
-        if not path.is_file():
-            yield name, "not here"
-            continue
-        try:
-            yield name, read(path.read_text(encoding="latin-1"), name)
-        except ContourlabError as error:
-            yield name, str(error)
-
-
-def rewritten(program: Program, mode: str) -> str:
-    """Return a program for LinuxCNC: the mode, then one line for each move, at one feedrate."""
-
-    def at(letters: str, values: Sequence[float]) -> str:
-        return " ".join(f"{letter}{1e3 * value:.9f}" for letter, value in zip(letters, values, strict=True))
-
-    lines = ["G21 G90 G94 G91.1 G17", mode]
-    for move in program.moves:
-        if isinstance(move, Dwell):
-            lines.append(f"G4 P{move.seconds:.6f}")
-        elif isinstance(move, Traverse):
-            lines.append(f"G0 {at('XYZ', move.end)}")
-        else:
-            speed = f"F{6e4 * feed_of(program):.6f}"
-            if isinstance(move, Arc):
-                i, j, _ = PLANE_AXES[move.plane]
-                offset = at("IJK"[i] + "IJK"[j], [move.centre[i] - move.start[i], move.centre[j] - move.start[j]])
-                plane = {"XY": "G17", "ZX": "G18", "YZ": "G19"}[move.plane]
-                lines.append(f"{plane} G{2 if move.turns < 0 else 3} {at('XYZ', move.end)} {offset} P{abs(move.turns)} {speed}")
-            else:
-                lines.append(f"G1 {at('XYZ', move.end)} {speed}")
-    return "\n".join([*lines, "M2", ""])
-
-
-# Both planners.
-
-
-def limits(velocity: float = VELOCITY, acceleration: float = ACCELERATION, jerk: float = JERK) -> AxisLimits:
-    """Return the same limits for three axes."""
-    return AxisLimits([velocity] * 3, acceleration, jerk)
-
-
-def feed_of(program: Program) -> float:
-    """Return the one feedrate of a program [m/s]."""
-    return FASTER.get(program.name, FEED)
-
-
-def driven(program: Program) -> Route:
-    """Return the route of a program at one feedrate, path speed capped as LinuxCNC's is."""
-    route = route_from_program(program)
-    return dataclasses.replace(route, feedrate=np.where(route.rapid, VELOCITY, feed_of(program)))
-
-
-def in_mode(route: Route, tolerance: float | None) -> Route | None:
-    """Return the route as driven in a mode: G61 for None; otherwise blended, or None where this version does not blend."""
-    known = {field.name for field in dataclasses.fields(Route)}
-    wanted = {"corner_tolerance": tolerance or 0.0, "merge_tolerance": tolerance or 0.0, "exact_stop": False}
-    fields: dict[str, Any] = {name: value for name, value in wanted.items() if name in known}
-    if tolerance is None:
-        return dataclasses.replace(route, **fields)
-    blended: Callable[[Route], Route] | None = getattr(contourlab.feed, "blended", None)
-    return blended(dataclasses.replace(route, **fields)) if blended is not None and "corner_tolerance" in fields else None
+def in_mode(route: Route, tolerance: float | None) -> Route:
+    """Return the route as driven in a mode: G61 for None; otherwise with corners blended and lines merged within a tolerance [m]."""
+    part = tolerance or 0.0
+    found = dataclasses.replace(
+        route,
+        corner_tolerance=np.full(route.n_curve, part),
+        merge_tolerance=np.full(route.n_curve, part),
+        exact_stop=np.zeros(route.n_curve, bool),
+    )
+    return found if tolerance is None else blended(found)
 
 
 def shortened(program: Program, seconds: float) -> tuple[Program, int]:
@@ -201,86 +80,9 @@ def shortened(program: Program, seconds: float) -> tuple[Program, int]:
     return dataclasses.replace(program, moves=moves[: int(np.searchsorted(curves, whole)) + 1]), len(moves)
 
 
-class OracleError(Exception):
-    """LinuxCNC gave no complete run; the message says why."""
-
-
-def why_no_linuxcnc() -> str:
-    """Say what is missing to run LinuxCNC; empty where nothing is."""
-    if shutil.which("linuxcnc") is None:
-        return "LinuxCNC is not installed (apt-get install --no-install-recommends linuxcnc-uspace)"
-    return "" if TOOL.is_file() else "the shared oracle tools are not beside the repository"
-
-
-def _oracle() -> Any:
-    spec = importlib.util.spec_from_file_location("planner_oracle", TOOL)
-    assert spec is not None
-    assert spec.loader is not None
-    module = importlib.util.module_from_spec(spec)
-    spec.loader.exec_module(module)
-    return module
-
-
-def their_samples(text: str, end: Sequence[float], *, velocity: float = VELOCITY, acceleration: float = ACCELERATION) -> np.ndarray:
-    """Return LinuxCNC's commanded positions (n, 3) [m], 1 ms apart, from the last at rest to the first at rest.
-
-    Raises `OracleError` where three runs all had gaps, errors, or another end than `end` [m].
-    """
-    import fcntl  # not on Windows, nor is LinuxCNC
-
-    tool, reason = _oracle(), ""
-    with tempfile.TemporaryDirectory() as folder, (Path(tempfile.gettempdir()) / "contourlab-linuxcnc.lock").open("w") as lock:
-        fcntl.flock(lock, fcntl.LOCK_EX)
-        file = Path(folder) / "program.ngc"
-        file.write_text(text, encoding="ascii")
-        Path(folder).chmod(0o755)
-        for _ in range(3):
-            try:
-                # A line of the sampler about an overrun is no row of numbers: loadtxt refuses it.
-                rows = tool.samples(str(file), 1e3 * velocity, 1e3 * acceleration)
-            except (RuntimeError, ValueError, OSError, subprocess.TimeoutExpired) as error:
-                reason = f"{type(error).__name__}: {error}"
-                continue
-            moving = np.flatnonzero(np.any(np.diff(rows[:, 1:4], axis=0) != 0.0, axis=1)) if len(rows) > 1 else np.zeros(0, int)
-            if not moving.size:
-                reason = "nothing moved"
-            elif np.any(np.diff(rows[:, 0]) != 1):
-                reason = "samples are missing"
-            elif np.abs(1e-3 * rows[-1, 1:4] - end).max() > END:
-                reason = f"it ended at {rows[-1, 1:4].tolist()} mm"
-            else:
-                return np.asarray(1e-3 * rows[moving[0] : moving[-1] + 2, 1:4])
-    raise OracleError(reason)
-
-
-def deviation(points: np.ndarray, path: Curves, window: float = 2e-3, block: int = 32) -> float:
-    """Return the largest distance of points (n, n_axis) in the order of travel from a path [m].
-
-    Their progress is followed from block to block by their feet, as a polygon that cuts corners is shorter than the path.
-    """
-    worst = progress = 0.0
-    before = points[:1]
-    for start in range(0, len(points), block):
-        part = points[start : start + block]
-        gone = np.cumsum(np.linalg.norm(np.diff(np.concatenate([before, part]), axis=0), axis=1))
-        foot = path.foot_point(part, np.minimum(progress + gone, path.length), window)
-        worst, progress, before = max(worst, float(foot.distance.max())), float(foot.arc_length[-1]), part[-1:]
-    return worst
-
-
 def all_positions(reference: Reference) -> np.ndarray:
     """Return every sample's position."""
     return np.array(reference.block(0, reference.n_sample).position)
-
-
-def worst_rates(points: np.ndarray) -> dict[str, float]:
-    """Return the worst velocity and acceleration of any axis as parts of the limits."""
-    velocity = np.diff(points, axis=0) / PERIOD
-    acceleration = np.diff(velocity, axis=0) / PERIOD
-    return {"velocity": float(np.abs(velocity).max() / VELOCITY), "acceleration": float(np.abs(acceleration).max() / ACCELERATION)}
-
-
-# What is measured.
 
 
 def compare(program: Program, mode: str) -> dict[str, Any]:
@@ -288,13 +90,13 @@ def compare(program: Program, mode: str) -> dict[str, Any]:
     route = driven(program)
     row: dict[str, Any] = {"mode": mode}
     try:
-        if (ours := in_mode(route, MODES[mode])) is not None:
-            start = time.process_time()
-            reference = plan(ours, limits(), PERIOD)
-            positions = all_positions(reference)
-            row |= {"seconds": reference.duration, "planning_seconds": time.process_time() - start}
-            row |= {"deviation": deviation(positions, route.path), "limits_kept": limit_report(reference, limits()).ok()}
-            row |= worst_rates(positions)
+        ours = in_mode(route, MODES[mode])
+        start = time.process_time()
+        reference = plan(ours, limits(), PERIOD)
+        positions = all_positions(reference)
+        row |= {"seconds": reference.duration, "planning_seconds": time.process_time() - start}
+        row |= {"deviation": deviation(positions, route.path), "limits_kept": limit_report(reference, limits()).ok()}
+        row |= worst_rates(positions) | {"seconds_without_jerk_limit": plan(ours, limits(jerk=math.inf), PERIOD).duration}
     except ContourlabError as error:
         row["error"] = str(error)
     if not why_no_linuxcnc():
@@ -306,6 +108,7 @@ def compare(program: Program, mode: str) -> dict[str, Any]:
             row["linuxcnc_error"] = str(error)
     if "seconds" in row and "linuxcnc_seconds" in row:
         row["ratio"] = row["seconds"] / row["linuxcnc_seconds"]
+        row["ratio_without_jerk_limit"] = row["seconds_without_jerk_limit"] / row["linuxcnc_seconds"]
     return row
 
 
@@ -418,9 +221,7 @@ def speed(counts: Sequence[int]) -> list[dict[str, Any]]:
             start = time.process_time()
             programmed = route_from_path(Curves([Line(a, b) for a, b in pairwise(points)]), FEED)
             made = time.process_time()
-            if (route := in_mode(programmed, tolerance)) is None:
-                break
-            reference = plan(route, AxisLimits(VELOCITY, ACCELERATION, JERK), PERIOD)
+            reference = plan(in_mode(programmed, tolerance), AxisLimits(VELOCITY, 2.0, REAL_JERK), PERIOD)
             planned = time.process_time()
             for first in range(0, reference.n_sample, 65536):
                 reference.block(first, min(first + 65536, reference.n_sample))
@@ -436,9 +237,6 @@ def exponent(rows: Sequence[dict[str, Any]]) -> float:
     """Return the slope of log time over log lines."""
     lines, seconds = (np.log([row[key] for row in rows]) for key in ("lines", "seconds"))
     return float(np.polyfit(lines, seconds, 1)[0])
-
-
-# Telling.
 
 
 def shown(value: Any, form: str, scale: float = 1.0) -> str:
@@ -458,12 +256,25 @@ def table(title: str, heads: Sequence[str], rows: Sequence[Sequence[str]]) -> Ta
 
 def tables(found: dict[str, Any]) -> Iterator[Table]:
     """Yield what was found as tables."""
-    heads = ["program", "moves", "mode", "LinuxCNC s", "ours s", "ratio", "LinuxCNC dev um", "ours um", "LinuxCNC acc", "ours acc", "kept"]
+    heads = [
+        "program",
+        "moves",
+        "mode",
+        "LinuxCNC s",
+        "ours s",
+        "ratio",
+        "J = inf",
+        "LinuxCNC dev um",
+        "ours um",
+        "LinuxCNC acc",
+        "ours acc",
+        "kept",
+    ]
     rows: list[list[str]] = []
     for row in found["linuxcnc"]:
         moves = "-" if "of" not in row else str(row["of"]) if row["moves"] == row["of"] else f"first {row['moves']} of {row['of']}"
         kept = {True: "yes", False: "NO", None: "-"}[row.get("limits_kept")]
-        times = [shown(row.get(key), ".3f") for key in ("linuxcnc_seconds", "seconds", "ratio")]
+        times = [shown(row.get(key), ".3f") for key in ("linuxcnc_seconds", "seconds", "ratio", "ratio_without_jerk_limit")]
         far = [shown(row.get(key), ".2f", 1e6) for key in ("linuxcnc_deviation", "deviation")]
         acc = [shown(row.get(key), ".3f") for key in ("linuxcnc_acceleration", "acceleration")]
         rows.append([row["name"], moves, row.get("mode", "-"), *times, *far, *acc, kept])

@@ -12,7 +12,7 @@ import pytest
 from contourlab.feed import LimitReport, Reference, limit_report, plan
 from contourlab.program import Program, parse_program
 
-BENCHMARK = Path(__file__).parents[2] / "benchmarks" / "planning.py"
+BENCHMARK = Path(__file__).parents[2] / "benchmarks" / "linuxcnc.py"
 TOOL = Path(__file__).parents[2].parent / "shared" / "tools" / "planner_oracle.py"
 PERIOD = 1e-3
 HEAD = "G21 G90 G17 F6000\n"
@@ -37,7 +37,7 @@ pytestmark = [
 @pytest.fixture(scope="module")
 def planning() -> ModuleType:
     """The benchmark that runs both planners."""
-    spec = importlib.util.spec_from_file_location("planning", BENCHMARK)
+    spec = importlib.util.spec_from_file_location("linuxcnc", BENCHMARK)
     assert spec is not None
     assert spec.loader is not None
     module = importlib.util.module_from_spec(spec)

@@ -42,7 +42,8 @@ def routes(draw: st.DrawFn) -> Route:
 
 
 def reach(route: Route) -> float:
-    return float(route.corner_tolerance[0] + route.merge_tolerance[0])
+    corner, merge = float(route.corner_tolerance[0]), float(route.merge_tolerance[0])
+    return corner if merge <= corner else merge + 0.5 * corner
 
 
 @few

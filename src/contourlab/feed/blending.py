@@ -47,7 +47,7 @@ def blended(route: Route) -> Route:
     -------
     Route
         `path` is the new path, `programmed` the programmed one, `correspondence` the map between them. It leaves the programmed path by
-        no more than both tolerances together.
+        no more than P, or Q + P/2 where Q is greater than P.
 
     Notes
     -----

@@ -5,6 +5,9 @@ follow one another along it. From the start of a run, each point permits a cone 
 that lies within their intersection. In the plane that is the intersection itself; in space it is a little less, so that a run may end early
 but never leaves the tolerance. The cost is that of the points: runs end at every 2048th line at the latest, and all of these blocks are
 walked through side by side.
+
+Merging and rounding share the tolerance of a corner: with Q up to P a point lies at most P/2 off its line, and the blends next to it get
+what is left of P. So the path leaves the programmed one by no more than P, or by Q + P/2 where Q is the larger.
 """
 
 from __future__ import annotations
@@ -49,7 +52,7 @@ def merged(route: Route) -> Route:
     path = route.path
     last_curve = path.curves[-1]
     points = np.concatenate([path._starts[0], last_curve.end[None] if isinstance(last_curve, Line) else path._ends[0][-1:]])
-    first = run_starts(points, route.merge_tolerance, linked)
+    first = run_starts(points, _reach(route), linked)
     n = route.n_curve
     last = np.append(first[1:], n) - 1
     many = last > first
@@ -59,15 +62,27 @@ def merged(route: Route) -> Route:
     fresh = iter(made)
     curves = [next(fresh) if joined else path.curves[i] for i, joined in zip(first.tolist(), many.tolist(), strict=True)]
     planned = Path(curves, path.closed)
+    along, aside = _feet(planned, points, first)
+    most = np.maximum.reduceat(np.where(np.repeat(many, last - first + 1), aside, 0.0), first)
+    corner = route.corner_tolerance[first]
+    # What merging has used up next to a corner is not there for the blend.
+    left = np.clip(corner - np.maximum(most, np.roll(most, -1)), 0.5 * corner, corner)
     return replace(
         route,
         path=planned,
         programmed=route.programmed,
-        correspondence=_places(route, planned, points, first, many),
+        correspondence=_places(route, planned, along, first, many),
         dwell=route.dwell[last],
         exact_stop=route.exact_stop[last],
-        **{name: getattr(route, name)[first] for name in ("feedrate", "rapid", "source_line", "corner_tolerance", "merge_tolerance")},
+        corner_tolerance=left,
+        **{name: getattr(route, name)[first] for name in ("feedrate", "rapid", "source_line", "merge_tolerance")},
     )
+
+
+def _reach(route: Route) -> Array:
+    """Return how far a point may lie off its merged line [m]: half of the corner's tolerance at most, unless Q asks for more than that."""
+    corner, merge = route.corner_tolerance, route.merge_tolerance
+    return np.asarray(np.where(merge <= corner, np.minimum(merge, 0.5 * corner), merge))
 
 
 def _linked(route: Route) -> Flags:
@@ -155,14 +170,18 @@ def _within(axis: Array, wide: Array, other: Array, also: Array) -> tuple[Array,
     return np.where(stay[:, None], axis, turned), half
 
 
-def _places(route: Route, planned: Path, points: Array, first: Index, many: Flags) -> Correspondence:
+def _feet(planned: Path, points: Array, first: Index) -> tuple[Array, Array]:
+    """Return where the start of each old line falls along the new one of its run, and how far beside it [m]."""
+    run = np.searchsorted(first, np.arange(len(points) - 1), side="right") - 1
+    direction, away = planned._starts[1][run], points[:-1] - points[first][run]
+    foot = np.einsum("ij,ij->i", away, direction)
+    return foot, np.asarray(np.linalg.norm(away - foot[:, None] * direction, axis=1))
+
+
+def _places(route: Route, planned: Path, foot: Array, first: Index, many: Flags) -> Correspondence:
     """Return the map: points between go to their feet on the merged line."""
     n = route.n_curve
     run = np.searchsorted(first, np.arange(n), side="right") - 1
-    along = np.empty(n + 1)
-    direction = planned._starts[1][run]
-    foot = np.einsum("ij,ij->i", points[:-1] - points[first][run], direction)
-    along[:-1] = planned.breaks[run] + np.where(many[run], foot, 0.0)
-    along[-1] = planned.length
+    along = np.append(planned.breaks[run] + np.where(many[run], foot, 0.0), planned.length)
     here = Correspondence(along, route.path.breaks)
     return here if route.correspondence is None else route.correspondence.after(here)

@@ -182,3 +182,21 @@ def test_the_work_grows_with_the_lines_alone(monkeypatch: pytest.MonkeyPatch) ->
     # Blocks do not know of each other, but a run that ends with its block loses no more than that.
     whole = merged(route(circle(8000)))
     assert whole.n_curve <= 70 + 8000 // 64
+
+
+@pytest.mark.parametrize(("corner", "merge", "most"), [(2e-5, 2e-5, 2e-5), (2e-5, 5e-6, 2e-5), (2e-5, 6e-5, 7e-5)])
+@pytest.mark.parametrize("n_axis", [2, 3])
+def test_merging_and_rounding_share_one_tolerance(corner: float, merge: float, most: float, n_axis: int) -> None:
+    rng = np.random.default_rng(n_axis)
+    # Dust along a curve with corners in it, and noise of the size of the tolerances.
+    smooth = circle(800, 0.01, n_axis)[:, :n_axis] * np.where(np.arange(801)[:, None] // 100 % 2, 1.0, 1.05)
+    points = smooth + rng.normal(0.0, 0.4 * corner, smooth.shape)
+    given = route(points, merge, corner_tolerance=corner)
+    found = blended(given)
+    assert merged(given).n_curve < given.n_curve
+    s = np.linspace(0.0, found.path.length, 40_001)
+    place = found.path.position(s)
+    foot = given.path.foot_point(place, found.programmed_arc_length(s), 20.0 * merge + 1e-3)
+    assert foot.distance.max() <= most * (1.0 + 1e-9)
+    # The tolerance is made use of, not kept away from.
+    assert foot.distance.max() > 0.4 * most
