@@ -20,6 +20,7 @@ from typing import Any
 from rich.console import Console
 from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeElapsedColumn
 from rich.table import Table
+from rich.text import Text
 
 from contourlab.errors import ContourlabError
 from contourlab.scenario import Scenario, scenario_from_parts
@@ -86,7 +87,7 @@ def table(found: Sequence[dict[str, Any]]) -> Table:
         shown.add_column(head, justify="left" if head == "program" else "right", overflow="fold")
     for row in found:
         if "error" in row:
-            shown.add_row(row["program"], "[red]" + row["error"].replace("[", r"\["), *[""] * (len(heads) - 3), f"{row['seconds']:.1f}")
+            shown.add_row(row["program"], *["-"] * (len(heads) - 2), f"{row['seconds']:.1f}")
             continue
         errors = (row["part_error_max"], row["line"], row["part_error_rms"], row["contour_error_max"], row["planning_deviation_max"])
         cells = [str(value) if isinstance(value, int) else f"{value * 1e6:.3g}" for value in errors]
@@ -94,6 +95,9 @@ def table(found: Sequence[dict[str, Any]]) -> Table:
         shown.add_row(
             row["program"], str(row["lines"]), str(row["moves"]), f"{row['cycle_time']:.1f}", *cells, scaled, f"{row['seconds']:.1f}"
         )
+    wrong = [f"{row['program']}: {row['error']}" for row in found if "error" in row]
+    shown.caption = Text("\n".join(["not run:", *wrong]) if wrong else "", justify="left")
+    shown.caption_justify = "left"
     return shown
 
 
