@@ -7,6 +7,7 @@ import math
 import re
 import shutil
 import subprocess
+import tempfile
 from dataclasses import dataclass
 from pathlib import Path
 from types import ModuleType
@@ -67,10 +68,13 @@ def our_moves(text: str, folder: Path | None = None, tools: Path | None = None) 
 
 def their_moves(oracle: ModuleType, file: Path, backend: str, **options: Any) -> tuple[Theirs, str]:
     """Return LinuxCNC's moves, dwells of no time left out, and its complaint, empty where there is none."""
-    try:
-        moves, complaint = oracle.moves(str(file), backend=backend, timeout=20, **options), ""
-    except oracle.OracleError as error:
-        moves, complaint = error.args[1], error.args[0]
+    # It keeps the tools in a file of the home folder, which interpreters that run at the same time would share.
+    with tempfile.TemporaryDirectory() as home, pytest.MonkeyPatch.context() as patch:
+        patch.setenv("HOME", home)
+        try:
+            moves, complaint = oracle.moves(str(file), backend=backend, timeout=20, **options), ""
+        except oracle.OracleError as error:
+            moves, complaint = error.args[1], error.args[0]
     return [move for move in moves if move["kind"] != "dwell" or move["seconds"] > 0.0], complaint
 
 
