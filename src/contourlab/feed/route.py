@@ -220,7 +220,7 @@ def route_from_program(program: Program, axes: Sequence[str] = ("x", "y", "z"), 
     """Return the route of a part program, as programmed: `blended` rounds its corners within their tolerances.
 
     Moves without length are left out, their dwell is kept. A traverse (G0) is a straight line at rapid rate. The tolerance of a corner is
-    that of the move that ends there.
+    that of the move that ends there. The motion rests for spindle, tool, coolant and pauses.
 
     Parameters
     ----------
@@ -242,12 +242,15 @@ def route_from_program(program: Program, axes: Sequence[str] = ("x", "y", "z"), 
         If the program moves nothing, or `axes` is wrong.
     """
     columns = _axis_columns(axes)
+    rests = {event.after for event in program.events if event.rests}
     bent: dict[int, Curve] = {}
     ends: list[tuple[Sequence[float], Sequence[float]]] = []
     rows: list[_Row] = []
     dwell: list[float] = []
     before = 0.0
-    for move in program.moves:
+    for number, move in enumerate(program.moves):
+        if number in rests and rows:
+            rows[-1] = rows[-1]._replace(exact_stop=True)
         if isinstance(move, Dwell):
             if rows:
                 dwell[-1] += move.seconds

@@ -29,6 +29,8 @@ SPIRAL_RELATIVE = 1e-3
 """How far they may differ, of the greater one, up to 100 times the bounds above."""
 LARGEST_RADIUS = 1e4
 """Radii beyond this [m] are a slip, and too blunt for the precision of the numbers."""
+SHORTEST_HALF_CHORD = 1e-9
+"""Ends of an arc that are nearer to each other [m] are one point, but for rounding."""
 MOST_TURNS = 10_000
 
 _Vector = tuple[float, float]
@@ -126,7 +128,7 @@ def _centre_of_radius(word: Word, state: ModalState, here: _Vector, there: _Vect
     if radius < RADIUS_TOLERANCE:
         raise BlockError("an arc of no radius: R must not be zero", word.column)
     _check_radius(radius, word.column)
-    if half == 0.0:
+    if half < SHORTEST_HALF_CHORD:
         cure = "write a full circle with its centre (I, J, K)"
         raise BlockError(f"an arc with R cannot end where it starts: {cure}", word.column)
     if half - radius > RADIUS_TOLERANCE:

@@ -11,7 +11,7 @@ from dataclasses import replace
 
 from contourlab.program.block import Block
 from contourlab.program.fault import BlockError
-from contourlab.program.moves import PLANE_AXES, Dwell, Event, Move, Point
+from contourlab.program.moves import PLANE_AXES, Move, Point
 from contourlab.program.state import ModalState
 from contourlab.program.vocabulary import g_name
 
@@ -198,10 +198,10 @@ class _Cycle:
 
     def _wait(self) -> None:
         if self.state.cycle.dwell:
-            self.moves.append(Dwell(self.state.cycle.dwell, self.line))
+            self.moves += self.state.wait(self.state.cycle.dwell, self.line)
 
     def _event(self, word: str) -> None:
-        self.state.events.append(Event(word, None, self.line))
+        self.state.tell(word, None, self.line)
 
     def _spindle(self, sense: int) -> None:
         self._event({1: "M3", -1: "M4", 0: "M5"}[sense])

@@ -5,7 +5,6 @@ from __future__ import annotations
 from contourlab.program.block import Block
 from contourlab.program.fault import BlockError
 from contourlab.program.lexer import Word
-from contourlab.program.moves import Event
 from contourlab.program.offsets import show_tool
 from contourlab.program.state import ModalState
 from contourlab.program.tools import LARGEST_TOOL
@@ -33,10 +32,11 @@ def execute_events(block: Block, state: ModalState, line: int) -> None:
         if speed.value < 0.0:
             raise BlockError(f"S{speed.value:g}: a spindle speed is not negative, M4 turns it the other way", speed.column)
         state.speed = speed.value
-        state.events.append(Event("S", speed.value, line))
+        state.tell("S", speed.value, line)
     if tool is not None:
         state.tools.selected = _tool_number(tool)
-        state.events.append(Event("T", tool.value, line))
+        state.tools.check(state.tools.selected, tool.column)
+        state.tell("T", tool.value, line)
     if not codes:
         return
     for group in _GROUPS:
@@ -59,7 +59,7 @@ def _execute(block: Block, state: ModalState, line: int, code: int, column: int)
         show_tool(state)
     if code in _SENSES:
         state.turning = _SENSES[code]
-    state.events.append(Event(f"M{code}", None if word is None else word.value, line, None if index is None else index.value))
+    state.tell(f"M{code}", None if word is None else word.value, line, None if index is None else index.value)
 
 
 def _check_orientation(block: Block) -> None:
@@ -80,4 +80,4 @@ def pause(block: Block, state: ModalState, line: int) -> None:
     """Keep M0, M1 and M60, which come after the motion of their block."""
     code = block.codes.get("stop")
     if code is not None and code.number in _PAUSES:
-        state.events.append(Event(f"M{code.number}", None, line))
+        state.tell(f"M{code.number}", None, line)

@@ -108,6 +108,8 @@ def read_assignment(cursor: Cursor, parameters: Parameters) -> tuple[Key, float]
     column = cursor.column
     key = _key(cursor, parameters)
     parameters.check(key, column)
+    if isinstance(key, str) and not parameters.exists(key):
+        parameters.write(key, 0.0)  # the name is there from here on, as in LinuxCNC
     cursor.expect("=", "behind the parameter that is set")
     return key, read_value(cursor, parameters)
 

@@ -63,7 +63,10 @@ def iter_moves(
     >>> [move.end for move in iter_moves(["G0 X10", "Y20", "M2"])]
     [(0.01, 0.0, 0.0), (0.01, 0.02, 0.0)]
     """
-    return Reader(lines, name, reading or Reading(require_end=require_end)).moves()
+    reader = Reader(lines, name, reading or Reading(require_end=require_end))
+    for move in reader.moves():
+        reader.state.events.clear()  # nobody asks for them here, and a program may have one on every line
+        yield move
 
 
 def parse_program(text: str, name: str = "<text>", *, require_end: bool = True, reading: Reading | None = None) -> Program:
@@ -141,6 +144,10 @@ def open_program(
         chosen = replace(chosen, folder=path.parent)
     try:
         # Whether the whole of it is UTF-8 shows at its end only: looked through once, line by line.
+        if path.exists() and not path.is_file() and not path.is_dir():
+            # A pipe can be read only once.
+            yield Reader(split_lines(read_text(path)), str(file), chosen, still=still, problems=problems)
+            return
         with path.open("rb") as raw:
             utf8 = all(is_utf8(line) for line in raw)
         text = path.open(encoding="utf-8-sig" if utf8 else "latin-1", newline=None)

@@ -8,7 +8,6 @@ lead back to them.
 from __future__ import annotations
 
 import re
-from collections import deque
 from collections.abc import Iterator
 from typing import NamedTuple
 
@@ -29,6 +28,8 @@ _DIGITS = re.compile(r"[0-9]+")
 _CONDITIONS = ("if", "elseif", "while", "repeat")
 _VALUES = ("return", "endsub")
 MOST_ARGUMENTS = 30
+BATCH = 1024
+"""So many lines are dropped at once."""
 
 
 class OWord(NamedTuple):
@@ -139,31 +140,40 @@ class Tape:
 
     def __init__(self, lines: Iterator[str], name: str) -> None:
         self._lines, self.name = lines, name
-        self._kept: deque[str] = deque()
+        self._kept: list[str] = []
         self._first = 0
+        self._pinned: int | None = None
         self.ended = False
 
     @classmethod
     def of(cls, lines: list[str], first: int, name: str) -> Tape:
         """Return a tape of lines that are kept for good; the first of them has the index `first`."""
         tape = cls(iter(()), name)
-        tape._kept, tape._first, tape.ended = deque(lines), first, True
+        tape._kept, tape._first, tape._pinned, tape.ended = lines, first, first, True
         return tape
 
     def line(self, index: int) -> str | None:
         """Return a line by its index from 0; None behind the end."""
         while index >= self._first + len(self._kept):
-            if self.ended:
-                return None
-            following = next(self._lines, None)
+            following = None if self.ended else next(self._lines, None)
             if following is None:
                 self.ended = True
                 return None
             self._kept.append(following)
         return self._kept[index - self._first]
 
+    def pin(self, index: int) -> None:
+        """Keep the lines from an index on for good."""
+        self._pinned = index if self._pinned is None else min(self._pinned, index)
+
     def forget(self, before: int) -> None:
-        """Drop the lines before an index."""
-        while self._first < before and self._kept:
-            self._kept.popleft()
-            self._first += 1
+        """Drop the lines before an index, but those that are pinned."""
+        stop = before if self._pinned is None else min(before, self._pinned)
+        # In batches: to drop a list's first item costs as much as all behind it.
+        if stop - self._first >= BATCH:
+            del self._kept[: stop - self._first]
+            self._first = stop
+
+    def __len__(self) -> int:
+        """How many lines are held."""
+        return len(self._kept)

@@ -18,7 +18,7 @@ from contourlab.program.cycles import drill
 from contourlab.program.events import execute_events, pause
 from contourlab.program.fault import BlockError
 from contourlab.program.lexer import Word
-from contourlab.program.moves import Dwell, Mode, Move, Plane
+from contourlab.program.moves import Mode, Move, Plane
 from contourlab.program.offsets import go_home, machine_target, select_system, set_data, set_shift, set_tool_length
 from contourlab.program.splines import add_control_point, bezier, close_curve
 from contourlab.program.state import LARGEST_FEEDRATE, ModalState
@@ -146,13 +146,13 @@ def _set_feedrate(block: Block, state: ModalState) -> None:
     state.feedrate = feedrate
 
 
-def _dwell(block: Block, line: int) -> list[Move]:
+def _dwell(block: Block, state: ModalState, line: int) -> list[Move]:
     word = block.words.get("P")
     if word is None:
         raise BlockError("G4 has no time: write for example G4 P0.5 for half a second", block.codes["other"].column)
     if not 0.0 <= word.value <= LONGEST_DWELL:
         raise BlockError(f"G4 P{word.value:g}: P is in seconds and lies between 0 and {LONGEST_DWELL:g}", word.column)
-    return [Dwell(word.value, line)] if word.value > 0.0 else []
+    return state.wait(word.value, line)
 
 
 def _set_modes(block: Block, state: ModalState, line: int) -> list[Move]:
@@ -161,7 +161,7 @@ def _set_modes(block: Block, state: ModalState, line: int) -> list[Move]:
     moves: list[Move] = []
     other = codes.get("other")
     if other is not None and other.number == 40:
-        moves += _dwell(block, line)
+        moves += _dwell(block, state, line)
     for group, setter in _SETTERS.items():
         if group in codes:
             setter(block, state, codes[group].number)
@@ -267,6 +267,7 @@ def _motion(block: Block, state: ModalState, line: int, before: int | None) -> l
         rise = end[arc.axes[2]] - state.position[arc.axes[2]]
         arc = replace(arc, feedrate=_feedrate(block, state, math.hypot(arc.sweep * arc.radius, rise)))
     state.position, state.reached = end, arc.end
+    state.made += 1
     return [arc]
 
 

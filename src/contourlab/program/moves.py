@@ -242,6 +242,7 @@ class Dwell:
 
 Move: TypeAlias = Traverse | Feed | Arc | Spline | Dwell
 
+_WHILE_MOVING = frozenset(("S", "T", "M48", "M49", "M50", "M51", "M52", "M53", "M62", "M63", "M67"))
 _UNITS = ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0))
 
 
@@ -252,18 +253,26 @@ class Event:
     Parameters
     ----------
     word : str
-        ``"S"``, ``"T"``, or an M-code such as ``"M3"``.
+        ``"S"``, ``"T"``, an M-code such as ``"M3"``, or ``"G4"`` for a dwell of no time.
     value : float or None
         Number of S (turns per minute) and T, the P of M50 to M53 and M62 to M65, the Q of M61, M67 and M68; None where there is none.
     source_line : int, >= 1
     index : float or None
         The E of M67 and M68: the number of the output.
+    after : int, >= 0
+        How many moves come before it.
     """
 
     word: str
     value: float | None
     source_line: int
     index: float | None = None
+    after: int = 0
+
+    @property
+    def rests(self) -> bool:
+        """Whether the machine comes to rest for it: all but speeds, tool numbers, overrides, and outputs that are set while moving."""
+        return self.word not in _WHILE_MOVING
 
 
 @dataclass(frozen=True, slots=True)

@@ -39,6 +39,7 @@ def set_tool_length(block: Block, state: ModalState, code: int) -> None:
         frame.tool = ORIGIN
     elif code == 430:
         number = state.tools.current if height is None else _whole(height, "a tool")
+        state.tools.check(number, (height or block.codes["tool_length"]).column)
         frame.tool = state.tools.offset(number)
     elif code == 431:
         given = state.given(words)

@@ -34,6 +34,8 @@ class Parameters:
     ----------
     returned : float or None
         What the last subprogram returned.
+    changes : int
+        How often anything was set.
     """
 
     def __init__(
@@ -41,13 +43,14 @@ class Parameters:
         position: Callable[[], tuple[float, float, float]] = lambda: (0.0, 0.0, 0.0),
         own: Mapping[str, Callable[[], float]] | None = None,
     ) -> None:
-        self._position = position
+        self.position = position
         self.own = own or {}
         self._numbered: dict[int, float] = {SELECTED_SYSTEM: 1.0}
         self._global: dict[str, float] = {}
         self._local: dict[str, float] = {}
         self._callers: list[tuple[dict[str, float], dict[int, float] | None]] = []
         self.returned: float | None = None
+        self.changes = 0
 
     @property
     def depth(self) -> int:
@@ -75,7 +78,7 @@ class Parameters:
     def number(self, key: int) -> float:
         """Return the value of a numbered parameter that is known to exist."""
         if key in _POSITION:
-            return self._position()[key - _POSITION[0]]
+            return self.position()[key - _POSITION[0]]
         return self._numbered.get(key, 0.0)
 
     def exists(self, name: str) -> bool:
@@ -98,8 +101,13 @@ class Parameters:
         if key in _READ_ONLY:
             raise BlockError(f"#{key} is the interpreter's own (tool, position), a program cannot set it: choose another number", column)
 
+    def give_back(self, value: float | None) -> None:
+        """Keep what a subprogram returns."""
+        self.returned, self.changes = value, self.changes + 1
+
     def write(self, key: Key, value: float) -> None:
         """Set a parameter that `check` has let pass."""
+        self.changes += 1
         if isinstance(key, str):
             self._names(key)[key] = value
         else:

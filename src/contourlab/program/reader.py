@@ -25,6 +25,7 @@ from contourlab.program.walker import Walker
 __all__ = ["Dialect", "Reader", "Reading"]
 
 Dialect: TypeAlias = Literal["linuxcnc", "grbl"]
+MOST_NOTICES = 1000
 MOST_PROBLEMS = 100
 """So many faults are kept at most."""
 _PROGRAM_ENDS = (2, 30)
@@ -124,7 +125,7 @@ class Reader:
                 if line is None or self._closes(line):
                     break
                 block = self._block(line)
-                made = execute(block, state, walker.place[1]) if block else []
+                made = execute(block, state, walker.main_line) if block else []
             except BlockError as fault:
                 self._take(fault)
                 lines = walker.lines()
@@ -139,6 +140,7 @@ class Reader:
                         break
                 except BlockError as fault:
                     self._take(fault)
+            del self.notices[MOST_NOTICES:]
         self._check_end(moved)
 
     def _take(self, fault: BlockError) -> None:
@@ -216,7 +218,9 @@ class Reader:
         if self.state.curve.points:
             cure = "write G5.3 behind its last control point"
             raise ProgramError(f"the NURBS begun with G5.2 is not closed: {cure}", file=self.name, line=self._walker.place[1])
-        if not moved:
+        if not moved and (self.state.still or self.problems is not None):
+            self.notices.append(Notice("the program moves nothing", 1, 1))
+        elif not moved:
             raise ProgramError(
                 "the program holds no motion: write at least one G0, G1, G2 or G3 move that ends elsewhere than it begins "
                 "(X0 Y0 Z0 at first)",

@@ -126,4 +126,5 @@ def _made(state: ModalState, points: list[Point], weights: list[float], degree: 
     state.position, state.reached = points[-1], axes[-1]
     inner = len(points) - degree - 1
     knots = [0.0] * (degree + 1) + [float(i + 1) for i in range(inner)] + [float(inner + 1)] * (degree + 1)
+    state.made += 1
     return [Spline(degree, tuple(axes), tuple(weights), tuple(knots), feedrate, line, state.mode)]

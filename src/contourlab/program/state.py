@@ -9,7 +9,7 @@ from typing import Literal, TypeAlias
 from contourlab.program.coordinates import Frame
 from contourlab.program.fault import BlockError
 from contourlab.program.lexer import Word
-from contourlab.program.moves import PLAIN, Event, Feed, Mode, Move, Plane, Point, Traverse
+from contourlab.program.moves import PLAIN, Dwell, Event, Feed, Mode, Move, Plane, Point, Traverse
 from contourlab.program.parameters import Parameters
 from contourlab.program.tools import Tools
 
@@ -68,6 +68,8 @@ class ModalState:
     turning : int
         Sense of the spindle: 1 clockwise, -1 counterclockwise, 0 at rest.
     speed : float [turns/min]
+    made : int
+        How many moves have been made.
     """
 
     parameters: Parameters = field(default_factory=Parameters)
@@ -92,6 +94,7 @@ class ModalState:
     tangent: tuple[float, float] | None = None
     curve: Curve = field(default_factory=Curve)
     events: list[Event] = field(default_factory=list)
+    made: int = 0
 
     def length(self, value: float) -> float:
         """Convert a length in program units to metres; division keeps decimals exact to the last bit."""
@@ -190,9 +193,22 @@ class ModalState:
         if not self.still and math.dist(self.reached, axes) <= SHORTEST_MOVE:
             return []
         start, self.reached = self.reached, axes
+        self.made += 1
         if feedrate is None:
             return [Traverse(start, axes, line, self.mode)]
         return [Feed(start, axes, feedrate, line, self.mode)]
+
+    def wait(self, seconds: float, line: int) -> list[Move]:
+        """Return a dwell; one of no time is kept as an event, since the machine comes to rest for it."""
+        if seconds == 0.0:
+            self.tell("G4", 0.0, line)
+            return []
+        self.made += 1
+        return [Dwell(seconds, line)]
+
+    def tell(self, word: str, value: float | None, line: int, index: float | None = None) -> None:
+        """Keep what is asked for besides motion, with its place among the moves."""
+        self.events.append(Event(word, value, line, index, self.made))
 
     def see_from(self, axes: Point) -> None:
         """Work out the programmed point anew after a change of the offsets, from the positions of the axes [m] before it."""

@@ -6,6 +6,7 @@ import re
 from pathlib import Path
 
 from contourlab.errors import ProgramError
+from contourlab.program.fault import BlockError
 from contourlab.program.moves import Point
 
 __all__ = ["LARGEST_TOOL", "Tools", "read_tools"]
@@ -13,6 +14,7 @@ __all__ = ["LARGEST_TOOL", "Tools", "read_tools"]
 LARGEST_TOOL = 99_999
 _ENTRY = re.compile(r"([A-Za-z])\s*([+-]?(?:[0-9]+\.?[0-9]*|\.[0-9]+))")
 _LENGTHS = "XYZ"
+_LETTERS = frozenset("TPDXYZABCUVWIJQ")
 
 
 class Tools:
@@ -22,11 +24,30 @@ class Tools:
     ----------
     offsets : dict of int to (x, y, z) [m], optional
     diameters : dict of int to float [m], optional
+
+    Attributes
+    ----------
+    current, selected : int
+        The tool in the spindle, and the one that the next change brings; 0 for none.
+    complete : bool
+        Whether a table says which tools there are.
     """
 
     def __init__(self, offsets: dict[int, Point] | None = None, diameters: dict[int, float] | None = None) -> None:
         self.offsets, self.diameters = dict(offsets or {}), dict(diameters or {})
         self.current, self.selected = 0, 0
+        self.complete = False
+
+    def check(self, number: int, column: int) -> None:
+        """Refuse a tool that a table was to describe and does not; 0 is no tool.
+
+        Raises
+        ------
+        BlockError
+            If it is not there.
+        """
+        if self.complete and number and number not in self.offsets:
+            raise BlockError(f"tool {number} is not in the tool table: add it, or correct the number", column)
 
     def offset(self, number: int) -> Point:
         """Return the offset of a tool [m]."""
@@ -47,6 +68,7 @@ def read_tools(file: str | Path) -> Tools:
         reason = error.strerror if isinstance(error, OSError) and error.strerror else str(error)
         raise ProgramError(f"the tool table cannot be read: {reason}", file=file) from error
     tools = Tools()
+    tools.complete = True
     for number, line in enumerate(text.splitlines(), start=1):
         entry = line.split(";")[0].strip()
         if entry:
@@ -59,6 +81,9 @@ def _add(tools: Tools, entry: str, file: str | Path, line: int) -> None:
         cure = "write words such as T1 P1 D3.0 Z+25.4, and comments behind ';'"
         raise ProgramError(f"this is no line of a tool table: {cure}", file=file, line=line)
     words = {letter.upper(): float(value) for letter, value in _ENTRY.findall(entry)}
+    unknown = words.keys() - _LETTERS
+    if unknown:
+        raise ProgramError(f"{min(unknown)} is no word of a tool table: there are {', '.join(sorted(_LETTERS))}", file=file, line=line)
     tool = words.get("T", 0.0)
     if tool != round(tool) or not 1 <= tool <= LARGEST_TOOL:
         raise ProgramError(f"a tool has a whole number from 1 to {LARGEST_TOOL}: write for example T1", file=file, line=line)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from bisect import bisect_left
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field
 
@@ -13,8 +14,8 @@ __all__ = ["Walker"]
 
 DEEPEST_CALL = 9
 """LinuxCNC has ten levels, the program itself among them."""
-MOST_IDLE = 100_000
-"""So many lines in loops or subprograms without a move are an endless loop."""
+MOST_IDLE = 200_000
+"""So many lines in loops and subprograms are executed without a move; more are taken for an endless loop."""
 MOST_REPEATS = 1e9
 _ENDS = {"while": "endwhile", "do": "while", "repeat": "endrepeat"}
 
@@ -26,6 +27,7 @@ class _Loop:
     start: int
     remaining: int = 0
     ifs: int = 0
+    mark: object = None
 
 
 @dataclass(slots=True)
@@ -40,6 +42,14 @@ class _Frame:
     start: int = 0
     loops: list[_Loop] = field(default_factory=list)
     ifs: list[str] = field(default_factory=list)
+
+
+@dataclass(slots=True)
+class _Seen:
+    """Where subprograms begin in a file, by label and keyword, up to a line."""
+
+    reached: int = 0
+    places: dict[tuple[str, str], list[int]] = field(default_factory=dict)
 
 
 class Walker:
@@ -59,6 +69,7 @@ class Walker:
         self.main = tape
         self._frames = [_Frame(tape, 0)]
         self._subs: dict[str, tuple[Tape, int]] = {}
+        self._seen: dict[str, _Seen] = {}
         self._begun: dict[tuple[str, str], tuple[str, int]] = {}
         self.idle = 0
 
@@ -71,6 +82,11 @@ class Walker:
     def place(self) -> tuple[str, int]:
         """File and line number (from 1) of the line yielded last."""
         return self.frame.tape.name, self.frame.index
+
+    @property
+    def main_line(self) -> int:
+        """Number of the line of the program itself: that of the call, where a subprogram in another file is being executed."""
+        return next(frame.index for frame in reversed(self._frames) if frame.tape.name == self.main.name)
 
     @property
     def in_subprogram(self) -> bool:
@@ -153,6 +169,7 @@ class Walker:
         frame, loop = self.frame, self._innermost(word.label)
         if loop is not None and loop.kind == "do":
             if word.values[0] != 0.0:
+                self._turn(loop, word)
                 frame.index = loop.start
             else:
                 frame.loops.pop()
@@ -168,7 +185,16 @@ class Walker:
         self.frame.loops.append(_Loop(word.label, kind, start, remaining, len(self.frame.ifs)))
 
     def _endwhile(self, word: OWord) -> None:
-        self.frame.index = self._wanted(word, "while").start
+        loop = self._wanted(word, "while")
+        self._turn(loop, word)
+        self.frame.index = loop.start
+
+    def _turn(self, loop: _Loop, word: OWord) -> None:
+        """Refuse a loop whose condition cannot change any more: a turn has set no parameter and ends where the one before ended."""
+        mark = self.parameters.changes, self.parameters.position()
+        if mark == loop.mark:
+            raise BlockError(f"O{word.label} {loop.kind} never ends: no turn of it changes a parameter or the position", word.column)
+        loop.mark = mark
 
     def _do(self, word: OWord) -> None:
         self._begin(word)
@@ -233,7 +259,7 @@ class Walker:
         self._skip_to(word.label, ("endsub",), word)
 
     def _body(self, tape: Tape, start: int, word: OWord) -> tuple[Tape, int]:
-        """Keep the lines of a subprogram from `start` to its endsub, M99, or the end of the text."""
+        """Keep the lines of a subprogram from `start` to its endsub, or the end of the text."""
         end, lines = start, []
         while (line := tape.line(end)) is not None:
             lines.append(line)
@@ -277,18 +303,29 @@ class Walker:
             found = self._find(label)
             self._subs[label] = (
                 self._ahead(found, 0, label, fanuc, column)
-                if found
+                if found is not None
                 else self._ahead(self.frame.tape, self.frame.index, label, fanuc, column)
             )
         return self._subs[label]
 
     def _ahead(self, tape: Tape, start: int, label: str, fanuc: bool, column: int) -> tuple[Tape, int]:
-        """Look for a subprogram from a line on."""
-        while (line := tape.line(start)) is not None:
-            start += 1
+        """Look for a subprogram from a line on; what has been looked through once is remembered."""
+        seen = self._seen.setdefault(tape.name, _Seen())
+        wanted = (label, "" if fanuc else "sub")
+        while True:
+            places = seen.places.get(wanted, [])
+            at = bisect_left(places, start)
+            if at < len(places):
+                tape.pin(places[at])
+                return tape, places[at]
+            seen.reached = max(seen.reached, start)
+            line = tape.line(seen.reached)
+            if line is None:
+                break
+            seen.reached += 1
             found = self._ahead_of_time(line)
-            if found and found.label == label and found.keyword == ("" if fanuc else "sub"):
-                return self._body(tape, start, found)
+            if found and found.keyword in ("", "sub"):
+                seen.places.setdefault((found.label, found.keyword), []).append(seen.reached)
         raise BlockError(f"there is no subprogram O{label}: neither here nor in a file {label}.ngc beside the program", column)
 
     def _endsub(self, word: OWord) -> None:
@@ -297,7 +334,7 @@ class Walker:
         if not self.in_subprogram or frame.fanuc or (word.keyword == "endsub" and frame.label != word.label):
             cure = f"write O{word.label} sub before it, or delete it"
             raise BlockError(f"O{word.label} {word.keyword} stands in no subprogram of this label: {cure}", word.column)
-        self.parameters.returned = word.values[0] if word.values else None
+        self.parameters.give_back(word.values[0] if word.values else None)
         self._leave()
 
     _return = _endsub

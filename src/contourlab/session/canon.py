@@ -75,6 +75,7 @@ def canonical_moves(reader: Reader) -> Iterator[dict[str, Any]]:
     """Yield the moves of a reader with the fields of `canonical`."""
     state = reader.state
     for move in reader.moves():
+        state.events.clear()  # nobody asks for them here, and a program may have one on every line
         turning = state.speed / 60.0 if state.feed_mode == "per_turn" else 1.0
         yield canonical(move, state.feedrate * turning)
 

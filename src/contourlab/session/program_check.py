@@ -62,7 +62,7 @@ def check_program(file: str | Path, machine: str | Path = DEFAULT_MACHINE, *, re
     program = read_program(file, reading=reading or Reading(require_end=False), problems=problems)
     summary: dict[str, Any] = {
         "program": str(file),
-        "problems": [{"line": error.line, "column": error.column, "message": error.message} for error in problems],
+        "problems": [_problem(error) for error in problems],
         "notices": [{"line": notice.line, "column": notice.column, "message": notice.message} for notice in program.notices],
         "n_line": len(program.lines),
         "moves": dict(Counter(_KINDS[type(move)] for move in program.moves)),
@@ -120,12 +120,12 @@ def _add_motion(summary: dict[str, Any], program: Program, machine_file: str | P
 
 def _problem(error: ContourlabError) -> dict[str, Any]:
     line, column = getattr(error, "line", 0), getattr(error, "column", 0)
-    return {"line": line, "column": column, "message": getattr(error, "message", str(error))}
+    return {"file": getattr(error, "file", ""), "line": line, "column": column, "message": getattr(error, "message", str(error))}
 
 
 def _text(summary: dict[str, Any]) -> str:
     """Return the summary in words."""
-    lines = [f"{summary['program']}:{_place(entry)} {entry['message']}" for entry in summary["problems"]]
+    lines = [f"{entry['file'] or summary['program']}:{_place(entry)} {entry['message']}" for entry in summary["problems"]]
     lines += [f"{summary['program']}:{_place(entry)} note: {entry['message']}" for entry in summary["notices"]]
     count = len(summary["problems"])
     lines.append("no fault found" if not count else f"{count} fault{'s' * (count > 1)}")

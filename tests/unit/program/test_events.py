@@ -31,7 +31,8 @@ def test_a_block_is_executed_in_its_own_order() -> None:
         ("M0", None),
     ]
     program = read("M0 G1 X5\nM1")
-    assert program.events == (Event("M0", None, 2), Event("M1", None, 3))
+    # Each stands behind the moves made so far.
+    assert program.events == (Event("M0", None, 2, after=1), Event("M1", None, 3, after=1))
     assert [move.end for move in program.moves] == [(0.005, 0.0, 0.0), (0.001, 0.0, 0.0)]  # type: ignore[union-attr]
 
 
