@@ -64,7 +64,7 @@ def in_mode(route: Route, tolerance: float | None) -> Route:
         merge_tolerance=np.full(route.n_curve, part),
         exact_stop=np.zeros(route.n_curve, bool),
     )
-    return found if tolerance is None else blended(found)
+    return found if tolerance is None else blended(found, limits())
 
 
 def shortened(program: Program, seconds: float) -> tuple[Program, int]:

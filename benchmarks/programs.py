@@ -11,6 +11,7 @@ from __future__ import annotations
 
 import argparse
 import json
+import shlex
 import sys
 import time
 from collections.abc import Iterator, Sequence
@@ -29,6 +30,7 @@ from contourlab.session.run import run_session
 DEFAULT = Path(__file__).resolve().parents[2] / "shared" / "gcode"
 SUFFIXES = {".ngc", ".nc", ".gcode", ".tap", ".cnc"}
 MACHINE, CONTROLLER = "xyz", "xyz-controller"
+INTERRUPTED = 130
 SIGNALS = ("reference", "position", "contour_error", "part_error")
 
 
@@ -43,13 +45,19 @@ def scenario_of(file: Path) -> Scenario:
     return scenario_from_parts(file, MACHINE, CONTROLLER, options={"fit": True, "require_end": False}, name=file.stem)
 
 
+def command_of(file: Path) -> str:
+    """Return the command that runs a program just so."""
+    words = ["contourlab", "run", str(file), "--machine", MACHINE, "--controller", CONTROLLER, "--fit", "--no-require-end"]
+    return shlex.join(words + [word for signal in SIGNALS for word in ("--signals", signal)])
+
+
 def run(file: Path, out: Path) -> dict[str, Any]:
     """Run one program; return its row."""
     begin = time.perf_counter()
     row: dict[str, Any] = {"program": file.name}
     try:
         scenario = scenario_of(file)
-        done = run_session(scenario, out / file.stem, command=f"contourlab run {file.name}", signals=SIGNALS)
+        done = run_session(scenario, out / file.stem, command=command_of(file), signals=SIGNALS)
     except ContourlabError as error:
         return row | {"error": str(error).removeprefix(f"{file}:"), "seconds": time.perf_counter() - begin}
     found = done.summary["schemes"]["base"]
@@ -110,13 +118,21 @@ def main() -> int:
     chosen = parser.parse_args()
     files = programs(chosen.folders, chosen.only)
     if not files:
-        print(f"no part programs in {', '.join(map(str, chosen.folders))}: name a folder", file=sys.stderr)
+        print(f"no part programs in {', '.join(map(str, chosen.folders))}: name a folder, make programs PROGRAMS=<folder>", file=sys.stderr)
         return 2
-    found = list(rows(files, chosen.out))
+    found: list[dict[str, Any]] = []
+    stopped = False
+    try:
+        for row in rows(files, chosen.out):
+            found.append(row)  # what was done before an interruption is kept
+    except KeyboardInterrupt:
+        stopped = True
     chosen.out.mkdir(parents=True, exist_ok=True)
     (chosen.out / "programs.json").write_text(json.dumps(found, indent=2) + "\n", encoding="utf-8")
     Console(width=None if sys.stdout.isatty() else 200).print(table(found))
-    return 0
+    if stopped:
+        print(f"interrupted: {len(found)} of {len(files)} programs were run", file=sys.stderr)
+    return INTERRUPTED if stopped else 0
 
 
 if __name__ == "__main__":

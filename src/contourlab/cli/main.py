@@ -131,7 +131,9 @@ def _explain(error: BaseException, debug: bool) -> int:
         if error.filename is None:
             silence()  # what is left in the buffer would fail again at exit
     elif isinstance(error, MemoryError):
-        lines = [f"{NAME}: not enough memory: {error or 'a smaller run is wanted'}; take fewer laps or schemes, or a longer servo period"]
+        lines = [
+            f"{NAME}: not enough memory: {str(error) or 'a smaller run is wanted'}; take fewer laps or schemes, or a longer servo period"
+        ]
     else:
         code, lines = INTERNAL, [f"{NAME}: internal error: {type(error).__name__}: {error}"]
         if not debug:

@@ -9,7 +9,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from contourlab.feed.corner_blend import MOST_TURN, control_points, largest_reach
+from contourlab.feed.corner_choice import quicker_blended
 from contourlab.feed.correspondence import Correspondence
+from contourlab.feed.limits import AxisLimits
 from contourlab.feed.merging import merged
 from contourlab.feed.route import Route
 from contourlab.geometry import Arc, Curve, Line, Path
@@ -34,14 +36,20 @@ class _Corners(NamedTuple):
     after: Index
     turn: Array
 
+    def only(self, which: Index) -> _Corners:
+        """Return some of the corners."""
+        return _Corners(self.before[which], self.after[which], self.turn[which])
 
-def blended(route: Route) -> Route:
+
+def blended(route: Route, limits: AxisLimits | None = None) -> Route:
     """Return the route with dust merged and corners rounded, each within its tolerance.
 
     Parameters
     ----------
     route : Route
         With `merge_tolerance` and `corner_tolerance`; the route itself where both are 0 everywhere.
+    limits : AxisLimits, optional
+        Of the machine. With them a corner stays where a stop takes less time than its blend; see `contourlab.feed.corner_choice`.
 
     Returns
     -------
@@ -53,16 +61,17 @@ def blended(route: Route) -> Route:
     -----
     See `contourlab.feed.merging` and `rounded`.
     """
-    return rounded(merged(route))
+    return rounded(merged(route), limits)
 
 
-def rounded(route: Route) -> Route:
+def rounded(route: Route, limits: AxisLimits | None = None) -> Route:
     """Return the route with its corners rounded by quintic blends.
 
     Parameters
     ----------
     route : Route
         With `corner_tolerance` [m].
+    limits : AxisLimits, optional
 
     Returns
     -------
@@ -81,10 +90,17 @@ def rounded(route: Route) -> Route:
         return route
     span = np.diff(path.breaks)
     reach = _reach(route, corners, span)
-    on = np.flatnonzero(reach > 0.0)
+    wanted = reach > 0.0
+    if limits is not None and not limits.unbounded.any():
+        limits = limits.for_axes(path.n_axis)
+        on = np.flatnonzero(wanted)
+        some = corners.only(on)
+        points = control_points(path, *some, reach[on])
+        wanted[on] = quicker_blended(route, some.before, some.after, reach[on], points, limits)
+    on = np.flatnonzero(wanted)
     if not on.size:
         return route
-    return _assembled(route, _Corners(corners.before[on], corners.after[on], corners.turn[on]), reach[on], span)
+    return _assembled(route, corners.only(on), reach[on], span)
 
 
 def _corners(route: Route) -> _Corners:

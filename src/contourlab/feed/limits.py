@@ -69,6 +69,11 @@ class AxisLimits:
         """Number of axes that the limits were given for."""
         return int(self.velocity.size)
 
+    @property
+    def unbounded(self) -> NDArray[np.bool_]:
+        """Which axes have neither a limit of acceleration nor one of jerk (n_axis,)."""
+        return np.isinf(self.acceleration) & np.isinf(self.jerk)
+
     def for_axes(self, n_axis: int) -> AxisLimits:
         """Return the limits for `n_axis` axes; limits of one axis stand for all.
 

@@ -183,7 +183,7 @@ def plan_profile(route: Route, limits: AxisLimits, *, laps: int = 1, curvature_s
         raise FeedError(f"curvature_step = {curvature_step}: give a part of the acceleration limit, >= 0")
     lap_length = float(route.path.length)
     limits = limits.for_axes(route.path.n_axis)
-    free = np.flatnonzero(np.isinf(limits.acceleration) & np.isinf(limits.jerk))
+    free = np.flatnonzero(limits.unbounded)
     if free.size:
         raise FeedError(
             f"axis {free[0]} has neither an acceleration nor a jerk limit, so no ramp can be planned: "

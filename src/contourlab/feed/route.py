@@ -212,7 +212,7 @@ def _row(move: Any, default_tolerance: float) -> _Row:
     corner = merge = 0.0
     if mode.control == "blend":
         corner = default_tolerance if mode.tolerance is None else mode.tolerance
-        merge = mode.merge or 0.0
+        merge = default_tolerance if mode.tolerance is None else mode.merge or 0.0
     return _Row(np.inf if rapid else move.feedrate, rapid, move.source_line, corner, merge, mode.control == "exact_stop")
 
 
@@ -228,7 +228,7 @@ def route_from_program(program: Program, axes: Sequence[str] = ("x", "y", "z"), 
     axes : sequence of str
         The machine's linear axes in their order, of ``x``, ``y``, ``z``.
     default_tolerance : float [m], >= 0
-        Of corners under G64 without P; 0 meets them exactly.
+        Of corners, and of merged lines, under G64 without P; 0 meets them exactly.
 
     Returns
     -------

@@ -8,6 +8,7 @@ of the derivatives over the samples they span, hence never above the true peak.
 from __future__ import annotations
 
 from dataclasses import dataclass, field
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -98,10 +99,25 @@ def _jump_places(path: Path) -> Array:
     return _joints_at(path, np.any(curvature_jump(path) != 0.0, axis=1))
 
 
-def _kink_places(path: Path) -> Array:
-    """Return the arc lengths in [0, length) where the direction jumps by little [m]."""
-    angle = np.linalg.norm(direction_jump(path), axis=1)
-    return _joints_at(path, (angle > 0.0) & (angle <= MOST_KINK))
+class _Kinks(NamedTuple):
+    """Where the direction jumps by little: arc lengths (n,) in [0, length) [m], and by how much each axis' does (n, n_axis)."""
+
+    place: Array
+    jump: Array
+
+    def largest(self, before: NDArray[np.int64], after: NDArray[np.int64]) -> Array:
+        """Return the largest jumps (m, n_axis) of those that lie between two counts of `_jumps_passed` (m,), which differ."""
+        low, count = np.minimum(before, after), np.abs(after - before)
+        first = np.cumsum(count) - count
+        which = np.repeat(low - first, count) + np.arange(int(count.sum()))
+        return np.asarray(np.maximum.reduceat(self.jump[which % self.place.size], first))
+
+
+def _kinks(path: Path) -> _Kinks:
+    jump = direction_jump(path)
+    angle = np.linalg.norm(jump, axis=1)
+    wanted = (angle > 0.0) & (angle <= MOST_KINK)
+    return _Kinks(_joints_at(path, wanted), np.abs(np.roll(jump, 1, axis=0)[np.roll(wanted, 1)]))
 
 
 def _joints_at(path: Path, wanted: NDArray[np.bool_]) -> Array:
@@ -177,7 +193,9 @@ def limit_report(reference: Reference, limits: AxisLimits) -> LimitReport:
     -----
     Sample k stands for the differences p[k+1] - p[k], p[k+1] - 2 p[k] + p[k-1] and p[k+2] - 3 p[k+1] + 3 p[k] - p[k-1].
     A curvature step between k and k+1 is the second difference at k+2 less the one at k-1, the nearest that lie
-    clear of it; three servo periods of permitted jerk are allowed for. Recorded references, whose progress is
+    clear of it; three servo periods of permitted jerk are allowed for. At a kink the velocity of an axis jumps by the
+    jump of the path's direction times the speed, which is the least that the samples around show, less what the
+    acceleration limit makes of it in half a period. Recorded references, whose progress is
     known to about a sample only, are given one sample more on each side.
     """
     limits = limits.for_axes(reference.n_axis)
@@ -193,9 +211,9 @@ def limit_report(reference: Reference, limits: AxisLimits) -> LimitReport:
         _Record(limits.acceleration, 2.0 * noise / period**2),
         _Record(limits.jerk, 4.0 * noise / period**3),
         _Record(step_limit, eased + 4.0 * noise / period**2),
-        _Record(limits.acceleration * KINK_TIME, limits.acceleration * period * (2 + 2 * wide) + 2.0 * noise / period),
+        _Record(limits.acceleration * KINK_TIME, MOST_KINK * noise / period),
     )
-    places = _jump_places(reference.path), _kink_places(reference.path)
+    places = _jump_places(reference.path), _kinks(reference.path)
     n_step = n_kink = 0
     for start in range(0, reference.n_sample, BLOCK):
         steps, kinks = _look(reference, start, min(start + BLOCK, reference.n_sample), records, places, wide)
@@ -205,7 +223,7 @@ def limit_report(reference: Reference, limits: AxisLimits) -> LimitReport:
 
 
 def _look(
-    reference: Reference, start: int, stop: int, records: tuple[_Record, ...], places: tuple[Array, Array], wide: int
+    reference: Reference, start: int, stop: int, records: tuple[_Record, ...], places: tuple[Array, _Kinks], wide: int
 ) -> tuple[int, int]:
     """Take in the samples [start, stop), with enough of their neighbours; return the numbers of curvature steps and kinks."""
     margin = 4 + wide
@@ -217,7 +235,7 @@ def _look(
     jerk = np.diff(acceleration, axis=0) / period  # row i: from low + i to low + i + 3
     index = np.arange(low, high)
     records[0].see(np.abs(velocity), index[:-1])
-    length, kinks = float(reference.path.length), _jumps_passed(block.arc_length, places[1], float(reference.path.length))
+    length, kinks = float(reference.path.length), _jumps_passed(block.arc_length, places[1].place, float(reference.path.length))
     clear = (
         kinks[np.clip(np.arange(acceleration.shape[0]) - wide, 0, None)]
         == kinks[np.clip(np.arange(2, index.size) + wide, None, index.size - 1)]
@@ -233,9 +251,13 @@ def _look(
     at = at[(at - 2 - wide >= 0) & (at + 1 + wide < acceleration.shape[0])]
     step = np.abs(acceleration[at + 1 + wide] - acceleration[at - 2 - wide])
     records[3].see(step, index[at])
-    # The velocity before a kink between the samples k and k + 1 is that of row k - 1, behind it that of row k + 1.
+    # Row k spans a kink between the samples k and k + 1.
     turn = np.flatnonzero(np.diff(kinks) != 0)
     turn = turn[(turn - 1 - wide >= 0) & (turn + 1 + wide < velocity.shape[0])]
-    records[4].see(np.abs(velocity[turn + 1 + wide] - velocity[turn - 1 - wide]), index[turn])
+    if turn.size:
+        around = np.linalg.norm(velocity, axis=1)
+        speed = np.min([around[turn + i] for i in range(-1 - wide, 2 + wide)], axis=0)
+        slowest = np.maximum(speed - 0.5 * period * float(np.max(records[1].limit)), 0.0)
+        records[4].see(places[1].largest(kinks[turn], kinks[turn + 1]) * slowest[:, None], index[turn])
     at = at[np.diff(passed - kinks)[at] != 0]
     return tuple(int(np.count_nonzero((index[some] >= start) & (index[some] < stop))) for some in (at, turn))  # type: ignore[return-value]

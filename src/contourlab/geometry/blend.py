@@ -11,7 +11,7 @@ from numpy.typing import ArrayLike, NDArray
 from contourlab.errors import GeometryError
 from contourlab.geometry.curve import Curve, Together, by_arc_length, ends, rows
 
-__all__ = ["Blend", "Blends", "blends", "halves", "quintic_bezier"]
+__all__ = ["Blend", "Blends", "blends", "halves", "quintic_bezier", "shapes"]
 
 Array = NDArray[np.float64]
 Index = NDArray[np.int64]
@@ -64,6 +64,28 @@ def _powers(c: Array, u: Array, order: int) -> Array:
     if order > 2:
         found.append(6.0 * c[3] + u * (24.0 * c[4] + u * (60.0 * c[5])))
     return np.array(found)
+
+
+def shapes(coefficients: Array, u: Array) -> tuple[Array, Array]:
+    """Return how quintics run at parameters, before any of them is made a curve.
+
+    Parameters
+    ----------
+    coefficients : ndarray (n, 6, n_axis) [m]
+    u : ndarray (m,), 0 to 1
+
+    Returns
+    -------
+    derivatives : ndarray (4, n, m, n_axis) [m, 1, 1/m, 1/m^2]
+        By arc length.
+    speed : ndarray (n, m) [m]
+        |dr/du|.
+    """
+    n, m, n_axis = len(coefficients), u.size, coefficients.shape[2]
+    raw = _powers(np.moveaxis(coefficients, 0, 2)[..., None], u, 3)  # (4, n_axis, n, m)
+    rows_ = np.moveaxis(raw, 1, 3).reshape(4, n * m, n_axis)
+    speed = np.linalg.norm(rows_[1], axis=1).reshape(n, m)
+    return by_arc_length(rows_, 3).reshape(4, n, m, n_axis), speed
 
 
 def _speeds(c: Array, u: Array) -> Array:

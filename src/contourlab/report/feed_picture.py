@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 
 from contourlab.errors import ParameterError
 from contourlab.report.charts import Chart, Curve, Panel
+from contourlab.report.decimate import keep_extremes
 from contourlab.report.style import REFERENCE
 from contourlab.report.text import number, quantity
 
@@ -18,6 +19,7 @@ __all__ = ["FeedRun", "feed_charts"]
 Array = NDArray[np.float64]
 _COLOURS = ("#8a949e", "#0072b2", "#009e73", "#d55e00", "#cc79a7", "#e69f00", "#56b4e9")
 _WIDTH = 2.2
+BUDGET = 10_000
 
 
 @dataclass(frozen=True, eq=False)
@@ -71,12 +73,13 @@ def feed_charts(run: FeedRun | None, unit: str = "mm/min") -> tuple[Chart, ...]:
     """
     if run is None:
         return ()
-    x, feed = run.arc_length * 1e3, run.feedrate * 6e4
+    kept = keep_extremes(run.feedrate, BUDGET)  # no stop is lost
+    x, feed, programmed, binding = run.arc_length[kept] * 1e3, run.feedrate[kept] * 6e4, run.programmed[kept] * 6e4, run.binding[kept]
     top = float(feed.max())
-    asked = np.where(run.programmed * 6e4 <= 1.5 * top, run.programmed * 6e4, np.nan)
+    asked = np.where(programmed <= 1.5 * top, programmed, np.nan)
     curves = [Curve(x, asked, "programmed", REFERENCE, "dot")] if np.isfinite(asked).any() else []
     for code, name in enumerate(run.names):
-        held = run.binding == code
+        held = binding == code
         if not held.any():
             continue
         # A stretch goes on to the place where the next begins, so that the line has no gaps.
@@ -86,5 +89,7 @@ def feed_charts(run: FeedRun | None, unit: str = "mm/min") -> tuple[Chart, ...]:
     shares = ", ".join(f"{name} {number(100.0 * part, 3)} %" for name, part in run.shares().items())
     caption = (
         f"Planned speed along the path; the colour says what holds it. By time: {shares}. Cycle time {quantity(float(run.time[-1]), 's')}."
+        ' "Step of curvature": where a line meets an arc the acceleration steps, at a speed that keeps the step within the axes\' limits;'
+        ' no jerk limit can hold there short of a stop. "Planner\'s distance": no limit is nearly used up, before or behind a slower place.'
     )
     return (Chart("feed", "Feed along the path", caption, (panel,)),)

@@ -194,11 +194,12 @@ def controller_table(controller: Controller, machine: Machine) -> dict[str, Any]
 
 def motion_table(motion: Motion) -> dict[str, Any]:
     """Return ``contour`` or ``program``."""
-    if isinstance(motion, Contour) and motion.file is not None:
-        return {"contour": _contour_file_table(motion, motion.file)}
     if isinstance(motion, Contour):
+        offset = {"offset": [quantity(v, "m", "mm") for v in motion.offset]} if motion.offset else {}
+        if motion.file is not None:
+            return {"contour": _contour_file_table(motion, motion.file) | offset}
         units = _contour_units(motion.name)
-        return {"contour": {"name": motion.name, **{k: quantity(v, *units[k]) for k, v in motion.parameters.items()}}}
+        return {"contour": {"name": motion.name, **{k: quantity(v, *units[k]) for k, v in motion.parameters.items()}, **offset}}
     reading = motion.reading
     table: dict[str, Any] = {
         "file": _file_name(motion),

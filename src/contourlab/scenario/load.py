@@ -17,7 +17,7 @@ from contourlab.scenario.tables import ScenarioTable, read_table
 from contourlab.scenario.tree import Leaf, Node, Table, from_mapping, hint, merge, parse_tree, settle
 from contourlab.scenario.values import Case, Contour, Motion, Scenario
 
-__all__ = ["load_axis", "load_controller", "load_machine", "load_scenario", "parse_scenario", "scenario_from_parts"]
+__all__ = ["load_axis", "load_controller", "load_machine", "load_scenario", "named_file", "parse_scenario", "scenario_from_parts"]
 
 SCHEME_KEYS = ("machine", "axes", "controller", "feed", "run")
 COMMAND_LINE = "<arguments>"
@@ -212,7 +212,7 @@ def scenario_from_parts(
         As `load_scenario`.
     """
     _load_plugins(plugins)
-    values: dict[str, Any] = {"machine": _named(machine), "controller": _named(controller)}
+    values: dict[str, Any] = {"machine": named_file(machine), "controller": named_file(controller)}
     part = None if program is None else {"file": str(program), **(options or {})}
     given = {"program": part, "contour": contour, "feed": feed, "run": run, "name": name or None}
     values |= {key: value for key, value in given.items() if value is not None}
@@ -226,7 +226,7 @@ def _title(file: Path) -> str:
     return file.stem.encode("utf-8", "replace").decode()[:200]
 
 
-def _named(reference: str | Path) -> str:
+def named_file(reference: str | Path) -> str:
     """Return the name of a file as a scenario would write it; a name that is no file may be a shipped one."""
     text = str(reference)
     if not text.startswith(BUILTIN) and not Path(text).suffix and not Path(text).is_file():
@@ -315,6 +315,6 @@ def _case(name: str, layers: _Layers, motion: Motion, place: Table) -> Case:
     run = read_run(settle(layers.run))
     if motion.n_axis != len(machine.axes):
         what = motion.name if isinstance(motion, Contour) else motion.file.name
-        cure = "a contour wants a machine of its own axes only; others can drive it as a part program"
+        cure = "a scheme's machine must have as many axes as the base's"
         raise place.error(f"{what} has {motion.n_axis} coordinates, {machine.name} has the axes {', '.join(machine.axis_names)}: {cure}")
     return Case(name, machine, controller, motion, feed, run)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from pathlib import Path
 
 from contourlab.contours import SUFFIXES, unit_size
@@ -13,7 +14,7 @@ from contourlab.program import Reading, read_program
 from contourlab.scenario.components import located
 from contourlab.scenario.files import locate
 from contourlab.scenario.fit import fitted
-from contourlab.scenario.quantities import read_number
+from contourlab.scenario.quantities import read_list, read_number
 from contourlab.scenario.tables import ContourFileTable, FeedTable, ProgramTable, RunTable, read_table
 from contourlab.scenario.tree import Leaf, Node, Table, hint
 from contourlab.scenario.values import Contour, FeedSettings, Motion, PartProgram, RunSettings
@@ -21,6 +22,8 @@ from contourlab.scenario.values import Contour, FeedSettings, Motion, PartProgra
 __all__ = ["read_feed", "read_motion", "read_run"]
 
 JUDGED = ("contour_error", "part_error", "planning_deviation", "foot_arc_length", "tracking_error")
+SIZES = (1e-6, 100.0)
+"""Smallest and largest length in a test contour [m]."""
 
 
 def read_run(table: Table) -> RunSettings:
@@ -55,7 +58,33 @@ def read_feed(table: Table, motion: Motion) -> FeedSettings:
         _needs(table, "feedrate", '"8000 mm/min"', "frequency", "a planned contour")
     if plain.law == "uniform" and plain.path_control not in ("program", "exact_path"):
         raise table.error("the uniform law goes along the contour itself: leave this out", "path_control")
+    _check_corners(table, plain, is_program)
     return FeedSettings(**plain.model_dump())
+
+
+def _check_corners(table: Table, plain: FeedTable, is_program: bool) -> None:
+    """Refuse tolerances of corners that are not blended; what a scheme inherits may be idle."""
+    control = plain.path_control
+    idle = {"merge_tolerance"} if control == "program" else {"merge_tolerance", "corner_tolerance"} if control != "blend" else set()
+    if control == "program" and not is_program:
+        idle = {"merge_tolerance", "corner_tolerance"}
+    for name in ("corner_tolerance", "merge_tolerance"):
+        if name not in table.entries or name not in idle or not _beside(table, name, "path_control"):
+            continue
+        if plain.law == "uniform":
+            raise table.error("the uniform law goes along the contour itself and blends nothing: leave this out", name)
+        if control in ("exact_path", "exact_stop"):
+            raise table.error(f'path_control = "{control}" blends nothing: leave this out, or take path_control = "blend"', name)
+        why = "it is the program's own (Q of G64) that counts" if is_program else "corners of a contour are met exactly"
+        raise table.error(f'without path_control = "blend" {why}: add that, or leave this out', name)
+
+
+def _beside(table: Table, name: str, other: str) -> bool:
+    """Tell whether two keys were written in the same table; so they are taken to be where the other one is not there."""
+    one, two = table.entries.get(name), table.entries.get(other)
+    if not isinstance(one, Leaf) or not isinstance(two, Leaf):
+        return True
+    return (one.file, one.key.rpartition(".")[0]) == (two.file, two.key.rpartition(".")[0])
 
 
 def _needs(table: Table, wanted: str, example: str, other: str, who: str) -> None:
@@ -122,17 +151,40 @@ def _contour(node: Node, machine: Machine) -> Contour:
     known = contour_parameters(name.value)
     values: dict[str, float] = {}
     for key, value in node.entries.items():
-        if key == "name":
+        if key in ("name", "offset"):
             continue
         if key not in known:
             raise node.error(f"contour {name.value} has no parameter {key!r}: {hint(key, known)}", key)
         with located(node, key):
             unit = known[key][1]
             values[key] = read_number(value.plain(), unit, "mm" if unit == "m" else unit)
+        _check_size(node, key, values[key], unit)
+    offset: tuple[float, ...] = ()
+    if "offset" in node.entries:
+        with located(node, "offset"):
+            offset = read_list(node.entries["offset"].plain(), "m", "mm")
     found = Contour(name.value, values)
     with located(node):
         _ = found.path
-    return found
+    return _on_machine(found, offset, machine, node, "name")
+
+
+def _check_size(table: Table, key: str, value: float, unit: str) -> None:
+    """Refuse sizes at which numbers no longer tell a micrometre, and switches that are neither on nor off."""
+    if unit == "m" and value != 0.0 and not SIZES[0] <= abs(value) <= SIZES[1]:
+        raise table.error(f"{value * 1e3:.6g} mm is no size of a contour: must be between 1 um and 100 m", key)
+    if key == "clockwise" and value not in (0.0, 1.0):
+        raise table.error(f"{value:g}: 0 for counter-clockwise or 1 for clockwise is wanted", key)
+
+
+def _on_machine(found: Contour, offset: tuple[float, ...], machine: Machine, node: Table, key: str) -> Contour:
+    """Return a contour as the machine is to drive it: moved, and with the axes beyond its own held still."""
+    names, n = ", ".join(machine.axis_names), found.path.n_axis
+    if n > len(machine.axes):
+        raise node.error(f"{found.name} has {n} coordinates, {machine.name} has the axes {names} only", key)
+    if offset and len(offset) not in (n, len(machine.axes)):
+        raise node.error(f"{len(offset)} values for the axes {names}: one for each is wanted", "offset")
+    return replace(found, offset=offset, axes=machine.axis_names)
 
 
 def _contour_file(node: Table, machine: Machine) -> Contour:
@@ -147,12 +199,8 @@ def _contour_file(node: Table, machine: Machine) -> Contour:
     if plain.unit is not None:
         with located(node, "unit"):
             unit_size(plain.unit)
-    options = {name: value for name in node.entries if name != "file" and (value := getattr(plain, name)) is not None}
+    options = {name: value for name in node.entries if name not in ("file", "offset") and (value := getattr(plain, name)) is not None}
     found = Contour(file.name, file=file.absolute(), options=options)  # it is named in full later, from wherever that is
     with located(node, "file"):
-        n_axis = found.path.n_axis
-    if n_axis != len(machine.axes):
-        cure = " (write axes = 3 for all three coordinates of the drawing)" if (n_axis, len(machine.axes)) == (2, 3) else ""
-        names = ", ".join(machine.axis_names)
-        raise node.error(f"{file.name} has {n_axis} coordinates, {machine.name} has the axes {names}: one for each is wanted{cure}", "file")
-    return found
+        _ = found.path
+    return _on_machine(found, plain.offset, machine, node, "file")

@@ -21,7 +21,7 @@ MOST_SAMPLES = 100_000_000
 Fault = Callable[[str, int], Exception]
 
 
-def check_motion(reference: Reference, machine: Machine, fault: Fault, *, bounded: bool) -> None:
+def check_motion(reference: Reference, machine: Machine, fault: Fault, *, bounded: bool, cure: str = "move the part") -> None:
     """Refuse a motion that the machine cannot be asked for.
 
     Parameters
@@ -32,6 +32,8 @@ def check_motion(reference: Reference, machine: Machine, fault: Fault, *, bounde
         Returns the error to raise for a message and a line of the program, 0 where there is none.
     bounded : bool
         Whether the motion was planned within the limits of velocity and acceleration.
+    cure : str
+        How such a motion is brought into the travel, in words.
     """
     if reference.n_sample > MOST_SAMPLES:
         raise fault(
@@ -40,7 +42,7 @@ def check_motion(reference: Reference, machine: Machine, fault: Fault, *, bounde
             0,
         )
     if any(np.isfinite(axis.limits.travel).any() for axis in machine.axes):
-        _check_travel(reference, machine, fault)
+        _check_travel(reference, machine, fault, cure)
     if not bounded:
         _check_speeds(reference, machine, fault)
 
@@ -52,7 +54,7 @@ def _blocks(reference: Reference, stop: int) -> Iterator[ReferenceBlock]:
         yield reference.block(start, min(start + BLOCK, stop), fill)
 
 
-def _check_travel(reference: Reference, machine: Machine, fault: Fault) -> None:
+def _check_travel(reference: Reference, machine: Machine, fault: Fault, cure: str) -> None:
     """Refuse the first sample that leaves the travel of an axis, and say how far that axis is sent in all."""
     first: tuple[str, int] | None = None
     ends = [(np.inf, -np.inf)] * len(machine.axes)
@@ -67,10 +69,19 @@ def _check_travel(reference: Reference, machine: Machine, fault: Fault) -> None:
         name, line = first
         (sent_low, sent_high), (low, high) = ends[machine.axis_names.index(name)], machine.axis(name).limits.travel
         message = (
-            f"axis {name} is sent to {sent_low * 1e3:.6g} .. {sent_high * 1e3:.6g} mm, its travel is {low * 1e3:g} to {high * 1e3:g} mm: "
-            "move the part, or correct limits.travel"
+            f"axis {name} is sent to {_mm(sent_low)} .. {_mm(sent_high)} mm, its travel is {low * 1e3:g} to {high * 1e3:g} mm: "
+            f"{cure}, or correct limits.travel"
         )
         raise fault(message, line)
+
+
+def _mm(value: float) -> str:
+    """Write a place in mm, to a tenth of a micrometre: what rounding leaves of a zero is nobody's business.
+
+    >>> _mm(-9.5e-18), _mm(0.22)
+    ('0', '220')
+    """
+    return f"{round(value * 1e3, 4) + 0.0:.10g}"
 
 
 def _check_speeds(reference: Reference, machine: Machine, fault: Fault) -> None:

@@ -184,6 +184,7 @@ class ContourFileTable(_Strict):
     ignore: list[Text] = []
     corner_angle: Angle | None = None
     reverse: bool = False
+    offset: Annotated[tuple[float, ...], _numbers("m", "mm")] = ()
 
 
 class FeedTable(_Strict):

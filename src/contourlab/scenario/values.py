@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field, replace
 from functools import cached_property
 from pathlib import Path as File
@@ -18,6 +18,7 @@ from contourlab.geometry import Path, contour
 from contourlab.loop import Controller, Machine
 from contourlab.program import Program, Reading
 from contourlab.scenario.motion_check import check_motion
+from contourlab.scenario.placing import placed
 
 __all__ = ["DEFAULT_CORNER_TOLERANCE", "Case", "Contour", "FeedSettings", "Motion", "Overrides", "PartProgram", "RunSettings", "Scenario"]
 
@@ -45,12 +46,18 @@ class Contour:
         Drawing or points.
     options : mapping of str to object
         What was said of the file: arguments of `contourlab.contours.read_contour`.
+    offset : tuple of float [m]
+        How far it is moved along each of the machine's first axes.
+    axes : tuple of str
+        The machine's axes, where it may have more of them than the contour: the others hold still.
     """
 
     name: str
     parameters: Mapping[str, float] = field(default_factory=dict)
     file: File | None = None
     options: Mapping[str, Any] = field(default_factory=dict)
+    offset: tuple[float, ...] = ()
+    axes: tuple[str, ...] = ()
 
     @cached_property
     def reading(self) -> ContourReading:
@@ -59,10 +66,12 @@ class Contour:
             return ContourReading(contour(self.name, **self.parameters))
         return study_contour(self.file, **self.options)
 
-    @property
+    @cached_property
     def path(self) -> Path:
-        """The contour as a path."""
-        return self.reading.path
+        """The contour as a path of all the machine's axes."""
+        found = self.reading.path
+        missing = max(len(self.axes), found.n_axis) - len(self.offset)
+        return placed(found, (*self.offset, *[0.0] * missing))
 
     @property
     def n_axis(self) -> int:
@@ -72,7 +81,13 @@ class Contour:
     @property
     def notes(self) -> tuple[str, ...]:
         """What there is to say about how the contour came about."""
-        return () if self.file is None else tuple(self.reading.notes)
+        said = () if self.file is None else tuple(self.reading.notes)
+        n = self.reading.path.n_axis
+        if n >= len(self.axes):
+            return said
+        places = dict.fromkeys(self.axes[n:], 0.0) | dict(zip(self.axes, self.offset, strict=False))
+        still = ", ".join(f"{name} at {places[name] * 1e3:g} mm" for name in self.axes[n:])
+        return (*said, f"the contour moves {' and '.join(self.axes[:n])}; held still: {still}")
 
 
 @dataclass(frozen=True)
@@ -241,8 +256,35 @@ class Case:
             If the program moves an axis that the machine lacks, or beyond its travel.
         """
         found = self._sampled(self.feed.override * feed_scale)
-        check_motion(found, self.machine, self._fault, bounded=self.feed.law != "uniform")
+        check_motion(found, self.machine, self._fault, bounded=self.feed.law != "uniform", cure=self._cure)
         return replace(found, laps=()) if self.run.evaluate == "whole" else found
+
+    @property
+    def _cure(self) -> str:
+        if isinstance(self.motion, Contour):
+            example = ", ".join('"10 mm"' for _ in self.machine.axes)
+            return f"move it with offset = [{example}] under [contour]"
+        return "move the part" if self.motion.fit else "move the part, have it fitted (--fit, or fit = true under [program])"
+
+    def closer(self, tolerance: float) -> dict[str, Callable[[], Reference]]:
+        """Return ways, in words, of planning closer to the programmed path, and what makes the reference of each.
+
+        Parameters
+        ----------
+        tolerance : float [m], > 0
+            Within which corners would be blended.
+        """
+        if self.feed.law == "uniform":
+            return {}
+        microns = f"{tolerance * 1e6:.3g}"
+        is_program = isinstance(self.motion, PartProgram)
+        g64, g61 = (f"G64 P{tolerance * 1e3:.3g} in mm, or ", "G61, or ") if is_program else ("", "")
+        near = {"path_control": "blend", "corner_tolerance": tolerance, "merge_tolerance": None}
+        changes: dict[str, dict[str, Any]] = {
+            f'blending within {microns} um ({g64}path_control = "blend", corner_tolerance = "{microns} um" under [feed])': near,
+            f'meeting every corner exactly ({g61}path_control = "exact_path" under [feed])': {"path_control": "exact_path"},
+        }
+        return {words: replace(self, feed=replace(self.feed, **change)).reference for words, change in changes.items()}
 
     def _fault(self, message: str, line: int) -> FeedError | ProgramError:
         if isinstance(self.motion, PartProgram):
@@ -269,7 +311,7 @@ class Case:
             route = self.motion.route(tolerance)
         if factor != 1.0:
             route = replace(route, feedrate=np.where(route.rapid, route.feedrate, route.feedrate * factor))
-        return blended(controlled(route, self.feed.path_control, tolerance, self.feed.merge_tolerance))
+        return blended(controlled(route, self.feed.path_control, tolerance, self.feed.merge_tolerance), self.limits)
 
 
 @dataclass(frozen=True, eq=False)
@@ -341,7 +383,7 @@ class Scenario:
 
     @property
     def text(self) -> str:
-        """The scenario as TOML that stands for itself: every file joined in, part programs and schemes included."""
+        """The scenario as TOML: machine, controller and schemes joined in; a part program or a drawing is named by its path."""
         from contourlab.scenario.dump import dump
 
         return dump(self)

@@ -18,6 +18,9 @@ from contourlab.studies.compare import AxisBode, Outcome
 __all__ = ["report_data"]
 
 FEED_POINTS = 4000
+PER_SPAN = 3
+MOST_POINTS = 200_000
+"""Above, a span is looked at where it begins only: long motions have many."""
 _HELD_BY = {
     Binding.REST: "at rest",
     Binding.FEEDRATE: "programmed feed",
@@ -49,20 +52,22 @@ def report_data(title: str, outcomes: Sequence[Outcome], *, scenario: str, comma
     again = "save the scenario below as scenario.toml, then: contourlab run scenario.toml"
     provenance = Provenance(__version__, command, again, scenario, first.case.seed, system)
     schemes = [_scheme(outcome) for outcome in outcomes]
-    return ReportData(
-        title, schemes, reference.path, provenance, programmed, first.case.lines, first.case.tolerance, first.case.notes, _feed(first)
-    )
+    notes = [*first.case.notes]
+    others = [outcome.name for outcome in outcomes if outcome.reference.digest != reference.digest]
+    if others:
+        notes.append(f"the feed along the path is that of {first.name}; planned otherwise: {', '.join(others)}")
+    return ReportData(title, schemes, reference.path, provenance, programmed, first.case.lines, first.case.tolerance, notes, _feed(first))
 
 
 def _feed(outcome: Outcome) -> FeedRun | None:
-    """Return the planned motion at places spread over time and over the changes of speed; None where it was not planned within limits."""
+    """Return the planned motion at even times and within each of its spans; None where it was not planned within limits."""
     reference, profile, route = outcome.reference, outcome.reference.profile, outcome.case.route()
     if profile is None or route is None:
         return None
     # Evenly over time, and within the ramps, which a rapid passes between two even places.
     ends = np.append(profile.t0[1:], profile.duration)
-    ramps = np.linspace(profile.t0, ends, 4)[:-1].ravel()
-    ramps = np.sort(ramps)[:: max(ramps.size // FEED_POINTS, 1)]
+    per_span = PER_SPAN if PER_SPAN * ends.size <= MOST_POINTS else 1
+    ramps = np.linspace(profile.t0, ends, per_span, endpoint=False).ravel()
     time = np.unique(np.concatenate([np.linspace(0.0, profile.duration, FEED_POINTS), ramps]))
     motion = profile.motion(time)
     codes = limiting(route, outcome.case.limits, profile, motion.arc_length)

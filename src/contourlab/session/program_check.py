@@ -99,7 +99,8 @@ def _add_motion(summary: dict[str, Any], program: Program, machine_file: str | P
     try:
         route = route_from_program(program, machine.axis_names, default_tolerance=DEFAULT_CORNER_TOLERANCE)
         low, high = box(route.path)
-        profile = plan_profile(blended(route), machine.planner_limits())
+        limits = machine.planner_limits()
+        profile = plan_profile(blended(route, limits), limits)
     except ContourlabError as error:
         summary["problems"].append(_problem(error))
         return

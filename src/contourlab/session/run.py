@@ -4,22 +4,22 @@ from __future__ import annotations
 
 import json
 import shlex
-from collections.abc import Callable, Iterator, Mapping, Sequence
-from contextlib import contextmanager
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from contourlab.errors import DivergenceError, ParameterError, ScenarioError
+from contourlab.errors import DivergenceError, ParameterError, ProgramError, ScenarioError
 from contourlab.result import write_text_atomic
 from contourlab.session.folder import staged
+from contourlab.session.stages import Stages, shown
 from contourlab.session.summary import summary_of
 from contourlab.studies.compare import Case, Outcome, run_case
 
 if TYPE_CHECKING:
     from contourlab.scenario import Scenario
 
-__all__ = ["RunOutcome", "run_scenario", "run_session"]
+__all__ = ["RunOutcome", "refuse_drawing", "run_scenario", "run_session"]
 
 
 @dataclass(frozen=True)
@@ -71,25 +71,17 @@ def run_scenario(
     progress : bool
         Whether to show a bar.
     """
-    from contourlab.scenario import BUILTIN, load_scenario, scenario_from_parts
+    from contourlab.scenario import BUILTIN
 
     path = Path(file)
     options = options or {}
     parts: dict[str, Any] = {"--machine": machine, "--controller": controller, "--tolerance": tolerance}
-    parts |= {f"--{name.replace('_', '-')}": value for name, value in options.items()}
+    parts |= {_option(name, value): value for name, value in options.items()}
     shipped = str(file).startswith(BUILTIN) and path.suffix != ".ngc"
     if shipped or path.suffix.lower() == ".toml":
-        for option, value in parts.items():
-            if value is not None:
-                name = option.removeprefix("--").replace("-", "_")
-                key = f"{name} under [run]" if name == "tolerance" else f"{name} under [program]" if name in options else name
-                raise ScenarioError(f"a scenario names its own: write {key} in the file, and leave {option} out", file=path)
-        scenario = load_scenario(path, plugins=plugins)
+        scenario = _from_scenario(path, parts, options, plugins)
     else:
-        if machine is None or controller is None:
-            raise ScenarioError("a part program needs --machine and --controller; a scenario ends in .toml", file=path)
-        run = {} if tolerance is None else {"tolerance": tolerance}
-        scenario = scenario_from_parts(path, machine, controller, run=run, options=options, plugins=plugins)
+        scenario = _from_program(path, machine, controller, tolerance, options, plugins)
     if check:
         return _checked(scenario)
     words = ["contourlab", "run", str(file)]
@@ -97,6 +89,93 @@ def run_scenario(
     for option, value in parts.items():
         words += [] if value is None else [option] if isinstance(value, bool) else [option, str(value)]
     return run_session(scenario, out, command=shlex.join(words), plots=plots, signals=signals, progress=progress)
+
+
+def _option(name: str, value: Any) -> str:
+    """Return the option of the command line that gives a key of the table ``program``."""
+    return f"--{'no-' if value is False else ''}{name.replace('_', '-')}"
+
+
+def _from_scenario(path: Path, parts: Mapping[str, Any], options: Mapping[str, Any], plugins: Sequence[str | Path]) -> Scenario:
+    from contourlab.scenario import load_scenario
+
+    of_program = {_option(name, value): name for name, value in options.items()}
+    for option, value in parts.items():
+        if value is None:
+            continue
+        if option in of_program:
+            said = f" = {str(value).lower()}" if isinstance(value, bool) else ""
+            key = f"{of_program[option]}{said} under [program]"
+        else:
+            key = "tolerance under [run]" if option == "--tolerance" else option.removeprefix("--")
+        raise ScenarioError(f"a scenario names its own: write {key} in the file, and leave {option} out", file=path)
+    try:
+        return load_scenario(path, plugins=plugins)
+    except ProgramError as error:
+        _say_how_it_may_end(error, "write require_end = false under [program] in the scenario")
+        raise
+
+
+def _from_program(
+    path: Path,
+    machine: str | Path | None,
+    controller: str | Path | None,
+    tolerance: str | None,
+    options: Mapping[str, Any],
+    plugins: Sequence[str | Path],
+) -> Scenario:
+    from contourlab.scenario import scenario_from_parts
+
+    refuse_drawing(path, machine, controller)
+    if machine is None or controller is None:
+        raise ScenarioError("a part program needs --machine and --controller; a scenario ends in .toml", file=path)
+    run = {} if tolerance is None else {"tolerance": tolerance}
+    try:
+        return scenario_from_parts(path, machine, controller, run=run, options=options, plugins=plugins)
+    except ProgramError as error:
+        _say_how_it_may_end(error, "add --no-require-end")
+        raise
+
+
+def _say_how_it_may_end(error: ProgramError, cure: str) -> None:
+    if any(words in error.message for words in ("the program has no end", "a % that closes has none that opens")):
+        error.add_note(f"To run it as it is, to its last line: {cure}.")
+
+
+def refuse_drawing(file: str | Path, machine: str | Path | None = None, controller: str | Path | None = None) -> None:
+    """Refuse a drawing, or points, where a part program is wanted; say what to write.
+
+    Parameters
+    ----------
+    file : str or Path
+    machine, controller : str or Path, optional
+        What the scenario is to name.
+
+    Raises
+    ------
+    ScenarioError
+        If the name ends as that of a drawing or of points.
+    """
+    path = Path(file)
+    what = {".dxf": "a drawing", ".svg": "a drawing", ".csv": "a list of points"}.get(path.suffix.lower())
+    if what is None:
+        return
+    from contourlab.scenario.load import named_file
+
+    lines = [
+        f"machine = {json.dumps(named_file(machine or 'xyz'))}",
+        f"controller = {json.dumps(named_file(controller or 'xyz-controller'))}",
+        "[contour]",
+        f"file = {json.dumps(str(path), ensure_ascii=False)}",
+        "[feed]",
+        'feedrate = "1000 mm/min"',
+    ]
+    raise ScenarioError(
+        f"{what}, no part program: name it under [contour] in a scenario, say {path.stem}.toml, and run that:\n\n"
+        + "\n".join(lines)
+        + "\n",
+        file=path,
+    )
 
 
 def _checked(scenario: Scenario) -> RunOutcome:
@@ -135,21 +214,27 @@ def run_session(
     with staged(out) as folder:
         outcomes: list[Outcome] = []
         runaways: dict[str, DivergenceError] = {}
-        for case in cases:
-            try:
-                with _bar(progress, case.name) as told:
-                    outcomes.append(run_case(case, progress=told))
-            except DivergenceError as error:
-                runaways[case.name] = error
-        first = next(iter(runaways.values()), None)
-        if first is not None and not outcomes:
-            raise first
-        for outcome in outcomes:
-            _write_signals(outcome, folder / "signals" / f"{names[outcome.name]}.nc", signals or outcome.case.signals)
-        summary = summary_of(scenario.name, outcomes, command, runaways)
-        write_text_atomic(folder / "summary.json", json.dumps(summary, indent=2, allow_nan=False) + "\n")
-        table = _write_report(scenario, outcomes, folder, command, plots)
+        with shown(progress) as stages:
+            _run_each(cases, stages, outcomes, runaways)
+            first = next(iter(runaways.values()), None)
+            if first is not None and not outcomes:
+                raise first
+            stages.begin("writing signals")
+            for outcome in outcomes:
+                _write_signals(outcome, folder / "signals" / f"{names[outcome.name]}.nc", signals or outcome.case.signals)
+            summary = summary_of(scenario.name, outcomes, command, runaways)
+            write_text_atomic(folder / "summary.json", json.dumps(summary, indent=2, allow_nan=False) + "\n")
+            stages.begin("writing the report")
+            table = _write_report(scenario, outcomes, folder, command, plots)
     return RunOutcome(summary["passed"] is not False, summary, f"{table}\nreport: {Path(out) / 'report.html'}", first)
+
+
+def _run_each(cases: Sequence[Case], stages: Stages, outcomes: list[Outcome], runaways: dict[str, DivergenceError]) -> None:
+    for case in cases:
+        try:
+            outcomes.append(run_case(case, progress=stages.advance, stage=stages.begin))
+        except DivergenceError as error:
+            runaways[case.name] = error
 
 
 def _check_choices(plots: Sequence[str], signals: Sequence[str]) -> None:
@@ -232,16 +317,3 @@ def verdict_lines(outcomes: Sequence[Outcome]) -> list[str]:
         if found.untold:
             lines.append(f"    not told apart, as the loop runs away without it: {', '.join(found.untold)}")
     return lines
-
-
-@contextmanager
-def _bar(wanted: bool, name: str) -> Iterator[Callable[[int, int], None] | None]:
-    if not wanted:
-        yield None
-        return
-    from rich.console import Console
-    from rich.progress import Progress
-
-    with Progress(console=Console(stderr=True), transient=True) as bar:
-        task = bar.add_task(name)
-        yield lambda done, total: bar.update(task, completed=done, total=total)

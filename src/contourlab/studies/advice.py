@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from contextlib import suppress
 from dataclasses import replace
 
@@ -26,6 +26,7 @@ def advice(
     worst: float,
     slower: Callable[[float], Reference] | None = None,
     seed: int = 0,
+    closer: Mapping[str, Callable[[], Reference]] | None = None,
 ) -> str:
     """Return the change that helps most, with its figure, in words.
 
@@ -39,6 +40,8 @@ def advice(
         Returns the reference at a feed scaled by its argument.
     seed : int
         The seed of the run.
+    closer : mapping, optional
+        Ways of planning closer to the programmed path, in words and made; they may take longer, which is said.
     """
     trials: list[tuple[float, str]] = []
 
@@ -55,6 +58,10 @@ def advice(
     if slower is not None:
         with suppress(ContourlabError):  # laps at another frequency may not end on a sample
             attempt("taking the feed down by a fifth", controller, slower(0.8))
+    for words, made in (closer or {}).items():
+        with suppress(ContourlabError):  # a route that cannot be planned is no advice
+            planned = made()
+            attempt(f"{words}, {planned.duration:.4g} s in all instead of {reference.duration:.4g} s,", controller, planned)
     best = min(trials, default=None)
     # Less than a hundredth is no help.
     if best is None or best[0] > 0.99 * worst:

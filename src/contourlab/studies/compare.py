@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from typing import Protocol
 
@@ -62,6 +62,9 @@ class Case(Protocol):
     def reference(self, feed_scale: float = 1.0) -> Reference:
         """Return the sampled reference, at a part of the programmed feed."""
 
+    def closer(self, tolerance: float) -> Mapping[str, Callable[[], Reference]]:
+        """Return ways, in words, of planning closer to the programmed path, such as within a tolerance [m]."""
+
 
 @dataclass(frozen=True, eq=False)
 class AxisBode:
@@ -86,7 +89,13 @@ class Outcome:
     bode: dict[str, AxisBode]
 
 
-def run_case(case: Case, *, explain: bool = True, progress: Callable[[int, int], None] | None = None) -> Outcome:
+def run_case(
+    case: Case,
+    *,
+    explain: bool = True,
+    progress: Callable[[int, int], None] | None = None,
+    stage: Callable[[str], None] | None = None,
+) -> Outcome:
     """Run one case and judge it.
 
     Parameters
@@ -95,25 +104,33 @@ def run_case(case: Case, *, explain: bool = True, progress: Callable[[int, int],
     explain : bool
         Whether causes and advice of a failed verdict are worked out; a passed one needs none.
     progress : callable, optional
-        Told samples done and samples in all.
+        Told samples done and samples in all, while simulating.
+    stage : callable, optional
+        Told in words what is begun: planning, simulating, judging, and looking for the causes of a verdict that failed.
 
     Raises
     ------
     DivergenceError
         If the loop runs away.
     """
+    begin = stage or (lambda words: None)
+    begin(f"planning {case.name}")
     reference = case.reference()
 
     def told(done: int) -> None:
         if progress is not None:
             progress(done, reference.n_sample)
 
+    begin(f"simulating {case.name}")
     result = simulate(case.machine, case.controller, reference, scheme=case.name, seed=case.seed, progress=told)
+    begin(f"judging {case.name}")
     judged = judge(result, reference)
     figures = summarise(judged, reference)
     found = None
     if case.tolerance is not None:
         failed = figures.part_error.max > case.tolerance
+        if explain and failed:
+            begin(f"looking for the causes of the error of {case.name}")
         found = verdict(
             case.machine,
             case.controller,
@@ -122,6 +139,7 @@ def run_case(case: Case, *, explain: bool = True, progress: Callable[[int, int],
             case.tolerance,
             lines=case.lines,
             slower=case.reference,
+            closer=case.closer,
             explain=explain and failed,
             seed=case.seed,
         )

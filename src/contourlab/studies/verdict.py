@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 
 import numpy as np
@@ -69,6 +69,7 @@ def verdict(
     *,
     lines: tuple[str, ...] = (),
     slower: Callable[[float], Reference] | None = None,
+    closer: Callable[[float], Mapping[str, Callable[[], Reference]]] | None = None,
     explain: bool = True,
     seed: int = 0,
 ) -> Verdict:
@@ -86,6 +87,8 @@ def verdict(
         Source text of the program.
     slower : callable, optional
         Returns the reference at a feed scaled by its argument, for the advice.
+    closer : callable, optional
+        Returns ways of planning closer to the programmed path, in words and made; tried where planning is the largest cause.
     explain : bool
         Whether causes and advice are worked out (about ten runs more).
     seed : int
@@ -100,7 +103,9 @@ def verdict(
     if not explain or (missed and worst.value <= tolerance):
         return Verdict(passed, tolerance, worst, (), "", left_out=missed)
     found, untold = causes(machine, controller, reference, judged, sample, seed)
-    best = advice(machine, controller, reference, worst.value, slower, seed)
+    # A quarter of the tolerance for the corners leaves the rest to the servo.
+    other = closer(0.25 * tolerance) if closer is not None and found and found[0].name == "planning" else None
+    best = advice(machine, controller, reference, worst.value, slower, seed, other)
     return Verdict(passed, tolerance, worst, found, best, untold, missed)
 
 

@@ -59,9 +59,16 @@ FAULTS = [
     ('radius = "20 mm"', 'radios = "20 mm"', "contour.radios", "'radius'"),
     ('radius = "20 mm"', 'radius = "0 mm"', "contour", "> 0 m"),
     ('radius = "20 mm"', "radius = 20", "contour.radius", "no unit"),
+    ('radius = "20 mm"', 'radius = "1e30 mm"', "contour.radius", "between 1 um and 100 m"),
+    ('radius = "20 mm"', 'radius = "0.9 um"', "contour.radius", "between 1 um and 100 m"),
+    ('radius = "20 mm"', 'radius = "20 mm"\nclockwise = 3', "contour.clockwise", "0 for counter-clockwise or 1"),
+    ('radius = "20 mm"', 'radius = "20 mm"\noffset = ["1 mm"]', "contour.offset", "1 values for the axes x, y"),
+    ('radius = "20 mm"', 'radius = "20 mm"\noffset = [1, 2]', "contour.offset", "no unit"),
     ('law = "uniform"', 'law = "unifrom"', "feed.law", "planned"),
     ('frequency = "0.5 Hz"', 'feedrate = "1 m/min"', "feed.feedrate", "frequency"),
     ('frequency = "0.5 Hz"\n', "", "feed", "frequency is missing"),
+    ("laps = 2", 'laps = 2\ncorner_tolerance = "5 um"', "feed.corner_tolerance", "blends nothing"),
+    ("laps = 2", 'laps = 2\nmerge_tolerance = "5 um"', "feed.merge_tolerance", "blends nothing"),
     ("laps = 2", "laps = 0", "feed.laps", "greater"),
     ('tolerance = "20 um"', 'tolerance = "0 um"', "run.tolerance", "> 0 um"),
     ('tolerance = "20 um"', 'signals = ["positon"]', "run.signals", "'position'"),
@@ -181,7 +188,6 @@ def test_letters_stand_for_axes_of_other_names() -> None:
             parse_scenario(text + f"[program]\n{program}\nletters = {wrong}")
 
 
-def test_the_path_has_to_have_the_axes_of_the_machine() -> None:
-    text = 'machine = "builtin:xyz"\ncontroller = "builtin:xyz-controller"\ncontour = "circle"\n[feed]\nfeedrate = "1 m/min"'
-    with pytest.raises(ScenarioError, match="circle has 2 coordinates"):
-        parse_scenario(text)
+def test_the_path_cannot_have_more_axes_than_the_machine() -> None:
+    with pytest.raises(ScenarioError, match=r"contour\.name: helix has 3 coordinates, stage has the axes x, y only"):
+        parse_scenario(SCENARIO.replace('name = "circle"\nradius', 'name = "helix"\nradius'))

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from dataclasses import replace
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -11,7 +12,9 @@ import pytest
 
 import contourlab as cl
 from contourlab.components.registry import component
+from contourlab.scenario import scenario_from_parts
 from contourlab.studies.advice import advice, candidates
+from contourlab.studies.compare import run_case
 
 PERIOD = 1e-3
 A, B = 5.0, 4.0
@@ -95,3 +98,25 @@ def test_against_friction_it_is_an_observer() -> None:
 
 def test_where_nothing_helps_it_says_so() -> None:
     assert advice(machine(), controller(), circle(), 0.0) == "no single change that was tried makes it smaller"
+
+
+CORNER = "G21 G17 G90 F1500\nG64 P0.2\nG1 X10\nG1 X18 Y6\nM2\n"
+
+
+def test_where_planning_is_the_cause_a_closer_plan_is_tried(tmp_path: Path) -> None:
+    """A turn of 37 degrees blended within 200 um: no controller mends that, a blend within a quarter of the tolerance does."""
+    part = tmp_path / "corner.ngc"
+    part.write_text(CORNER, encoding="ascii")
+    case = scenario_from_parts(part, "xyz", "xyz-controller", run={"tolerance": "40 um"}).base
+    found = run_case(case).verdict
+    assert found is not None and found.causes[0].name == "planning"
+    told = re.fullmatch(r"(.*), (\S+) s in all instead of (\S+) s, brings the largest error from (\S+) um to (\S+) um", found.advice)
+    assert told
+    by_words = case.closer(1e-5)
+    changed = replace(case, feed=replace(case.feed, path_control="blend", corner_tolerance=1e-5))
+    assert told[1] in by_words
+    if "blending" in told[1]:
+        assert 'G64 P0.01 in mm, or path_control = "blend", corner_tolerance = "10 um" under [feed]' in told[1]
+        assert float(told[5]) == pytest.approx(run_case(changed).metrics.part_error.max * 1e6, rel=5e-3)
+    assert float(told[5]) < 40.0 < 150.0 < float(told[4])
+    assert float(told[2]) == pytest.approx(by_words[told[1]]().duration, rel=1e-3)

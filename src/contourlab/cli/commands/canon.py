@@ -23,7 +23,9 @@ def canon(
     """Print the moves of a part program: positions of the tool's tip in mm, in machine coordinates, feed in mm/min."""
     from contourlab.program import Reading
     from contourlab.session.canon import write_canon
+    from contourlab.session.run import refuse_drawing
 
+    refuse_drawing(file)
     reading = Reading(dialect=dialect, require_end=False, block_delete=block_delete, tools=tools)  # type: ignore[arg-type]  # it checks
     try:
         notices = write_canon(file, sys.stdout, as_json=as_json, reading=reading)

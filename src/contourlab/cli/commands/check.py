@@ -27,7 +27,9 @@ def check(
     """List every fault of a part program with line and column; say its box, feeds and cycle time."""
     from contourlab.program import Reading
     from contourlab.session.program_check import check_program
+    from contourlab.session.run import refuse_drawing
 
+    refuse_drawing(file)
     reading = Reading(dialect=dialect, require_end=False, block_delete=block_delete, tools=tools)  # type: ignore[arg-type]  # it checks
     found = check_program(file, machine, reading=reading)
     if as_json:

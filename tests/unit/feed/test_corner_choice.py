@@ -1,0 +1,81 @@
+"""A corner is rounded only where that takes less time than to stop at it."""
+
+from __future__ import annotations
+
+import dataclasses
+
+import numpy as np
+import pytest
+
+from contourlab.feed import AxisLimits, Route, blended, route_from_path
+from contourlab.feed.planner import plan_profile
+from contourlab.geometry import Line, Path
+
+FEED = 0.05
+
+
+def route(points: np.ndarray, tolerance: float, feedrate: float = FEED) -> Route:
+    exact = route_from_path(Path(Line.many(points[:-1], points[1:])), feedrate)
+    return dataclasses.replace(exact, corner_tolerance=np.full(exact.n_curve, tolerance))
+
+
+def times(given: Route, limits: AxisLimits) -> tuple[float, float, float]:
+    """Return the times with a stop at every corner, with the corners chosen, and with all corners rounded [s]."""
+    return (
+        plan_profile(given, limits).duration,
+        plan_profile(blended(given, limits), limits).duration,
+        plan_profile(blended(given), limits).duration,
+    )
+
+
+def square(side: float) -> np.ndarray:
+    return side * np.array([[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0], [0.0, 0.0]])
+
+
+@pytest.mark.parametrize("side", [1e-3, 5e-3, 20e-3, 100e-3])
+@pytest.mark.parametrize("tolerance", [1e-6, 10e-6, 50e-6, 200e-6, 500e-6])
+def test_a_tolerance_never_costs_time_on_a_square(side: float, tolerance: float) -> None:
+    limits = AxisLimits(0.2, 1.5, 40.0)
+    exact, chosen, rounded = times(route(square(side), tolerance), limits)
+    assert chosen <= min(exact, rounded) * (1.0 + 1e-9)
+
+
+def test_both_answers_occur() -> None:
+    """With 40 m/s^3, creeping round 10 um takes longer than a stop; with 40 000 m/s^3 it does not."""
+    given = route(square(20e-3), 10e-6)
+    slow, quick = AxisLimits(0.2, 1.5, 40.0), AxisLimits(0.2, 1.5, 40e3)
+    assert blended(given, slow).n_curve == 4 and blended(given, quick).n_curve == 7
+    exact, _, rounded = times(given, slow)
+    assert rounded > 1.02 * exact
+    exact, _, rounded = times(given, quick)
+    assert rounded < exact
+
+
+def test_each_corner_is_asked_for_itself() -> None:
+    """A blunt corner and a right one, at one tolerance."""
+    points = 0.02 * np.array([[0.0, 0.0], [1.0, 0.0], [2.0, 0.02], [2.0, 1.0]])
+    found = blended(route(points, 30e-6), AxisLimits(0.2, 1.5, 40.0))
+    assert found.n_curve == 4
+    np.testing.assert_allclose(found.path.corners, [found.path.breaks[3]], rtol=1e-12)
+
+
+@pytest.mark.parametrize("seed", range(30))
+def test_random_polylines_lose_next_to_nothing_by_their_tolerance(seed: int) -> None:
+    """The choice is made corner by corner, as if its neighbours were alike: so it may be wrong by a little."""
+    rng = np.random.default_rng(seed)
+    n = int(rng.integers(2, 30))
+    steps = rng.normal(size=(n + 1, 2)) * 10.0 ** rng.uniform(-5.0, -1.0) * 10.0 ** rng.uniform(0.0, 1.0, size=(n + 1, 1))
+    limits = AxisLimits(0.2, 10.0 ** rng.uniform(-0.3, 1.0), 10.0 ** rng.uniform(1.3, 4.0))
+    exact, chosen, rounded = times(
+        route(np.cumsum(steps, axis=0), 10.0 ** rng.uniform(-6.0, -3.5), 10.0 ** rng.uniform(-2.5, -0.5)), limits
+    )
+    assert chosen <= 1.02 * exact
+    assert chosen <= 1.1 * rounded  # 1.06 is the worst found
+
+
+def test_limits_that_are_absent() -> None:
+    """An axis without a limit of its jerk or acceleration, or that a curve does not move, asks for nothing."""
+    given = route(square(20e-3), 10e-6)
+    assert blended(given, AxisLimits(0.2, 1.5)).n_curve == 7
+    assert blended(given, AxisLimits(0.2, np.inf, 40.0)).n_curve == 4
+    assert blended(given, AxisLimits(0.2, np.inf, np.inf)).n_curve in (4, 7)
