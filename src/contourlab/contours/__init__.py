@@ -1,8 +1,8 @@
 """Contours out of files: DXF and SVG drawings, and points.
 
 Inside: `shapes` (lines, conics and splines under affine maps), `splines` (splines as files have them), `dxf`, `svg` and `points` (the
-readers), `fit` (splines along points), `chains` (what lies end to end), `drawing` (what a drawing holds, and the choice of a chain),
-`reader` (the door).
+readers), `svg_tree`, `svg_style` and `svg_path` (what an SVG drawing says: sizes and uses, what is seen, path data), `fit` (splines along
+points), `chains` (what lies end to end), `drawing` (what a drawing holds, and the choice of a chain), `reader` (the door).
 """
 
 from contourlab.contours.chains import Chain

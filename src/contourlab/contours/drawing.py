@@ -9,6 +9,8 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path as File
 
+import numpy as np
+
 from contourlab.contours.chains import Chain, Strand, chains_of
 from contourlab.contours.shapes import Shape
 from contourlab.errors import GeometryError, UnitError
@@ -18,6 +20,8 @@ __all__ = ["Drawing", "LeftOut", "drawing_of", "strand_of", "unit_size"]
 
 TOLERANCE = 1e-6
 """Largest gap [m] between ends that meet, where none is stated."""
+OUTERMOST = 1e9
+"""Coordinates [m] beyond this are errors of writing; lengths would overflow."""
 LISTED = 20
 
 
@@ -121,9 +125,13 @@ def strand_of(shapes: Iterable[Shape], file: File, what: str, layer: str = "") -
     Raises
     ------
     GeometryError
-        If its data make no curve; names the entity.
+        If its data make no curve, or reach too far; names the entity.
     """
     try:
+        shapes = list(shapes)
+        reach = max((float(np.abs(bound).max()) for shape in shapes for bound in shape.extent()), default=0.0)
+        if not reach <= OUTERMOST:
+            raise GeometryError(f"reaches {reach:.3g} m from the origin, more than {OUTERMOST:g} m: is the unit right?")
         return Strand(tuple(curve for shape in shapes for curve in shape.curves()), what, layer)
     except GeometryError as error:
         raise GeometryError(f"{file}: {what}{f' on layer {layer}' if layer else ''}: {error}") from error

@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 
 from contourlab.contours.drawing import Drawing, LeftOut, drawing_of, strand_of, unit_size
 from contourlab.contours.shapes import ConicShape, LineShape, Shape, SplineShape
-from contourlab.errors import GeometryError
+from contourlab.errors import ContourlabError, GeometryError
 
 __all__ = ["read_dxf"]
 
@@ -74,7 +74,12 @@ def read_dxf(
     document = _opened(path)
     size = _unit_of(document, path, unit) * scale
     found = _Entities(path, layer.casefold() if layer is not None else None)
-    found.add(document.modelspace())
+    try:
+        found.add(document.modelspace())
+    except ContourlabError:
+        raise
+    except Exception as error:  # entities that refer to what is not there
+        raise _damaged(path, error) from error
     if layer is not None and found.folded not in {name.casefold() for name in found.layers}:
         raise GeometryError(f"{path}: nothing on layer {layer!r}: there are {', '.join(found.layers) or 'none'}")
     matrix = size * np.eye(3)[:axes]
@@ -90,13 +95,25 @@ def _opened(path: File) -> Any:
     import ezdxf
 
     try:
-        return ezdxf.readfile(path)  # type: ignore[attr-defined]
+        document = ezdxf.readfile(path)  # type: ignore[attr-defined]
+        with path.open("rb") as stream:
+            stream.seek(max(0, path.stat().st_size - 64))
+            end = stream.read()
     except OSError as error:
         # ezdxf says with an OSError too that a file is none of its kind.
         reason = error.strerror or "it is no DXF drawing"
         raise GeometryError(f"{path}: cannot be read: {reason}") from error
-    except (ezdxf.DXFError, UnicodeDecodeError, ValueError, IndexError, KeyError) as error:  # type: ignore[attr-defined]
-        raise GeometryError(f"{path}: is no readable DXF drawing: {error}") from error
+    except Exception as error:  # of a damaged file it passes on whatever comes up, StopIteration included
+        raise _damaged(path, error) from error
+    if not end.rstrip(b"\x00\x1a \t\r\n").endswith(b"EOF"):
+        # What was cut off between two entities reads well, and is not there.
+        raise GeometryError(f"{path}: stops before its EOF, as where copying was broken off: export it again")
+    return document
+
+
+def _damaged(path: File, error: Exception) -> GeometryError:
+    why = str(error).strip() or type(error).__name__
+    return GeometryError(f"{path}: is no readable DXF drawing, or a damaged one: {why}: export it again")
 
 
 def _unit_of(document: Any, path: File, unit: str | None) -> float:
@@ -169,6 +186,7 @@ class _Entities:
         what = f"{kind} #{handle}" if handle else f"{kind} of a block"
         try:
             shapes = read(entity)
+            _check_finite(shapes)
         except (GeometryError, ValueError, TypeError, ArithmeticError) as error:
             raise GeometryError(f"{self.file}: {what} on layer {layer}: {error}") from error
         if shapes:
@@ -178,6 +196,14 @@ class _Entities:
 
 
 # --- entities ------------------------------------------------------------------------------------------------------------------------
+
+
+def _check_finite(shapes: Iterable[Shape]) -> None:
+    for shape in shapes:
+        low, high = shape.extent()
+        angles = (shape.start, shape.end) if isinstance(shape, ConicShape) else ()
+        if not (np.isfinite(low).all() and np.isfinite(high).all() and np.isfinite(angles).all()):
+            raise GeometryError("one of its numbers is not finite")
 
 
 def _point(vector: Any) -> Array:
@@ -198,11 +224,13 @@ def _line(entity: Any) -> list[Shape]:
 def _circle(entity: Any) -> list[Shape]:
     ux, uy, _ = _axes(entity)
     centre, radius = _point(entity.ocs().to_wcs(entity.dxf.center)), abs(entity.dxf.radius)
+    if not math.isfinite(radius):
+        raise GeometryError(f"its radius, {radius:g}, is not finite")
     start, sweep = 0.0, 2.0 * math.pi
     if entity.dxftype() == "ARC":
         start = math.radians(entity.dxf.start_angle)
         sweep = math.radians((entity.dxf.end_angle - entity.dxf.start_angle) % 360.0) or 2.0 * math.pi
-    return [ConicShape(centre, radius * ux, radius * uy, start, start + sweep)] if radius > 0.0 else []
+    return [ConicShape(centre, radius * ux, radius * uy, start, start + sweep)] if radius != 0.0 else []
 
 
 def _ellipse(entity: Any) -> list[Shape]:

@@ -18,6 +18,8 @@ __all__ = ["CORNER_ANGLE", "read_points"]
 Array = NDArray[np.float64]
 CORNER_ANGLE = math.radians(30.0)
 """Turn of the polygon of points that is a corner, where none is stated."""
+OUTERMOST = 1e6
+"""Coordinates [m] beyond this are errors of writing, or of the unit."""
 _HEAD = re.compile(r"\s*\"?\s*([A-Za-z_]\w*)\s*(?:[\[(]\s*([^\])]*?)\s*[\])])?\s*\"?\s*\Z")
 
 
@@ -58,7 +60,11 @@ def read_points(
     names, factors, rows = _head(rows, path, unit)
     points = np.empty((len(rows), len(names)))
     for i, (line, cells) in enumerate(rows):
-        points[i] = _numbers(cells, len(names), path, line)
+        numbers = _numbers(cells, len(names), path, line)
+        for cell, number, factor in zip(cells, numbers, factors, strict=True):
+            if abs(scale * factor * number) > OUTERMOST:
+                raise GeometryError(f"{path}:{line}: {cell} is {scale * factor * number:.3g} m, beyond {OUTERMOST:g} m: is the unit right?")
+        points[i] = numbers
         if i and np.array_equal(points[i], points[i - 1]):
             raise GeometryError(f"{path}:{line}: repeats the point of line {rows[i - 1][0]}: leave one out")
     if len(points) < 2:
@@ -88,6 +94,7 @@ def _rows(path: File) -> list[tuple[int, list[str]]]:
         # A header of names and units parted by blanks alone: "x [mm] y [mm]".
         if mark is None and line is first and "[" in line:
             cells = re.findall(r"\w+\s*\[[^\]]*\]|\w+", line)
+        cells = [cell[1:-1].strip() if len(cell) > 1 and cell[0] == cell[-1] == '"' else cell for cell in cells]
         found.append((number, [cell.replace(",", ".") for cell in cells] if mark == ";" else cells))
     return found
 
@@ -113,10 +120,10 @@ def _head(rows: list[tuple[int, list[str]]], path: File, unit: str | None) -> tu
         raise GeometryError(f"{path}:{line}: has {len(names)} columns: two or three are wanted, one for each axis")
     if len(set(names)) != len(names):
         raise GeometryError(f"{path}:{line}: an axis stands there twice")
-    return names, [_factor(own, unit, path, line) for own in units], rows
+    return names, [_factor(name, own, unit, path, line) for name, own in zip(names, units, strict=True)], rows
 
 
-def _factor(own: str | None, unit: str | None, path: File, line: int) -> float:
+def _factor(name: str, own: str | None, unit: str | None, path: File, line: int) -> float:
     said = own or unit
     if own and unit and own != unit:
         raise GeometryError(f"{path}:{line}: says {own}, and unit = {unit!r} is given: leave one out")
@@ -126,7 +133,8 @@ def _factor(own: str | None, unit: str | None, path: File, line: int) -> float:
         return unit_size(said)
     except UnitError as error:
         if own:
-            raise GeometryError(f"{path}:{line}: {error}") from error
+            cure = "write for example mm" if name in ("x", "y", "z") else "leave the column out"
+            raise GeometryError(f"{path}:{line}: column {name} is in {own}, which is no unit of length: {cure}") from error
         raise
 
 

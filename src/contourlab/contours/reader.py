@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+import numbers
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from pathlib import Path as File
 
@@ -114,6 +115,7 @@ def study_contour(
 ) -> ContourReading:
     """Read a contour as `read_contour` does, and say how it came about."""
     path = File(file)
+    _check_choices(chain, ignore)
     given = {"layer": layer, "chain": chain, "axes": axes, "ignore": tuple(ignore) or None, "corner_angle": corner_angle}
     suffix = _checked(path, [name for name, value in given.items() if value is not None], scale)
     if axes not in (None, 2, 3):
@@ -127,6 +129,15 @@ def study_contour(
     else:
         drawing = read_svg(path, unit=unit, tolerance=tolerance, scale=scale)
     return _of_drawing(drawing, chain, ignore, reverse)
+
+
+def _check_choices(chain: object, ignore: object) -> None:
+    if chain is not None and (isinstance(chain, bool) or not isinstance(chain, numbers.Integral)):
+        raise GeometryError(f"chain = {chain!r}: a whole number is wanted, counted from 1")
+    if isinstance(ignore, str):
+        raise GeometryError(f'ignore = "{ignore}": a list is wanted: write ignore = ["{ignore}"]')
+    if not isinstance(ignore, Iterable) or not all(isinstance(kind, str) for kind in ignore):
+        raise GeometryError(f'ignore = {ignore!r}: a list of kinds is wanted, such as ["TEXT"]')
 
 
 def _checked(path: File, given: Sequence[str], scale: float) -> str:

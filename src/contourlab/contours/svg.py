@@ -8,7 +8,6 @@ from __future__ import annotations
 
 import io
 import math
-import re
 from collections.abc import Iterator
 from pathlib import Path as File
 from typing import Any
@@ -19,7 +18,9 @@ from numpy.typing import NDArray
 
 from contourlab.contours.chains import Strand
 from contourlab.contours.drawing import Drawing, LeftOut, drawing_of, strand_of, unit_size
-from contourlab.contours.shapes import ConicShape, LineShape, Shape, SplineShape
+from contourlab.contours.shapes import ConicShape, LineShape, Shape
+from contourlab.contours.svg_path import path_shapes
+from contourlab.contours.svg_tree import DATA, HIDDEN, NUMBER, SIZES, VISIBLE, Plain, length_match, tag_of
 from contourlab.errors import GeometryError
 
 __all__ = ["read_svg"]
@@ -27,11 +28,6 @@ __all__ = ["read_svg"]
 Array = NDArray[np.float64]
 PIXEL = 0.0254 / 96.0
 """A user unit [m] where nothing else is said; CSS Values 3, section 5.2."""
-_SIZES = {"": 1.0, "px": 1.0, "in": 96.0, "cm": 96.0 / 2.54, "mm": 96.0 / 25.4, "q": 96.0 / 101.6, "pt": 96.0 / 72.0, "pc": 16.0}
-_LENGTH = re.compile(r"\s*([+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?)\s*([a-zA-Z%]*)\s*\Z")
-_LENGTHS = ("x", "y", "x1", "x2", "y1", "y2", "cx", "cy", "r", "rx", "ry", "width", "height")
-_FOREIGN = ("foreignObject", "video", "audio", "iframe", "canvas")
-_UNDRAWN = ("clipPath", "mask", "marker", "pattern", "metadata")
 
 
 def read_svg(file: str | File, *, unit: str | None = None, tolerance: float | None = None, scale: float = 1.0) -> Drawing:
@@ -51,7 +47,7 @@ def read_svg(file: str | File, *, unit: str | None = None, tolerance: float | No
     -------
     Drawing
         Paths, rectangles, circles, ellipses, lines, polylines and polygons as analytic curves, transforms applied; texts, images and what
-        is hidden in `left_out`.
+        is hidden in `left_out`. Path data are drawn up to their first error, as the standard wants it, and `notes` says where that is.
 
     Raises
     ------
@@ -67,24 +63,28 @@ def read_svg(file: str | File, *, unit: str | None = None, tolerance: float | No
     path = File(file)
     root = _parsed(path)
     matrix, offset = _frame(root, path, unit, scale)
+    plain = Plain(path)
+    plain.take(root)
     strands: list[Strand] = []
-    left_out, notes = [*_hidden(root, False)], list[str]()
+    hidden, left_out, notes = list[LeftOut](), [LeftOut(tag) for tag in plain.foreign], plain.notes
+    unmet = dict(plain.shapes)
     for number, element in enumerate(_elements(root, path), 1):
         kind = type(element).__name__
-        if kind in ("Text", "Image"):
+        unmet.pop(element.values.get(NUMBER), None)
+        if HIDDEN in element.values or element.values.get(VISIBLE, "visible") != "visible":
+            hidden.append(LeftOut("hidden", why="line" if kind == "SimpleLine" else kind.lower()))
+        elif kind in ("Text", "Image"):
             left_out.append(LeftOut(kind.lower()))
-            continue
-        own = element.values.get("id") if hasattr(element, "values") else None
-        what = f"{kind} {own!r}" if own else f"{kind}, element {number}"
-        m = element.transform
-        inner, shift = np.array([[m.a, m.c], [m.b, m.d]]), np.array([m.e, m.f])
-        parts = list(_subpaths(element))
-        if not parts:
-            notes.append(f"{what}: has no length")
-        for shapes in parts:
-            mapped = [shape.mapped(matrix @ inner, matrix @ shift + offset) for shape in shapes]
-            strands.append(strand_of(mapped, path, what))
-    return drawing_of(path, strands, tolerance, left_out, notes)
+        else:
+            own = element.values.get("id")
+            what = f"{kind} {own!r}" if own else f"{kind}, element {number}"
+            parts, trouble = _parts(element, kind)
+            notes += [f"{what}: {trouble}"] if trouble else []
+            m = element.transform
+            inner, shift = matrix @ np.array([[m.a, m.c], [m.b, m.d]]), matrix @ np.array([m.e, m.f]) + offset
+            strands += [strand_of([shape.mapped(inner, shift) for shape in shapes], path, what) for shapes in parts]
+    notes += [f"{name}: has no size, or cannot be read: left out" for name in unmet.values()]
+    return drawing_of(path, strands, tolerance, [*hidden, *left_out], notes)
 
 
 def _parsed(path: File) -> ElementTree.Element:
@@ -94,13 +94,9 @@ def _parsed(path: File) -> ElementTree.Element:
         raise GeometryError(f"{path}: cannot be read: {error.strerror or error}") from error
     except (ElementTree.ParseError, ValueError, LookupError) as error:
         raise GeometryError(f"{path}: is no SVG drawing: {error}") from error
-    if _tag(root) != "svg":
-        raise GeometryError(f"{path}: is no SVG drawing: its root is <{_tag(root)}>")
+    if tag_of(root) != "svg":
+        raise GeometryError(f"{path}: is no SVG drawing: its root is <{tag_of(root)}>")
     return root
-
-
-def _tag(element: ElementTree.Element) -> str:
-    return element.tag.rpartition("}")[2] if isinstance(element.tag, str) else ""
 
 
 # --- size and place ------------------------------------------------------------------------------------------------------------------
@@ -110,12 +106,12 @@ def _pixels(text: str | None, path: File, what: str) -> float | None:
     """Return a length of the root in pixels of 1/96 inch; None where there is none, or a percentage of the unknown."""
     if text is None or text.strip() in ("", "auto"):
         return None
-    met = _LENGTH.match(text)
+    met = length_match(text)
     if met and met[2] == "%":
         return None
-    if not met or met[2].lower() not in _SIZES or not float(met[1]) > 0.0:
+    if not met or met[2].lower() not in SIZES or not float(met[1]) > 0.0:
         raise GeometryError(f'{path}: {what} = "{text}" is no size: write unit = "mm", or what its user units are')
-    return float(met[1]) * _SIZES[met[2].lower()]
+    return float(met[1]) * SIZES[met[2].lower()]
 
 
 def _frame(root: ElementTree.Element, path: File, unit: str | None, scale: float) -> tuple[Array, Array]:
@@ -161,27 +157,6 @@ def _view_box(root: ElementTree.Element, path: File) -> tuple[float, float, floa
 # --- elements ------------------------------------------------------------------------------------------------------------------------
 
 
-def _hidden(element: ElementTree.Element, inside: bool) -> Iterator[LeftOut]:
-    """Yield what is not drawn, or is drawn by other means; take out what is only there for others to refer to."""
-    for child in list(element):
-        tag = _tag(child)
-        if tag in _UNDRAWN:
-            element.remove(child)
-            continue
-        style = child.get("style", "").replace(" ", "")
-        hidden = inside or child.get("display") == "none" or "display:none" in style
-        if tag in _FOREIGN:
-            yield LeftOut(tag)
-        elif hidden and tag in ("path", "rect", "circle", "ellipse", "line", "polyline", "polygon", "text", "image", "use"):
-            yield LeftOut("hidden", why=tag)
-        if tag not in ("defs", "symbol"):
-            yield from _hidden(child, hidden)
-        for name in _LENGTHS:  # exactly, where the parser knows a millimetre to six digits
-            met = _LENGTH.match(child.get(name, ""))
-            if met and met[2] and met[2].lower() in _SIZES:
-                child.set(name, repr(float(met[1]) * _SIZES[met[2].lower()]))
-
-
 def _elements(root: ElementTree.Element, path: File) -> Iterator[Any]:
     try:
         import svgelements  # type: ignore[import-untyped]
@@ -189,6 +164,8 @@ def _elements(root: ElementTree.Element, path: File) -> Iterator[Any]:
         raise GeometryError(f'{path}: reading SVG wants svgelements: pip install "contourlab[svg]"') from error
     try:
         document = svgelements.SVG.parse(io.BytesIO(ElementTree.tostring(root)), reify=False)
+    except RecursionError as error:
+        raise GeometryError(f"{path}: has a use that draws itself, or uses nested too deep") from error
     except Exception as error:  # a parser of text by hand, which passes on whatever its arithmetic raises
         raise GeometryError(f"{path}: is no readable SVG drawing: {error}") from error
     for element in document.elements():
@@ -198,6 +175,12 @@ def _elements(root: ElementTree.Element, path: File) -> Iterator[Any]:
 
 def _point(p: Any) -> Array:
     return np.array([float(p.x), float(p.y)])
+
+
+def _parts(element: Any, kind: str) -> tuple[list[list[Shape]], str | None]:
+    """Return the shapes of each part of an element, in its own coordinates, and what there is to note."""
+    parts, trouble = path_shapes(element.values[DATA]) if kind == "Path" else (list(_subpaths(element)), None)
+    return parts, trouble or (None if parts else "has no length")
 
 
 def _subpaths(element: Any) -> Iterator[list[Shape]]:
@@ -236,12 +219,4 @@ def _shape(segment: Any) -> Shape | None:
         if sweep and np.any(p != 0.0) and np.any(q != 0.0):
             return ConicShape(centre, p, q, first, first + sweep)
         return LineShape(start, end) if np.any(start != end) else None  # as the standard wants it where a radius is 0
-    if kind == "QuadraticBezier":
-        inner = [_point(segment.control)]
-    elif kind == "CubicBezier":
-        inner = [_point(segment.control1), _point(segment.control2)]
-    else:
-        return LineShape(start, end) if np.any(start != end) else None
-    if all(np.array_equal(p, start) for p in (*inner, end)):
-        return None
-    return SplineShape.bezier(start, *inner, end)
+    return LineShape(start, end) if np.any(start != end) else None

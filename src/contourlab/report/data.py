@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from contourlab.errors import ParameterError
+from contourlab.feed.verify import LimitReport
 from contourlab.metrics import Bidirectional, CircleFigures, Metrics, Spike
 from contourlab.report.shapes import Cause, DrawnPath, Verdict, Worst
 from contourlab.result import Result
@@ -174,6 +175,8 @@ class SchemeReport:
     bidirectional : mapping of str to Bidirectional
         Of those circles that were run in both senses, by their name.
     spikes : sequence of Mark or Spike
+    limits : LimitReport or None
+        Of the planned motion; None where it was not planned within limits.
     """
 
     name: str
@@ -185,6 +188,7 @@ class SchemeReport:
     circles: Sequence[CircleRun | CircleFigures] = ()
     bidirectional: Mapping[str, Bidirectional] = field(default_factory=dict)
     spikes: Sequence[Mark | Spike] = ()
+    limits: LimitReport | None = None
 
     @property
     def runs(self) -> tuple[CircleRun, ...]:

@@ -16,6 +16,7 @@ from contourlab.report.data import ReportData
 from contourlab.report.decimate import share
 from contourlab.report.error_pictures import circle_tables, error_charts, polar_charts
 from contourlab.report.feed_picture import feed_charts
+from contourlab.report.limit_table import limit_tables
 from contourlab.report.path_picture import path_charts
 from contourlab.report.plotly_view import Figure, line_figure, path_figure, polar_figure
 from contourlab.report.style import scheme_style
@@ -77,6 +78,7 @@ def render_html(data: ReportData) -> str:
             comparison=compare(data),
             groups=groups,
             circle_tables=circle_tables(data),
+            limit_tables=limit_tables(data),
             verdicts=[_verdict(scheme, index, len(data.schemes)) for index, scheme in enumerate(data.schemes)],
             program=_program(data),
             scenario=_clipped(data.provenance.scenario),

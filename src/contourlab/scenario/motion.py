@@ -58,6 +58,8 @@ def read_feed(table: Table, motion: Motion) -> FeedSettings:
         _needs(table, "feedrate", '"8000 mm/min"', "frequency", "a planned contour")
     if plain.law == "uniform" and plain.path_control not in ("program", "exact_path"):
         raise table.error("the uniform law goes along the contour itself: leave this out", "path_control")
+    if plain.law == "uniform" and plain.curvature_step != 1.0:
+        raise table.error("the uniform law plans nothing: leave this out", "curvature_step")
     _check_corners(table, plain, is_program)
     return FeedSettings(**plain.model_dump())
 

@@ -67,6 +67,7 @@ Angle = Annotated[float, _number("rad", "deg", minimum=0.0, maximum=math.pi, exc
 Frequency = Annotated[float, _number("Hz", minimum=0.0, exclusive=True)]
 Corner = Annotated[float, _number("rad/s", minimum=0.0, exclusive=True)]
 Ratio = Annotated[float, _number("", minimum=0.0, exclusive=True)]
+Part = Annotated[float, _number("", minimum=0.0, maximum=1.0)]
 Override = Annotated[float, _number("", minimum=0.0, maximum=2.0, exclusive=True)]
 Name = Annotated[str, Field(pattern=r"^[A-Za-z0-9_]{1,32}$")]
 Text = Annotated[str, Field(min_length=1, max_length=200)]
@@ -198,6 +199,7 @@ class FeedTable(_Strict):
     path_control: Literal["program", "exact_path", "exact_stop", "blend"] = "program"
     corner_tolerance: Distance | None = None
     merge_tolerance: Spread | None = None
+    curvature_step: Part = 1.0
 
 
 class RunTable(_Strict):

@@ -159,6 +159,8 @@ class FeedSettings:
         How far a blend may leave its corner, where G64 has no P or ``path_control`` is ``"blend"``; by default 10 um.
     merge_tolerance : float [m], >= 0, or None
         How far points of lines that are merged may lie off, where ``path_control`` is ``"blend"``; by default as `corner_tolerance`.
+    curvature_step : float, 0 to 1
+        By how much of its limit the acceleration of an axis may step where the curvature jumps, as from a line into an arc; 0 stops there.
     """
 
     law: Literal["planned", "uniform"] = "planned"
@@ -169,6 +171,7 @@ class FeedSettings:
     path_control: PathControl = "program"
     corner_tolerance: float | None = None
     merge_tolerance: float | None = None
+    curvature_step: float = 1.0
 
 
 @dataclass(frozen=True)
@@ -228,6 +231,11 @@ class Case:
     def lines(self) -> tuple[str, ...]:
         """Source text of the program; empty for a contour."""
         return self.motion.program.lines if isinstance(self.motion, PartProgram) else ()
+
+    @property
+    def curvature_step(self) -> float:
+        """By how much of its limit the acceleration of an axis may step where the curvature jumps."""
+        return self.feed.curvature_step
 
     @property
     def limits(self) -> AxisLimits:
@@ -296,7 +304,7 @@ class Case:
         if self.feed.law == "uniform":
             assert isinstance(self.motion, Contour) and self.feed.frequency is not None  # said by the reader
             return uniform(self.motion.path, self.feed.frequency * factor, self.feed.laps, period)
-        return plan(self._route(factor), self.limits, period, laps=self.feed.laps)
+        return plan(self._route(factor), self.limits, period, laps=self.feed.laps, curvature_step=self.feed.curvature_step)
 
     def route(self) -> Route | None:
         """Return the path with its feedrates as it is planned along; None under the uniform law, which plans nothing."""

@@ -70,7 +70,7 @@ def _feed(outcome: Outcome) -> FeedRun | None:
     ramps = np.linspace(profile.t0, ends, per_span, endpoint=False).ravel()
     time = np.unique(np.concatenate([np.linspace(0.0, profile.duration, FEED_POINTS), ramps]))
     motion = profile.motion(time)
-    codes = limiting(route, outcome.case.limits, profile, motion.arc_length)
+    codes = limiting(route, outcome.case.limits, profile, motion.arc_length, curvature_step=outcome.case.curvature_step)
     asked = route.feedrate[reference.path.curve_index(motion.arc_length)]
     return FeedRun(motion.arc_length, motion.speed, asked, time, codes, [_HELD_BY[code] for code in Binding])
 
@@ -95,6 +95,7 @@ def _scheme(outcome: Outcome) -> SchemeReport:
         circles=circles,
         spikes=marks,
         bidirectional=pairs(outcome.circles),
+        limits=outcome.limits,
     )
 
 

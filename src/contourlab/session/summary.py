@@ -11,7 +11,9 @@ import numpy as np
 
 from contourlab import __version__
 from contourlab.errors import DivergenceError
+from contourlab.feed.verify import LimitReport
 from contourlab.metrics.circles import pairs
+from contourlab.report.limit_table import nearest
 from contourlab.studies.compare import Outcome
 
 __all__ = ["SCHEMA", "summary_of"]
@@ -66,7 +68,24 @@ def _scheme(outcome: Outcome) -> dict[str, Any]:
         "circles_both_ways": {name: asdict(both) for name, both in pairs(outcome.circles).items()},
         "reversals": [asdict(spike) for spike in outcome.spikes],
         "margins": {axis: asdict(bode.margins) for axis, bode in outcome.bode.items()},
+        "limits": _limits(outcome.limits, result.axes) if outcome.limits else None,
     }
+
+
+def _limits(report: LimitReport, axes: Sequence[str]) -> dict[str, Any]:
+    """Return the axis that comes nearest to its limit, for each kind of limit; None where there was nothing of the kind."""
+    found: dict[str, Any] = {}
+    for kind in ("velocity", "acceleration", "jerk", "curvature_step", "kink"):
+        worst = nearest(getattr(report, kind))
+        found[kind] = worst and {
+            "axis": axes[worst.axis],
+            "value": worst.value,
+            "limit": worst.limit,
+            "ratio": worst.ratio,
+            "time": worst.time,
+            "line": worst.source_line,
+        }
+    return found
 
 
 def _clean(value: Any) -> Any:

@@ -8,13 +8,17 @@ from typing import Protocol
 
 from contourlab.analysis import AxisResponse, Margins, sampled_loop
 from contourlab.errors import ComponentError
-from contourlab.feed import AxisLimits, Reference, Route
+from contourlab.feed import AxisLimits, LimitReport, Reference, Route, limit_report
 from contourlab.loop import Controller, Machine, simulate
 from contourlab.metrics import CircleFigures, Metrics, Spike, circles_of, judge, reversal_spikes, summarise
 from contourlab.result import Result
 from contourlab.studies.verdict import Verdict, verdict
 
 __all__ = ["AxisBode", "Case", "Outcome", "run_case"]
+
+KEPT_REPORTS = 16
+_REPORTS: dict[tuple[str, bytes, bytes, bytes], LimitReport] = {}
+"""The latest reports by motion and limits: the schemes of a file mostly share both, and each report reads the whole motion."""
 
 
 class Case(Protocol):
@@ -31,6 +35,10 @@ class Case(Protocol):
     @property
     def controller(self) -> Controller:
         """Its controller."""
+
+    @property
+    def curvature_step(self) -> float:
+        """By how much of its limit the acceleration of an axis may step where the curvature jumps."""
 
     @property
     def tolerance(self) -> float | None:
@@ -76,7 +84,7 @@ class AxisBode:
 
 @dataclass(frozen=True, eq=False)
 class Outcome:
-    """A judged case."""
+    """A judged case; `limits` is None where the motion was not planned within limits."""
 
     name: str
     case: Case
@@ -87,6 +95,7 @@ class Outcome:
     circles: tuple[CircleFigures, ...]
     spikes: tuple[Spike, ...]
     bode: dict[str, AxisBode]
+    limits: LimitReport | None
 
 
 def run_case(
@@ -145,7 +154,21 @@ def run_case(
         )
     circles = circles_of(judged, reference)
     spikes = reversal_spikes(judged, (max(figures.window[0] - 5, 0), figures.window[1]))
-    return Outcome(case.name, case, reference, judged, figures, found, circles, spikes, bode_of(case.machine, case.controller))
+    bode = bode_of(case.machine, case.controller)
+    return Outcome(case.name, case, reference, judged, figures, found, circles, spikes, bode, limits_of(case, reference))
+
+
+def limits_of(case: Case, reference: Reference) -> LimitReport | None:
+    """Hold the reference of a case against the limits of its axes; None where it was not planned within them."""
+    if case.route() is None:
+        return None
+    limits = case.limits
+    key = (reference.digest, limits.velocity.tobytes(), limits.acceleration.tobytes(), limits.jerk.tobytes())
+    if key not in _REPORTS:
+        while len(_REPORTS) >= KEPT_REPORTS:
+            del _REPORTS[next(iter(_REPORTS))]
+        _REPORTS[key] = limit_report(reference, limits)
+    return _REPORTS[key]
 
 
 def bode_of(machine: Machine, controller: Controller) -> dict[str, AxisBode]:

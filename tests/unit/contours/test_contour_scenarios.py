@@ -61,13 +61,15 @@ def test_the_name_of_a_file_alone(tmp_path: File) -> None:
     assert cl.load_scenario(file).motion.path.length == pytest.approx(0.02 * math.pi)  # type: ignore[union-attr]
 
 
-def test_three_axes_want_three_coordinates(tmp_path: File) -> None:
-    with pytest.raises(
-        ScenarioError, match=r"contour.file: part.dxf has 2 coordinates, .* x, y, z: one for each is wanted \(write axes = 3"
-    ):
-        cl.load_scenario(scenario(tmp_path, 'file = "part.dxf"\nignore = ["TEXT"]', THREE_AXES))
-    found = cl.load_scenario(scenario(tmp_path, 'file = "part.dxf"\nignore = ["TEXT"]\naxes = 3', THREE_AXES))
-    assert found.base.reference().n_axis == 3
+def test_a_third_axis_is_held_still_or_takes_its_coordinate(tmp_path: File) -> None:
+    plane = cl.load_scenario(scenario(tmp_path, 'file = "part.dxf"\nignore = ["TEXT"]', THREE_AXES)).base
+    reference = plane.reference()
+    assert reference.n_axis == 3
+    assert not reference.block(0, reference.n_sample).position[:, 2].any()
+    assert any("still" in note for note in plane.notes)
+    space = cl.load_scenario(scenario(tmp_path, 'file = "part.dxf"\nignore = ["TEXT"]\naxes = 3', THREE_AXES)).base
+    assert space.reference().n_axis == 3
+    assert not any("still" in note for note in space.notes)
 
 
 @pytest.mark.parametrize(

@@ -264,3 +264,19 @@ def test_a_plug_in_may_be_loaded_twice(written: Write, tmp_path: Path, monkeypat
         load_machine(file)
     for _ in range(2):
         assert load_machine(file, plugins=[plugin]).axes[0].friction.values() == {"slope": 2.0}
+
+
+def test_the_step_of_curvature_is_a_choice() -> None:
+    """At 0 the motion stops wherever a line meets an arc, and takes longer for it."""
+
+    def duration(step: str) -> float:
+        text = f"""
+        machine = "builtin:xyz"
+        controller = "builtin:xyz-controller"
+        contour = {{name = "racetrack", radius = "1 mm"}}
+        feed = {{feedrate = "2000 mm/min"{step}}}
+        """
+        return parse_scenario(text).cases()[0].reference().duration
+
+    assert duration(", curvature_step = 1.0") == duration("")
+    assert duration("") < duration(", curvature_step = 0.25") < duration(", curvature_step = 0.0")

@@ -1,0 +1,208 @@
+"""The path data of SVG, as the standard draws them: up to the first error, which is said."""
+
+from __future__ import annotations
+
+import math
+import re
+from collections.abc import Callable, Iterator
+
+import numpy as np
+from numpy.typing import NDArray
+
+from contourlab.contours.shapes import ConicShape, LineShape, Shape, SplineShape
+
+__all__ = ["path_shapes"]
+
+Array = NDArray[np.float64]
+LARGEST = 1e12
+"""Numbers beyond this [user units] are errors of writing; their squares would be lost."""
+_BLANKS = re.compile(r"[ \t\n\f\r]*")
+_NUMBER = re.compile(r"[+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?", re.ASCII)
+_COUNT = {"M": 2, "L": 2, "H": 1, "V": 1, "C": 6, "S": 4, "Q": 4, "T": 2, "A": 7, "Z": 0}
+"""Numbers that each command takes."""
+
+
+class _DataError(Exception):
+    """The data are wrong from here on."""
+
+    def __init__(self, at: int, why: str) -> None:
+        super().__init__(f"stops at character {at + 1}: {why}")
+
+
+def path_shapes(data: str) -> tuple[list[list[Shape]], str | None]:
+    """Return the shapes of each subpath in user units, and where and why the data stop short.
+
+    Parameters
+    ----------
+    data : str
+        The attribute ``d`` of a path.
+
+    Returns
+    -------
+    list of list of Shape
+        Of subpaths that have a length, up to the first error, as the standard draws them.
+    str or None
+        ``stops at character 14: a number is wanted``, counted from 1; None where all of it was read.
+
+    References
+    ----------
+    W3C, "Scalable Vector Graphics (SVG) 2", sections 9.3 (path data), 9.5 (error handling) and B.2 (elliptical arcs).
+    """
+    pen = _Pen()
+    try:
+        for command, numbers in _segments(data):
+            pen.draw(command, numbers)
+    except _DataError as stop:
+        return pen.found(), str(stop)
+    return pen.found(), None
+
+
+# --- grammar -------------------------------------------------------------------------------------------------------------------------
+
+
+def _segments(data: str) -> Iterator[tuple[str, list[float]]]:
+    """Yield commands with their numbers, one of each for every repetition."""
+    at, first = _after_blanks(data, 0), True
+    while at < len(data):
+        command = data[at]
+        if command.upper() not in _COUNT:
+            raise _DataError(at, f"a command is wanted, not {command!r}")
+        if first and command not in "Mm":
+            raise _DataError(at, f"M or m is wanted before {command!r}")
+        first = False
+        at += 1
+        if command in "Zz":
+            yield command, []
+            at = _after_blanks(data, at)
+            continue
+        again = False
+        while True:
+            numbers, at = _numbers(data, at, command.upper(), again)
+            yield command, numbers
+            # What follows a move without a letter is a line.
+            command, again = {"M": "L", "m": "l"}.get(command, command), True
+            after = _after_blanks(data, at)
+            if after == len(data) or data[after] not in "+-.,0123456789":
+                at = after
+                break
+
+
+def _numbers(data: str, at: int, command: str, again: bool) -> tuple[list[float], int]:
+    found: list[float] = []
+    for i in range(_COUNT[command]):
+        at = _after_blanks(data, at)
+        if (i or again) and data[at : at + 1] == ",":
+            at = _after_blanks(data, at + 1)
+        if command == "A" and i in (3, 4):
+            if data[at : at + 1] not in ("0", "1"):
+                raise _DataError(at, "a flag is wanted, 0 or 1")
+            found.append(float(data[at]))
+            at += 1
+            continue
+        met = _NUMBER.match(data, at)
+        if met is None:
+            raise _DataError(at, "a number is wanted")
+        number = float(met[0])
+        if abs(number) > LARGEST:
+            raise _DataError(at, f"{met[0]} is too large")
+        found.append(number)
+        at = met.end()
+    return found, at
+
+
+def _after_blanks(data: str, at: int) -> int:
+    met = _BLANKS.match(data, at)
+    assert met is not None  # it matches nothing too
+    return met.end()
+
+
+# --- drawing -------------------------------------------------------------------------------------------------------------------------
+
+
+class _Pen:
+    """Draws commands one after another."""
+
+    def __init__(self) -> None:
+        self.here = self.start = np.zeros(2)
+        self.control = np.zeros(2)  # the last one
+        self.family = ""  # of the last command: C, Q or none
+        self.done: list[list[Shape]] = []
+        self.open: list[Shape] = []
+
+    def found(self) -> list[list[Shape]]:
+        return [shapes for shapes in (*self.done, self.open) if shapes]
+
+    def draw(self, command: str, numbers: list[float]) -> None:
+        origin = self.here if command.islower() else np.zeros(2)
+        kind = command.upper()
+        family, self.family = self.family, {"S": "C", "T": "Q"}.get(kind, kind) if kind in "CSQT" else ""
+        if kind in "CSQT":
+            points = [origin + pair for pair in np.array(numbers).reshape(-1, 2)]
+            if kind in "ST":
+                # Reflected only after a command of its own family; else the first control point is the current point.
+                points.insert(0, 2.0 * self.here - self.control if family == self.family else self.here)
+            self._bezier(points)
+            return
+        draws: dict[str, Callable[[Array, list[float]], None]] = {
+            "M": self._move, "L": self._line, "H": self._line, "V": self._line, "A": self._arc, "Z": self._close,
+        }  # fmt: skip
+        if kind == "H":
+            numbers = [numbers[0], self.here[1] - origin[1]]
+        elif kind == "V":
+            numbers = [self.here[0] - origin[0], numbers[0]]
+        draws[kind](origin, numbers)
+
+    def _flush(self) -> None:
+        self.done.append(self.open)
+        self.open = []
+
+    def _move(self, origin: Array, numbers: list[float]) -> None:
+        self._flush()
+        self.here = self.start = origin + np.array(numbers)
+
+    def _line(self, origin: Array, numbers: list[float]) -> None:
+        self._line_to(origin + np.array(numbers))
+
+    def _line_to(self, end: Array) -> None:
+        if np.any(end != self.here):
+            self.open.append(LineShape(self.here, end))
+        self.here = end
+
+    def _close(self, origin: Array, numbers: list[float]) -> None:
+        self._line_to(self.start)
+        self._flush()
+
+    def _bezier(self, points: list[Array]) -> None:
+        if any(np.any(point != self.here) for point in points):
+            self.open.append(SplineShape.bezier(self.here, *points))
+        self.control, self.here = points[-2], points[-1]
+
+    def _arc(self, origin: Array, numbers: list[float]) -> None:
+        rx, ry, turn, large, sweep = abs(numbers[0]), abs(numbers[1]), math.radians(numbers[2] % 360.0), numbers[3], numbers[4]
+        end = origin + np.array(numbers[5:])
+        # Beside radii of which the chord is less than their rounding, there is no centre to be found.
+        if rx == 0.0 or ry == 0.0 or float(np.abs(end - self.here).max()) <= 1e-14 * max(rx, ry):
+            self._line_to(end)
+            return
+        self.open.append(_arc_shape(self.here, end, (rx, ry), turn, bool(large), bool(sweep)))
+        self.here = end
+
+
+def _arc_shape(start: Array, end: Array, radii: tuple[float, float], turn: float, large: bool, sweep: bool) -> ConicShape:
+    """Return the arc between two points; radii that do not reach are scaled up (B.2.5)."""
+    c, s = math.cos(turn), math.sin(turn)
+    axes = np.array([[c, s], [-s, c]])
+    half = axes @ (0.5 * (start - end)) / np.array(radii)  # on the unit circle that the ellipse is the image of
+    reach = float(np.hypot(*half))
+    if reach > 1.0:
+        radii, half, reach = (radii[0] * reach, radii[1] * reach), half / reach, 1.0
+    # The centre lies on the perpendicular through the middle of the chord, on the side that the flags choose.
+    height = math.sqrt(max(0.0, 1.0 - reach**2)) / reach * (1.0 if large != sweep else -1.0)
+    centre = height * np.array([half[1], -half[0]])
+    first = math.atan2(half[1] - centre[1], half[0] - centre[0])
+    last = math.atan2(-half[1] - centre[1], -half[0] - centre[0])
+    angle = (last - first) % (2.0 * math.pi) or 2.0 * math.pi
+    if not sweep:
+        angle = angle - 2.0 * math.pi if angle < 2.0 * math.pi else -angle
+    p, q = radii[0] * axes[0], radii[1] * axes[1]
+    return ConicShape(0.5 * (start + end) + centre[0] * p + centre[1] * q, p, q, first, first + angle)

@@ -1,0 +1,61 @@
+"""The part of CSS that says whether an element of a drawing is seen, and how large it is."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping
+
+__all__ = ["StyleSheet"]
+
+_COMMENT = re.compile(r"/\*.*?\*/", re.DOTALL)
+_AT_RULE = re.compile(r"@[^{};]*(?:;|\{(?:[^{}]|\{[^{}]*\})*\})")
+_RULE = re.compile(r"([^{}]+)\{([^{}]*)\}")
+_SELECTOR = re.compile(r"(\*|[\w-]+)?((?:[#.][\w-]+)*)\Z")
+_SEEN = ("display", "visibility")
+
+
+class StyleSheet:
+    """Rules whose selectors are names, ids and classes, alone or together: ``path``, ``#a``, ``g.cut``.
+
+    Attributes
+    ----------
+    notes : list of str
+        Rules about what is seen that are passed over, as their selectors are others.
+    """
+
+    def __init__(self, text: str = "") -> None:
+        self.notes: list[str] = []
+        self._rules: list[tuple[tuple[int, int, int], str, tuple[str, ...], dict[str, str]]] = []
+        text = _COMMENT.sub("", text).replace("<!--", "").replace("-->", "")
+        for met in _AT_RULE.finditer(text):
+            if any(word in met[0] for word in _SEEN):
+                self.notes.append(f"style sheet: {met[0].split('{')[0].strip()!r} is passed over")
+        for met in _RULE.finditer(_AT_RULE.sub("", text)):
+            self._add(met[1], _declarations(met[2]))
+
+    def _add(self, selectors: str, declared: dict[str, str]) -> None:
+        for selector in (word.strip() for word in selectors.split(",")):
+            met = _SELECTOR.match(selector)
+            if not met or not selector:
+                self.notes += [f"style sheet: {name} of {selector!r} is passed over" for name in _SEEN if name in declared]
+                continue
+            parts = tuple(re.findall(r"[#.][\w-]+", met[2]))
+            ids = sum(part.startswith("#") for part in parts)
+            name = met[1] or "*"
+            self._rules.append(((ids, len(parts) - ids, int(name != "*")), name, parts, declared))
+
+    def of(self, tag: str, attributes: Mapping[str, str]) -> dict[str, str]:
+        """Return what is declared about an element: by attributes, then by rules, the more special the later, then by its own style."""
+        found = {name: attributes[name].strip() for name in _SEEN if name in attributes}
+        own = {f".{word}" for word in attributes.get("class", "").split()} | {f"#{attributes.get('id', '')}"}
+        met = [rule for rule in self._rules if rule[1] in ("*", tag) and own.issuperset(rule[2])]
+        layers = [rule[3] for rule in sorted(met, key=lambda rule: rule[0])] + [_declarations(attributes.get("style", ""))]
+        for wanted in (False, True):  # what is !important goes last
+            for declared in layers:
+                found.update({k: v.partition("!")[0].strip() for k, v in declared.items() if ("!" in v) is wanted})
+        return found
+
+
+def _declarations(text: str) -> dict[str, str]:
+    pairs = (part.partition(":") for part in _COMMENT.sub("", text).split(";"))
+    return {name.strip().lower(): value.strip() for name, mark, value in pairs if mark}
