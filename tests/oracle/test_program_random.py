@@ -8,6 +8,8 @@ from pathlib import Path
 from types import ModuleType
 
 import pytest
+from hypothesis import HealthCheck, given, settings
+from hypothesis import strategies as st
 from program_generator import Writer
 from program_oracle import NEEDED, compare, difference, load_oracle, modes, our_moves, their_moves
 
@@ -31,6 +33,16 @@ def test_same_moves_or_the_same_refusal(oracle: ModuleType, tmp_path: Path, firs
         assert not wrong, f"seed {seed}: {wrong}"
         count += made
     assert count > 100
+
+
+@settings(max_examples=15, deadline=None, suppress_health_check=[HealthCheck.too_slow])
+@given(seed=st.integers(48, 2**63))
+def test_same_moves_of_programs_never_seen_before(oracle: ModuleType, tmp_path_factory: pytest.TempPathFactory, seed: int) -> None:
+    """The same of other programs each time; hypothesis keeps those that fail."""
+    file = tmp_path_factory.mktemp("random") / "program.ngc"
+    file.write_text(Writer(seed).program(), encoding="utf-8")
+    _, wrong = compare(oracle, file)
+    assert not wrong, wrong
 
 
 def test_the_generator_reaches_the_whole_language() -> None:

@@ -86,7 +86,7 @@ def feed_charts(run: FeedRun | None, unit: str = "mm/min") -> tuple[Chart, ...]:
         drawn = held | np.append(False, held[:-1])
         curves.append(Curve(x, np.where(drawn, feed, np.nan), name, _COLOURS[code % len(_COLOURS)], "solid", _WIDTH))
     panel = Panel("arc length [mm]", f"feedrate [{unit}]", tuple(curves))
-    shares = ", ".join(f"{name} {number(100.0 * part, 3)} %" for name, part in run.shares().items())
+    shares = ", ".join(f"{name} {number(100.0 * part, 3)} %" for name, part in run.shares().items() if part >= 5e-4)
     caption = (
         f"Planned speed along the path; the colour says what holds it. By time: {shares}. Cycle time {quantity(float(run.time[-1]), 's')}."
         ' "Step of curvature": where a line meets an arc the acceleration steps, at a speed that keeps the step within the axes\' limits;'
