@@ -55,7 +55,7 @@ SECONDS = 8.0  # of a program on LinuxCNC, by our duration under G61
 MODES = {"G61": None, "G64 P0.01": 1e-5, "G64 P0.1": 1e-4}  # tolerance [m]
 
 
-def in_mode(route: Route, tolerance: float | None) -> Route:
+def in_mode(route: Route, tolerance: float | None, within: AxisLimits) -> Route:
     """Return the route as driven in a mode: G61 for None; otherwise with corners blended and lines merged within a tolerance [m]."""
     part = tolerance or 0.0
     found = dataclasses.replace(
@@ -64,7 +64,7 @@ def in_mode(route: Route, tolerance: float | None) -> Route:
         merge_tolerance=np.full(route.n_curve, part),
         exact_stop=np.zeros(route.n_curve, bool),
     )
-    return found if tolerance is None else blended(found, limits())
+    return found if tolerance is None else blended(found, within)
 
 
 def shortened(program: Program, seconds: float) -> tuple[Program, int]:
@@ -90,7 +90,7 @@ def compare(program: Program, mode: str) -> dict[str, Any]:
     route = driven(program)
     row: dict[str, Any] = {"mode": mode}
     try:
-        ours = in_mode(route, MODES[mode])
+        ours = in_mode(route, MODES[mode], limits())
         start = time.process_time()
         reference = plan(ours, limits(), PERIOD)
         positions = all_positions(reference)
@@ -221,7 +221,8 @@ def speed(counts: Sequence[int]) -> list[dict[str, Any]]:
             start = time.process_time()
             programmed = route_from_path(Curves([Line(a, b) for a, b in pairwise(points)]), FEED)
             made = time.process_time()
-            reference = plan(in_mode(programmed, tolerance), AxisLimits(VELOCITY, 2.0, REAL_JERK), PERIOD)
+            slow = AxisLimits(VELOCITY, 2.0, REAL_JERK)
+            reference = plan(in_mode(programmed, tolerance, slow), slow, PERIOD)
             planned = time.process_time()
             for first in range(0, reference.n_sample, 65536):
                 reference.block(first, min(first + 65536, reference.n_sample))

@@ -40,7 +40,8 @@ class Fitted:
         if self.scale == 1.0 and not any(self.shift):
             return ""
         moved = ", ".join(f"{value * 1e3:+.6g}" for value in self.shift)
-        return f"fitted into the machine's travel: scaled by {self.scale:.6g}, then moved by ({moved}) mm"
+        size = "" if self.scale == 1.0 else f"scaled by {self.scale:.6g}, then "
+        return f"fitted into the machine's travel: {size}moved by ({moved}) mm"
 
 
 def fitted(program: Program, letters: Sequence[str], machine: Machine) -> Fitted:
