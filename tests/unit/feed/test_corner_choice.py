@@ -40,6 +40,16 @@ def test_a_tolerance_never_costs_time_on_a_square(side: float, tolerance: float)
     assert chosen <= min(exact, rounded) * (1.0 + 1e-9)
 
 
+@pytest.mark.parametrize("turn", [90.0, 120.0, 150.0, 170.0])
+@pytest.mark.parametrize("jerk", [40.0, 1000.0, np.inf])
+@pytest.mark.parametrize("tolerance", [10e-6, 100e-6])
+def test_the_quicker_way_is_taken_along_a_zigzag(turn: float, jerk: float, tolerance: float) -> None:
+    half, i = np.radians(turn / 2.0), np.arange(21)
+    points = 2e-3 * np.column_stack([i * np.cos(half), (i % 2) * np.sin(half)])
+    exact, chosen, rounded = times(route(points, tolerance), AxisLimits(0.2, 2.0, jerk))
+    assert chosen <= min(exact, rounded) * 1.005
+
+
 def test_both_answers_occur() -> None:
     """With 40 m/s^3, creeping round 10 um takes longer than a stop; with 40 000 m/s^3 it does not."""
     given = route(square(20e-3), 10e-6)
