@@ -36,7 +36,12 @@ Theirs = list[dict[str, Any]]
 
 def load_oracle() -> ModuleType:
     """Return the shared tool as a module."""
-    spec = importlib.util.spec_from_file_location("rs274_oracle", TOOL)
+    return load_module(TOOL)
+
+
+def load_module(file: Path) -> ModuleType:
+    """Return a file outside all packages as a module."""
+    spec = importlib.util.spec_from_file_location(file.stem, file)
     assert spec is not None
     assert spec.loader is not None
     module = importlib.util.module_from_spec(spec)

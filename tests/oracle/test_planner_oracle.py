@@ -1,6 +1,5 @@
 """The planner against LinuxCNC's own, on the same moves with the same limits: its cycle time, and its samples before our judge."""
 
-import importlib.util
 import math
 import shutil
 from pathlib import Path
@@ -8,6 +7,7 @@ from types import ModuleType
 
 import numpy as np
 import pytest
+from program_oracle import load_module
 
 from contourlab.feed import LimitReport, Reference, limit_report, plan
 from contourlab.program import Program, parse_program
@@ -37,12 +37,7 @@ pytestmark = [
 @pytest.fixture(scope="module")
 def planning() -> ModuleType:
     """The benchmark that runs both planners."""
-    spec = importlib.util.spec_from_file_location("linuxcnc", BENCHMARK)
-    assert spec is not None
-    assert spec.loader is not None
-    module = importlib.util.module_from_spec(spec)
-    spec.loader.exec_module(module)
-    return module
+    return load_module(BENCHMARK)
 
 
 def program_of(name: str) -> Program:

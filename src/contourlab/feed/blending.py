@@ -90,17 +90,13 @@ def rounded(route: Route, limits: AxisLimits | None = None) -> Route:
         return route
     span = np.diff(path.breaks)
     reach = _reach(route, corners, span)
-    wanted = reach > 0.0
+    on = np.flatnonzero(reach > 0.0)
+    corners, reach = corners.only(on), reach[on]
+    points = control_points(path, *corners, reach)
     if limits is not None and not limits.unbounded.any():
-        limits = limits.for_axes(path.n_axis)
-        on = np.flatnonzero(wanted)
-        some = corners.only(on)
-        points = control_points(path, *some, reach[on])
-        wanted[on] = quicker_blended(route, some.before, some.after, reach[on], points, limits)
-    on = np.flatnonzero(wanted)
-    if not on.size:
-        return route
-    return _assembled(route, corners.only(on), reach[on], span)
+        on = np.flatnonzero(quicker_blended(route, corners.before, corners.after, reach, points, limits.for_axes(path.n_axis)))
+        corners, reach, points = corners.only(on), reach[on], points[on]
+    return _assembled(route, corners, reach, points, span) if reach.size else route
 
 
 def _corners(route: Route) -> _Corners:
@@ -143,8 +139,8 @@ class _Part(NamedTuple):
     curves: list[Curve]
 
 
-def _assembled(route: Route, corners: _Corners, reach: Array, span: Array) -> Route:
-    path, points = route.path, control_points(route.path, *corners, reach)
+def _assembled(route: Route, corners: _Corners, reach: Array, points: Array, span: Array) -> Route:
+    path = route.path
     # Where the feedrate changes at a corner, each half of the blend is driven at that of its side.
     coefficients, corner, second = _halved(quintic_bezier(points), route.feedrate[corners.before] != route.feedrate[corners.after])
     made, piece = blends(coefficients)

@@ -67,11 +67,12 @@ def read_feed(table: Table, motion: Motion) -> FeedSettings:
 def _check_corners(table: Table, plain: FeedTable, is_program: bool) -> None:
     """Refuse tolerances of corners that are not blended; what a scheme inherits may be idle."""
     control = plain.path_control
-    idle = {"merge_tolerance"} if control == "program" else {"merge_tolerance", "corner_tolerance"} if control != "blend" else set()
-    if control == "program" and not is_program:
-        idle = {"merge_tolerance", "corner_tolerance"}
-    for name in ("corner_tolerance", "merge_tolerance"):
-        if name not in table.entries or name not in idle or not _beside(table, name, "path_control"):
+    if control == "blend":
+        return
+    # G64 without P takes the tolerance of corners; Q is the program's own.
+    idle = ("merge_tolerance",) if control == "program" and is_program else ("corner_tolerance", "merge_tolerance")
+    for name in idle:
+        if name not in table.entries or not _beside(table, name, "path_control"):
             continue
         if plain.law == "uniform":
             raise table.error("the uniform law goes along the contour itself and blends nothing: leave this out", name)

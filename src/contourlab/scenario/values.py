@@ -304,11 +304,22 @@ class Case:
         if self.feed.law == "uniform":
             assert isinstance(self.motion, Contour) and self.feed.frequency is not None  # said by the reader
             return uniform(self.motion.path, self.feed.frequency * factor, self.feed.laps, period)
-        return plan(self._route(factor), self.limits, period, laps=self.feed.laps, curvature_step=self.feed.curvature_step)
+        return plan(
+            self._own_route if factor == self.feed.override else self._route(factor),
+            self.limits,
+            period,
+            laps=self.feed.laps,
+            curvature_step=self.feed.curvature_step,
+        )
 
     def route(self) -> Route | None:
         """Return the path with its feedrates as it is planned along; None under the uniform law, which plans nothing."""
-        return None if self.feed.law == "uniform" else self._route(self.feed.override)
+        return None if self.feed.law == "uniform" else self._own_route
+
+    @cached_property
+    def _own_route(self) -> Route:
+        """The route at the case's own feed: it is planned, verified and drawn, but blended once."""
+        return self._route(self.feed.override)
 
     def _route(self, factor: float) -> Route:
         tolerance = DEFAULT_CORNER_TOLERANCE if self.feed.corner_tolerance is None else self.feed.corner_tolerance
