@@ -29,6 +29,7 @@ SLOTS: dict[str, tuple[tuple[str, ...], tuple[str, ...]]] = {
     "friction": ((), ()),
     "drive": (("command",), ("applied",)),
     "sensor": (("position",), ("position",)),
+    "predictor": (("position", "applied"), ("position",)),
     "velocity": (("position",), ("velocity",)),
     "disturbance": (("position",), ("force",)),
     "observer": (("velocity", "applied"), ("disturbance_estimate",)),
@@ -40,15 +41,28 @@ SLOTS: dict[str, tuple[tuple[str, ...], tuple[str, ...]]] = {
             "position",
             "velocity",
             "disturbance_estimate",
+            "feedforward",
             "applied",
             "accepted",
         ),
         ("command",),
     ),
-    "estimator": (("position", "arc_length"), ("foot_position", "error_vector", "contour_error_estimate")),
-    "coupling": (("reference", "position", "foot_position", "error_vector"), ("modified_reference",)),
+    "feedforward": (
+        ("reference", "reference_velocity", "reference_acceleration", "reference_ahead"),
+        ("reference_shift", "command"),
+    ),
+    "estimator": (("position", "arc_length"), ("foot_position", "error_vector", "contour_error_estimate", "tangent")),
+    "coupling": (
+        ("reference", "position", "foot_position", "error_vector", "contour_error_estimate", "tangent"),
+        ("modified_reference", "correction"),
+    ),
 }
 """What the slot of each family offers, and what it wants back."""
+
+CHOOSING = ("controller", "feedforward", "coupling")
+"""Families that need not take all that is offered."""
+EITHER = ("feedforward", "coupling")
+"""Families that give one of what is wanted, or all of it."""
 
 UNWIRED = {("velocity", "true")}
 """Ideal parts that have no node in the loop and ports of their own."""
@@ -108,7 +122,7 @@ def _check_declaration(kind: type[Component]) -> None:
 
 
 def _check_ports(kind: type[Component]) -> None:
-    """Check the ports against the slot of the family; a controller need not take all that is offered."""
+    """Check the ports against the slot of the family."""
     if (kind.family, kind.kind) in UNWIRED:
         return
     offered, wanted = SLOTS[kind.family]
@@ -116,7 +130,9 @@ def _check_ports(kind: type[Component]) -> None:
     for name in takes:
         if name not in offered:
             raise _fault(kind, f"no input {name!r} is offered to a {kind.family}; there are: {', '.join(offered) or 'none'}")
-    for what, names, needed in (("inputs", takes, () if kind.family == "controller" else offered), ("outputs", gives, wanted)):
+    if kind.family in EITHER and any(name in gives for name in wanted):
+        wanted = tuple(name for name in wanted if name in gives)
+    for what, names, needed in (("inputs", takes, () if kind.family in CHOOSING else offered), ("outputs", gives, wanted)):
         missing = [name for name in needed if name not in names]
         if missing:
             raise _fault(kind, f"{missing[0]!r} is missing in its {what}, which a {kind.family} has to name")

@@ -39,9 +39,11 @@ FAMILIES = (
     "friction",
     "drive",
     "sensor",
+    "predictor",
     "velocity",
     "disturbance",
     "observer",
+    "feedforward",
     "controller",
     "estimator",
     "coupling",
@@ -318,6 +320,10 @@ class Component:
     def ring_length(self, dt: float) -> int:
         """Return how many ticks of the ring port are kept."""
         return 1
+
+    def ahead(self, dt: float) -> int:
+        """Return how many ticks its port ``reference_ahead`` runs before the reference."""
+        return 0
 
     def at_rest(self, position: float) -> tuple[dict[str, float], dict[str, float]]:
         """Return the states, and the outputs before the first tick, of an axis that stands at `position` [m]; zero where not given."""

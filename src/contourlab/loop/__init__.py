@@ -1,6 +1,7 @@
 """The servo loop: machine and controller as values, and the runs that bring them to life."""
 
 from contourlab.loop.batch import BatchResult, simulate_batch
+from contourlab.loop.feeding import Learned
 from contourlab.loop.machine import Axis, AxisController, AxisError, Controller, Limits, Machine, parameter_names
 from contourlab.loop.simulate import result_of, simulate, simulate_blocks
 
@@ -10,6 +11,7 @@ __all__ = [
     "AxisError",
     "BatchResult",
     "Controller",
+    "Learned",
     "Limits",
     "Machine",
     "parameter_names",

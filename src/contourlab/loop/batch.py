@@ -18,6 +18,7 @@ from contourlab.engine.schedule import Late, Node
 from contourlab.errors import ParameterError
 from contourlab.feed import Reference
 from contourlab.geometry.view import PathView, view_of
+from contourlab.loop.feeding import Feed, Learned
 from contourlab.loop.machine import Controller, Machine, parameter_names
 from contourlab.loop.simulate import BLOCK, jit_enabled, sampler
 from contourlab.loop.template import Loop, build
@@ -72,6 +73,7 @@ def simulate_batch(
     jit: bool | None = None,
     progress: Callable[[int], None] | None = None,
     reuse: BatchResult | None = None,
+    learned: Learned | None = None,
 ) -> BatchResult:
     """Run variants that differ in parameters only, and judge each.
 
@@ -99,6 +101,8 @@ def simulate_batch(
         Told the number of samples done.
     reuse : BatchResult, optional
         An earlier result that is not needed any more: its `log` is written over where it fits, which spares asking the system for memory.
+    learned : Learned, optional
+        What earlier trials have taught, the same for all variants.
 
     Returns
     -------
@@ -119,23 +123,23 @@ def simulate_batch(
         raise ParameterError("window", f"{window}", f"(first, last + 1) within the samples 0 to {reference.n_sample}")
     view = view or view_of(reference.path)
     compiled = jit_enabled() if jit is None else jit
-    fill = sampler(compiled)
-    first = reference.block(0, min(BLOCK, reference.n_sample), fill)
+    feed = Feed(machine, controller, reference, learned, sampler(compiled))
+    first, _ = feed.block(0, min(BLOCK, reference.n_sample))
     extra = (_judge_node(machine, reference, view, window),) if judge else ()
     start, progress_at = first.position[0], float(first.arc_length[0])
-    loop = build(machine, controller, reference.path, start, progress_at, columns, view, extra, seed)
+    loop = build(machine, controller, reference.path, start, progress_at, columns, view, extra, seed, fed=feed.names)
     groups = [make_group(loop.schedule, LANES, slice(i, i + LANES), compiled) for i in range(0, n, LANES)]
     rows = [loop.schedule.row(signal) for name in keep for signal in _signal(loop, name)]
     shape = (len(groups), reference.n_sample, len(rows), LANES)
     log = reuse.log if reuse is not None and reuse.log.shape == shape else np.empty(shape)
-    failed = _advance_all(groups, reference, rows, log, threads or os.cpu_count() or 1, progress, fill)[:n]
+    failed = _advance_all(groups, feed, rows, log, threads or os.cpu_count() or 1, progress)[:n]
     sums = np.concatenate([group.state_of("judge")[1:] for group in groups], axis=1)[:, :n] if judge else np.zeros((len(SUMS), n))
     figures = _figures(sums, failed, machine.servo_period) if judge else {}
     return BatchResult(figures, failed, sums[SUMS.index("unsure")], _split(log, n, keep, loop), log)
 
 
 def _advance_all(
-    groups: list[Group], reference: Reference, rows: list[int], log: Array, threads: int, progress: Callable[[int], None] | None, fill: Any
+    groups: list[Group], feed: Feed, rows: list[int], log: Array, threads: int, progress: Callable[[int], None] | None
 ) -> NDArray[np.int64]:
     """Run every group through the reference, a long block at a time; return the sample at which each lane failed, or -1."""
     broken = np.full((len(groups), LANES), -1.0)
@@ -147,8 +151,8 @@ def _advance_all(
 
     workers = min(threads, len(groups))
     with ThreadPoolExecutor(workers) if workers > 1 else nullcontext() as pool:
-        for k in range(0, reference.n_sample, BLOCK):
-            external = reference.block(k, min(k + BLOCK, reference.n_sample), fill).table
+        for k in range(0, feed.reference.n_sample, BLOCK):
+            _, external = feed.block(k, min(k + BLOCK, feed.reference.n_sample))
             work = partial(advance, external=external, k=k)
             for done, _ in enumerate((pool.map if pool is not None else map)(work, range(len(groups))), 1):
                 if progress is not None:

@@ -20,7 +20,7 @@ from contourlab.components.velocity.true import TrueVelocity
 from contourlab.errors import FeedError, ParameterError
 from contourlab.feed import AxisLimits
 
-__all__ = ["Axis", "AxisController", "AxisError", "Controller", "Limits", "Machine"]
+__all__ = ["CONTROLLER_SLOTS", "Axis", "AxisController", "AxisError", "Controller", "Limits", "Machine"]
 
 
 @dataclass(frozen=True)
@@ -220,6 +220,10 @@ class Machine:
         return replace(self, axes=tuple(placed if axis.name == name else axis for axis in self.axes))
 
 
+CONTROLLER_SLOTS = ("predictor", "velocity", "observer", "feedforward", "controller")
+"""What the controller of an axis is made of, in the order of a tick."""
+
+
 @dataclass(frozen=True)
 class AxisController:
     """What one axis' controller is made of; `local` names the parameters that move with the axis when it is swapped."""
@@ -227,6 +231,8 @@ class AxisController:
     controller: Component = field(default_factory=PositionController)
     velocity: Component = field(default_factory=TrueVelocity)
     observer: Component | None = None
+    predictor: Component | None = None
+    feedforward: Component | None = None
     local: tuple[str, ...] = ()
 
 
@@ -267,7 +273,7 @@ def parameter_names(machine: Machine, controller: Controller) -> dict[str, Any]:
         for slot in ("plant", "friction", "drive", "sensor", "disturbance"):
             collect(f"axes.{axis.name}.{slot}", getattr(axis, slot))
         mine = controller.axes[axis.name]
-        for slot in ("velocity", "observer", "controller"):
+        for slot in CONTROLLER_SLOTS:
             collect(f"controller.axes.{axis.name}.{slot}", getattr(mine, slot))
     collect("controller.estimator", controller.estimator)
     collect("controller.coupling", controller.coupling)

@@ -14,6 +14,7 @@ from contourlab.engine.runner import Group, make_group
 from contourlab.errors import DivergenceError, ParameterError
 from contourlab.feed import Reference, ReferenceBlock
 from contourlab.geometry.view import PathView
+from contourlab.loop.feeding import Feed, Learned
 from contourlab.loop.machine import Controller, Machine
 from contourlab.loop.template import Loop, build
 from contourlab.loop.tool import ToolPosition
@@ -40,6 +41,7 @@ UNITS = {
     "command": "command",
     "applied_command": "command",
     "modified_reference": "m",
+    "coupling_command": "command",
     "disturbance_estimate": "command",
     "contour_error_estimate": "m",
 }
@@ -72,6 +74,8 @@ def simulate(
     view: PathView | None = None,
     signals: Sequence[str] | None = None,
     progress: Callable[[int], None] | None = None,
+    learned: Learned | None = None,
+    trial: int = 0,
 ) -> Result:
     """Run a machine along a reference and return every signal.
 
@@ -95,6 +99,10 @@ def simulate(
         Which signals to keep; all by default.
     progress : callable, optional
         Told the number of samples done.
+    learned : Learned, optional
+        What earlier trials have taught, sample by sample.
+    trial : int
+        Number of the trial: what does not repeat differs from one to the next.
 
     Returns
     -------
@@ -109,7 +117,8 @@ def simulate(
     blocks: list[dict[str, Array]] = []
     status = Status(ok=True)
     done = 0
-    for block, now in simulate_blocks(machine, controller, reference, seed=seed, jit=jit, view=view, signals=signals):
+    given: dict[str, Any] = {"seed": seed, "jit": jit, "view": view, "signals": signals, "learned": learned, "trial": trial}
+    for block, now in simulate_blocks(machine, controller, reference, **given):
         blocks.append(block)
         status = now
         done = min(done + BLOCK, reference.n_sample)
@@ -168,24 +177,28 @@ def simulate_blocks(
     view: PathView | None = None,
     signals: Sequence[str] | None = None,
     block: int = BLOCK,
+    learned: Learned | None = None,
+    trial: int = 0,
 ) -> Iterator[tuple[dict[str, Array], Status]]:
     """Run block by block, so that memory does not grow with the run; yields signals and the status so far.
 
     The last block ends with the sample of a failure. Arguments as of `simulate`; `block` is the number of samples of a block.
     """
     compiled = jit_enabled() if jit is None else jit
-    first = reference.block(0, min(block, reference.n_sample), sampler(compiled))
-    loop = build(machine, controller, reference.path, first.position[0], float(first.arc_length[0]), view=view, seed=seed)
+    feed = Feed(machine, controller, reference, learned, sampler(compiled))
+    first, _ = feed.block(0, min(block, reference.n_sample))
+    start_at: dict[str, Any] = {"start": first.position[0], "progress": float(first.arc_length[0])}
+    loop = build(machine, controller, reference.path, **start_at, view=view, seed=seed, trial=trial, fed=feed.names)
     group = make_group(loop.schedule, 1, slice(0, 1), compiled)
-    tool = ToolPosition(machine, seed)
+    tool = ToolPosition(machine, seed, trial)
     wanted = _wanted(loop, signals)
     for start in range(0, reference.n_sample, block):
-        asked = reference.block(start, min(start + block, reference.n_sample), sampler(compiled))
+        asked, fed = feed.block(start, min(start + block, reference.n_sample))
         saved = group.snapshot()
-        found = _run(group, loop, asked, wanted)
+        found = _run(group, loop, asked, fed, wanted)
         status = watched(group, machine)
         if status.ok and not group.finite().all():
-            status = _first_non_finite(group, saved, loop, asked, start)
+            status = _first_non_finite(group, saved, fed, start)
         if not status.ok:
             found = {name: data[: status.sample - start + 1] for name, data in found.items()}
         if "tool_position" in wanted:
@@ -206,13 +219,13 @@ def _wanted(loop: Loop, signals: Sequence[str] | None) -> frozenset[str]:
     return frozenset(signals if signals is not None else known)
 
 
-def _run(group: Group, loop: Loop, asked: ReferenceBlock, wanted: frozenset[str]) -> dict[str, Array]:
+def _run(group: Group, loop: Loop, asked: ReferenceBlock, fed: Array, wanted: frozenset[str]) -> dict[str, Array]:
     """Run one block; return the signals that are wanted, and what the tool's position needs."""
     needed = wanted | {"axis_position", "axis_velocity"} if "tool_position" in wanted else wanted
     logged = {name: rows for name, rows in loop.signals.items() if name in needed}
     # A row that several signals share (an ideal sensor's position is the axis') is logged once.
     rows = list(dict.fromkeys(signal for signals in logged.values() for signal in signals))
-    log = group.run(asked.table, [loop.schedule.row(name) for name in rows])[:, :, 0]
+    log = group.run(fed, [loop.schedule.row(name) for name in rows])[:, :, 0]
     column = {name: i for i, name in enumerate(rows)}
     found: dict[str, Array] = {name: asked[field] for name, field in _GIVEN.items() if name in wanted}
     for name, signals in logged.items():
@@ -224,10 +237,10 @@ def _run(group: Group, loop: Loop, asked: ReferenceBlock, wanted: frozenset[str]
     return found
 
 
-def _first_non_finite(group: Group, saved: Any, loop: Loop, asked: ReferenceBlock, start: int) -> Status:
+def _first_non_finite(group: Group, saved: Any, fed: Array, start: int) -> Status:
     """Run the block again tick by tick to find where a state stopped being finite."""
     group.restore(saved)
-    for k, row in enumerate(asked.table):
+    for k, row in enumerate(fed):
         group.run(row[None, :], [])
         if not group.finite().all():
             node = group.first_bad_node()

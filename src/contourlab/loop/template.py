@@ -2,10 +2,13 @@
 
 At each tick, for every axis,
 
-1. the **sensor** measures the position that the plant has reached, and the **velocity** is worked out from it;
-2. the **estimator** sees all axes and the path, the **coupling** turns its contour error into a modified reference;
+1. the **sensor** measures the position that the plant has reached; a **predictor** says where the axis will be once a delay has
+   passed; the **velocity** is worked out from what it says;
+2. the **estimator** sees all axes as measured and the path, the **coupling** turns its contour error into a modified reference, or into a
+   correction of the commands;
 3. the **observer** estimates what disturbs the axis, from its velocity and the command that reached it (one tick late);
-4. the **controller** computes a command; the **drive** delays and limits it;
+4. the **feedforward** acts on the reference, the **controller** computes a command, which takes in the correction and what earlier trials
+   have taught; the **drive** delays and limits it;
 
 signals are recorded here, and then
 
@@ -34,7 +37,9 @@ from contourlab.engine.step import Port, Step
 from contourlab.errors import ParameterError
 from contourlab.geometry import Path
 from contourlab.geometry.view import PathView, view_of
+from contourlab.loop.feeding import AHEAD, LEARNED_COMMAND, LEARNED_REFERENCE
 from contourlab.loop.machine import Axis, Controller, Machine
+from contourlab.loop.mixing import sum_step
 from contourlab.loop.tool import stream_of
 from contourlab.loop.watch import watch_node
 
@@ -65,6 +70,8 @@ class _Builder:
         progress: float,
         overrides: Overrides,
         seed: int,
+        trial: int,
+        fed: frozenset[str],
     ) -> None:
         missing = [name for name in machine.axis_names if name not in controller.axes]
         if missing:
@@ -76,7 +83,8 @@ class _Builder:
                 f"one for each axis of {machine.name}: {', '.join(machine.axis_names)}",
             )
         self.machine, self.controller, self.path = machine, controller, path
-        self.start, self.progress, self.overrides, self.seed = start, progress, overrides, seed
+        self.start, self.progress, self.overrides = start, progress, overrides
+        self.seed, self.trial, self.fed = seed, trial, fed
         self.period = machine.servo_period
         self.nodes: list[Node] = []
         self.names = machine.axis_names
@@ -109,6 +117,21 @@ class _Builder:
         ideal = isinstance(self.machine.axis(axis).sensor, IdealSensor)
         return Late(f"{axis}.plant.position") if ideal else f"{axis}.sensor.position"
 
+    def seen(self, axis: str) -> Any:
+        """Return the wire of the position that an axis' controller sees."""
+        return self.measured(axis) if self.controller.axes[axis].predictor is None else f"{axis}.predictor.position"
+
+    def accepted(self, axis: str) -> Late:
+        """Return the wire of the last command that the drive took, behind its limit and ahead of its delay."""
+        late = any(port.name == "accepted" for port in self.machine.axis(axis).drive.outputs)
+        return Late(f"{axis}.drive.{'accepted' if late else 'applied'}")
+
+    def noisy(self, part: Any, axis: str, slot: str) -> Any:
+        """Return a component with the noise of this axis, seed and trial, if it makes any."""
+        if not part.parameters.get("stream") or part.stream:
+            return part
+        return part.replace(stream=stream_of(self.seed, axis, slot, *((self.trial,) if self.trial else ())))
+
     def velocity(self, axis: str) -> Any:
         """Return the wire of the velocity that an axis' controller sees."""
         true = isinstance(self.controller.axes[axis].velocity, TrueVelocity)
@@ -118,14 +141,15 @@ class _Builder:
         for axis, at in zip(self.machine.axes, self.start, strict=True):
             if not isinstance(axis.sensor, IdealSensor):
                 wires = {"position": Late(f"{axis.name}.plant.position")}
-                sensor: Any = axis.sensor
-                if sensor.parameters.get("stream") and not sensor.stream:
-                    sensor = sensor.replace(stream=stream_of(self.seed, axis.name, "sensor"))
+                sensor = self.noisy(axis.sensor, axis.name, "sensor")
                 self.add(f"{axis.name}.sensor", sensor, f"axes.{axis.name}.sensor", wires, float(at))
-            part = self.controller.axes[axis.name].velocity
-            if not isinstance(part, TrueVelocity):
-                prefix = f"controller.axes.{axis.name}.velocity"
-                self.add(f"{axis.name}.velocity", part, prefix, {"position": self.measured(axis.name)}, float(at))
+            mine, prefix = self.controller.axes[axis.name], f"controller.axes.{axis.name}"
+            if mine.predictor is not None:
+                wires = {"position": self.measured(axis.name), "applied": self.accepted(axis.name)}
+                self.add(f"{axis.name}.predictor", mine.predictor, f"{prefix}.predictor", wires, float(at))
+            if not isinstance(mine.velocity, TrueVelocity):
+                wires = {"position": self.seen(axis.name)}
+                self.add(f"{axis.name}.velocity", mine.velocity, f"{prefix}.velocity", wires, float(at))
 
     def contour(self, view: PathView | None) -> None:
         estimator, coupling = self.controller.estimator, self.controller.coupling
@@ -138,35 +162,74 @@ class _Builder:
         wires: dict[str, Any] = {"position": positions, "arc_length": "in.arc_length"}
         self.nodes.append(Node("estimator", step, wires, parameters, seen.tables, {"foot": self.progress}))
         if coupling is not None:
-            wires = {
-                "reference": "in.reference",
-                "position": positions,
-                "foot_position": "estimator.foot_position",
-                "error_vector": "estimator.error_vector",
-            }
-            self.add("coupling", coupling, "controller.coupling", wires)
+            offered = {"reference": "in.reference", "position": positions}
+            offered |= {port.name: f"estimator.{port.name}" for port in step.outputs}
+            self.add("coupling", coupling, "controller.coupling", {port.name: offered[port.name] for port in coupling.inputs})
+
+    def coupled(self, output: str) -> bool:
+        """Tell whether the coupling gives this."""
+        coupling = self.controller.coupling
+        return coupling is not None and any(port.name == output for port in coupling.outputs)
 
     def control(self) -> None:
         for j, (axis, at) in enumerate(zip(self.machine.axes, self.start, strict=True)):
-            name, mine = axis.name, self.controller.axes[axis.name]
+            name, mine, prefix = axis.name, self.controller.axes[axis.name], f"controller.axes.{axis.name}"
             applied = Late(f"{name}.drive.applied")
-            late = any(port.name == "accepted" for port in axis.drive.outputs)
             if mine.observer is not None:
                 wires = {"velocity": self.velocity(name), "applied": applied}
-                self.add(f"{name}.observer", mine.observer, f"controller.axes.{name}.observer", wires)
+                self.add(f"{name}.observer", mine.observer, f"{prefix}.observer", wires)
+            asked = {signal: f"in.{signal}[{j}]" for signal in EXTERNALS}
+            if mine.feedforward is not None:
+                ahead = {**asked, AHEAD: f"in.{AHEAD}[{j}]"}
+                wires = {port.name: ahead[port.name] for port in mine.feedforward.inputs}
+                self.add(f"{name}.feedforward", mine.feedforward, f"{prefix}.feedforward", wires, float(at))
             offered = {
-                "reference": f"coupling.modified_reference[{j}]" if self.controller.coupling is not None else f"in.reference[{j}]",
-                "reference_velocity": f"in.reference_velocity[{j}]",
-                "reference_acceleration": f"in.reference_acceleration[{j}]",
-                "position": self.measured(name),
+                **asked,
+                "reference": self.followed(name, j, float(at)),
+                "position": self.seen(name),
                 "velocity": self.velocity(name),
                 "disturbance_estimate": f"{name}.observer.disturbance_estimate" if mine.observer is not None else 0.0,
+                "feedforward": self.added(name, j),
                 "applied": applied,
-                "accepted": Late(f"{name}.drive.accepted") if late else applied,
+                "accepted": self.accepted(name),
             }
             wires = {port.name: offered[port.name] for port in mine.controller.inputs}
-            self.add(f"{name}.controller", mine.controller, f"controller.axes.{name}.controller", wires, float(at))
+            self.add(f"{name}.controller", mine.controller, f"{prefix}.controller", wires, float(at))
             self.add(f"{name}.drive", axis.drive, f"axes.{name}.drive", {"command": f"{name}.controller.command"})
+
+    def followed(self, name: str, j: int, at: float) -> Any:
+        """Return the wire of the position that an axis' controller is asked for."""
+        terms = [f"coupling.modified_reference[{j}]" if self.coupled("modified_reference") else f"in.reference[{j}]"]
+        terms += self.fed_forward(name, "reference_shift")
+        if LEARNED_REFERENCE in self.fed:
+            terms.append(f"in.{LEARNED_REFERENCE}[{j}]")
+        return self.sum_of(f"{name}.reference", terms)
+
+    def added(self, name: str, j: int) -> Any:
+        """Return the wire of what is added to an axis' command: cross-coupling, feedforward, and what earlier trials have taught."""
+        terms = [f"coupling.correction[{j}]"] if self.coupled("correction") else []
+        terms += self.fed_forward(name, "command")
+        if LEARNED_COMMAND in self.fed:
+            terms.append(f"in.{LEARNED_COMMAND}[{j}]")
+        controller = self.controller.axes[name].controller
+        if terms and not any(port.name == "feedforward" for port in controller.inputs):
+            raise ParameterError(
+                f"controller.axes.{name}.controller",
+                f'"{controller.kind}"',
+                "one with a port feedforward: cross-coupling, learning and feedforward add to its command",
+            )
+        return self.sum_of(f"{name}.added", terms) if terms else 0.0
+
+    def fed_forward(self, name: str, output: str) -> list[str]:
+        part = self.controller.axes[name].feedforward
+        return [f"{name}.feedforward.{output}"] if part is not None and any(port.name == output for port in part.outputs) else []
+
+    def sum_of(self, node: str, terms: list[str]) -> str:
+        """Return the wire of a sum; of a single term it is that term's own."""
+        if len(terms) == 1:
+            return terms[0]
+        self.nodes.append(Node(node, sum_step(len(terms)), {"terms": tuple(terms)}))
+        return f"{node}.total"
 
     def move(self) -> None:
         for axis, at in zip(self.machine.axes, self.start, strict=True):
@@ -174,7 +237,7 @@ class _Builder:
             load: Any = 0.0
             if axis.disturbance is not None:
                 wires = {"position": Late(f"{name}.plant.position")}
-                self.add(f"{name}.disturbance", axis.disturbance, f"{prefix}.disturbance", wires)
+                self.add(f"{name}.disturbance", self.noisy(axis.disturbance, name, "disturbance"), f"{prefix}.disturbance", wires)
                 load = f"{name}.disturbance.force"
             # Two modules that move along each other push on each other with the mass that the upper one moves.
             partners = {a.name: a.alignment * self.moved_mass(a) for a in self.machine.axes if a.mounted_on == name and a.alignment}
@@ -223,8 +286,9 @@ class _Builder:
             found["disturbance_estimate"] = tuple(f"{name}.observer.disturbance_estimate" for name in self.names)
         if self.controller.estimator is not None:
             found["contour_error_estimate"] = ("estimator.contour_error_estimate",)
-        if self.controller.coupling is not None:
-            found["modified_reference"] = tuple(f"coupling.modified_reference[{j}]" for j in range(len(self.names)))
+        for output, signal in (("modified_reference", "modified_reference"), ("correction", "coupling_command")):
+            if self.coupled(output):
+                found[signal] = tuple(f"coupling.{output}[{j}]" for j in range(len(self.names)))
         return found
 
 
@@ -247,6 +311,8 @@ def build(
     view: PathView | None = None,
     extra: tuple[Node, ...] = (),
     seed: int = 0,
+    trial: int = 0,
+    fed: tuple[str, ...] = (),
 ) -> Loop:
     """Return the schedule of a machine under its controller.
 
@@ -266,10 +332,12 @@ def build(
         Another view of the path than the default.
     extra : tuple of Node
         Nodes that run at the end of the controllers, before the record point: the judge of a batch.
-    seed : int
-        Of all noise.
+    seed, trial : int
+        Of all noise: each trial has its own.
+    fed : tuple of str
+        What is fed besides the reference, a row per axis: see `contourlab.loop.feeding`.
     """
-    builder = _Builder(machine, controller, path, start, progress, overrides or {}, seed)
+    builder = _Builder(machine, controller, path, start, progress, overrides or {}, seed, trial, frozenset(fed))
     builder.sense()
     builder.contour(view)
     builder.control()
@@ -277,5 +345,5 @@ def build(
     record_point = len(builder.nodes)
     builder.move()
     n = len(builder.names)
-    externals = (*(Port(name, n) for name in EXTERNALS), Port("arc_length"), Port("feedrate"))
+    externals = (*(Port(name, n) for name in EXTERNALS), Port("arc_length"), Port("feedrate"), *(Port(name, n) for name in fed))
     return Loop(Schedule(tuple(builder.nodes), externals, machine.servo_period, record_point), builder.signals())

@@ -24,9 +24,9 @@ def stream_of(seed: int, *words: object) -> float:
 class ToolPosition:
     """Turns blocks of true axis positions into positions of the tool, in order; it remembers the direction of motion between blocks."""
 
-    def __init__(self, machine: Machine, seed: int) -> None:
+    def __init__(self, machine: Machine, seed: int, trial: int = 0) -> None:
         self.machine = machine
-        self._streams = [stream_of(seed, axis.name, "repeatability") for axis in machine.axes]
+        self._streams = [stream_of(seed, axis.name, "repeatability", *((trial,) if trial else ())) for axis in machine.axes]
         self._direction = np.zeros(len(machine.axes))
         self._reversals = np.zeros(len(machine.axes), dtype=int)
         names = machine.axis_names

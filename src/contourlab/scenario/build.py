@@ -167,9 +167,9 @@ def _axis_controller(table: Table, machine: Machine, name: str) -> AxisControlle
     axis = machine.axis(name)
     units = (axis.plant.command_unit, axis.plant.force_unit)
     parts: dict[str, Any] = {}
-    for slot in ("velocity", "observer"):
+    for slot in ("predictor", "velocity", "observer", "feedforward"):
         if slot in table.entries:
-            parts[slot] = read_component(table.entries[slot], slot, units, optional=slot == "observer")
+            parts[slot] = read_component(table.entries[slot], slot, units, optional=slot != "velocity")
     model = _model(machine, axis, parts.get("observer"))
     parts["controller"] = _position(table, units, model)
     local = _local(plain.local, parts, table)

@@ -11,6 +11,7 @@ from typing import Any
 
 from contourlab.components.contract import Component, Parameter
 from contourlab.loop import Axis, AxisController, AxisError, Controller, Limits, Machine
+from contourlab.loop.machine import CONTROLLER_SLOTS
 from contourlab.scenario.components import parameters_of
 from contourlab.scenario.files import BUILTIN, builtin_file, builtin_names
 from contourlab.scenario.toml_text import Noted, toml
@@ -175,7 +176,7 @@ def machine_tables(machine: Machine) -> dict[str, Any]:
 
 
 def _axis_controller_table(part: AxisController, units: tuple[str, str]) -> dict[str, Any]:
-    table = {slot: component_table(getattr(part, slot), units) for slot in ("controller", "velocity", "observer")}
+    table = {slot: component_table(getattr(part, slot), units) for slot in reversed(CONTROLLER_SLOTS)}
     return {"local": list(part.local), **table} if part.local else table
 
 

@@ -149,6 +149,8 @@ class AxisControllerTable(_Strict):
     controller: Any
     velocity: Any = None
     observer: Any = None
+    predictor: Any = None
+    feedforward: Any = None
     local: list[str] = []
 
 

@@ -25,11 +25,11 @@ def _make(hold: bool, ipv: bool) -> Any:
         integral = x.integral + rise
         if ipv:
             proportional = par.position_gain * (x.start - inp.position) - par.velocity_gain * inp.velocity
-            command = proportional + par.integral_rate * integral - inp.disturbance_estimate
+            command = proportional + par.integral_rate * integral + inp.feedforward - inp.disturbance_estimate
         else:
             forward = par.acceleration_feedforward * inp.reference_acceleration + par.velocity_feedforward * inp.reference_velocity
             loop = par.velocity_gain * (inp.reference_velocity - inp.velocity) + par.position_gain * error
-            command = loop + par.integral_rate * integral + forward - inp.disturbance_estimate
+            command = loop + par.integral_rate * integral + forward + inp.feedforward - inp.disturbance_estimate
         return (integral, x.start, command), (command,)
 
     return step
@@ -38,12 +38,12 @@ def _make(hold: bool, ipv: bool) -> Any:
 class PositionController(Component):
     """PI position control with velocity feedback and feedforward of the axis' model.
 
-    ``structure = "feedforward"`` (eq 15): u = K_V (r_v - v) + K_P (r' - p) + K_P K_I int (r' - p) + (r_a + b' r_v)/a' - d_hat. Position and
-    integral act on the modified reference r'; velocity and acceleration come from the reference itself, since differences of r' would feed
-    the measured position back. With the ideal axis a'/(s (s + b')) the position follows the reference exactly.
+    ``structure = "feedforward"`` (eq 15): u = K_V (r_v - v) + K_P (r' - p) + K_P K_I int (r' - p) + (r_a + b' r_v)/a' + u_ff - d_hat.
+    Position and integral act on the modified reference r'; velocity and acceleration come from the reference itself, since differences of
+    r' would feed the measured position back. With the ideal axis a'/(s (s + b')) the position follows the reference exactly.
 
-    ``structure = "ipv"``: u = K_P K_I int (r' - p) - K_P p - K_V v - d_hat with p counted from the start, which has the closed loop of eq
-    (16) and no feedforward.
+    ``structure = "ipv"``: u = K_P K_I int (r' - p) - K_P p - K_V v + u_ff - d_hat with p counted from the start, which has the closed loop
+    of eq (16) and no feedforward of the reference. u_ff is what the port ``feedforward`` brings from elsewhere, in either structure.
 
     ``anti_windup = "hold"`` stops the integral while the drive saturates and the error would drive it further.
 
@@ -71,6 +71,7 @@ class PositionController(Component):
         Port("position"),
         Port("velocity"),
         Port("disturbance_estimate"),
+        Port("feedforward"),
         Port("accepted"),
     )
     outputs = (Port("command"),)
@@ -151,7 +152,7 @@ class PositionController(Component):
         p, v = self.position_gain, self.velocity_gain
         rate = p * self.integral_gain
         ahead = 0.0 if self.structure == "ipv" else 1.0
-        gains = [ahead * p, ahead * (v + self.model_damping / self.model_gain), ahead / self.model_gain, -p, -v, -1.0]
+        gains = [ahead * p, ahead * (v + self.model_damping / self.model_gain), ahead / self.model_gain, -p, -v, -1.0, 1.0]
         names = tuple(port.name for port in self.inputs[:-1])
-        b = np.array([[1.0, 0.0, 0.0, -1.0, 0.0, 0.0]])
+        b = np.array([[1.0, 0.0, 0.0, -1.0, 0.0, 0.0, 0.0]])
         return LinearModel(np.zeros((1, 1)), b, np.array([[rate]]), np.array([gains]), names, ("command",))

@@ -8,7 +8,7 @@ from typing import Any
 from contourlab.components.contract import Component, Port, param, text_param
 from contourlab.engine.step import Step
 from contourlab.geometry.view import PathView
-from contourlab.primitives import clip, dot, lincomb, maximum, select, sqrt, sub
+from contourlab.primitives import clip, dot, lincomb, maximum, scale, select, sqrt, sub
 
 __all__ = ["Newton"]
 
@@ -42,6 +42,7 @@ class Newton(Component):
         Port("error_vector", -1),
         Port("contour_error_estimate"),
         Port("foot_arc_length"),
+        Port("tangent", -1),
     )
 
     window: float = param(
@@ -96,6 +97,6 @@ def _make(evaluate: Any, n_axis: int, iterations: int, both: bool) -> Any:
         normal = lincomb(1.0, gap, -dot(q1, gap) / square, q1)
         # In the plane, positive to the left of the direction of travel.
         estimate = (q1[1] * gap[0] - q1[0] * gap[1]) / sqrt(square) if planar else sqrt(dot(normal, normal))
-        return (s,), (q, normal, estimate, s)
+        return (s,), (q, normal, estimate, s, scale(1.0 / sqrt(square), q1))
 
     return step

@@ -1,0 +1,125 @@
+"""What is fed to the loop at each tick: the reference, what was learned from earlier trials, and the reference of ticks to come."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from contourlab.components.contract import Component
+from contourlab.engine.step import Port
+from contourlab.errors import ParameterError
+from contourlab.feed import Reference, ReferenceBlock
+from contourlab.loop.machine import Controller, Machine
+
+__all__ = ["AHEAD", "LEARNED_COMMAND", "LEARNED_REFERENCE", "Feed", "Learned", "extra_externals"]
+
+Array = NDArray[np.float64]
+
+LEARNED_COMMAND, LEARNED_REFERENCE, AHEAD = "learned_command", "learned_reference", "reference_ahead"
+
+
+@dataclass(frozen=True, eq=False)
+class Learned:
+    """What is added at each sample, as earlier trials have taught it.
+
+    Parameters
+    ----------
+    command : ndarray (n_sample, n_axis) [command unit], optional
+        Added to the commands of the controllers.
+    reference : ndarray (n_sample, n_axis) [m], optional
+        Added to the positions that the controllers are asked for.
+
+    Raises
+    ------
+    ParameterError
+        If an array is no matrix, or holds a number that is not finite.
+    """
+
+    command: Array | None = None
+    reference: Array | None = None
+
+    def __post_init__(self) -> None:
+        for name in ("command", "reference"):
+            values = getattr(self, name)
+            if values is not None and (values.ndim != 2 or not np.isfinite(values).all()):
+                raise ParameterError(f"learned.{name}", f"an array of shape {values.shape}", "finite, (n_sample, n_axis)")
+
+    def check(self, n_sample: int, n_axis: int) -> None:
+        """Raise ParameterError unless the arrays belong to a motion of so many samples and axes."""
+        for name in ("command", "reference"):
+            values = getattr(self, name)
+            if values is not None and values.shape != (n_sample, n_axis):
+                raise ParameterError(f"learned.{name}", f"of shape {values.shape}", f"({n_sample}, {n_axis}), as the reference")
+
+
+def _feedforwards(machine: Machine, controller: Controller) -> list[Component | None]:
+    return [controller.axes[name].feedforward if name in controller.axes else None for name in machine.axis_names]
+
+
+def ticks_ahead(machine: Machine, controller: Controller) -> tuple[int, ...]:
+    """Return for each axis how many ticks its feedforward looks ahead."""
+    return tuple(0 if part is None else part.ahead(machine.servo_period) for part in _feedforwards(machine, controller))
+
+
+def extra_externals(machine: Machine, controller: Controller, learned: Learned | None) -> tuple[str, ...]:
+    """Return the names of what is fed besides the reference, each a row per axis."""
+    found = []
+    if learned is not None and learned.command is not None:
+        found.append(LEARNED_COMMAND)
+    if learned is not None and learned.reference is not None:
+        found.append(LEARNED_REFERENCE)
+    if any(part is not None and any(port.name == AHEAD for port in part.inputs) for part in _feedforwards(machine, controller)):
+        found.append(AHEAD)
+    return tuple(found)
+
+
+class Feed:
+    """The externals of a run, block by block.
+
+    Parameters
+    ----------
+    machine, controller, reference
+        What runs.
+    learned : Learned, optional
+    fill : callable, optional
+        How planned samples are worked out; as of `Reference.block`.
+    """
+
+    def __init__(self, machine: Machine, controller: Controller, reference: Reference, learned: Learned | None, fill: Any) -> None:
+        if learned is not None:
+            learned.check(reference.n_sample, reference.n_axis)
+        self.reference, self.learned, self._fill = reference, learned, fill
+        self.names = extra_externals(machine, controller, learned)
+        self._ahead = ticks_ahead(machine, controller)
+
+    @property
+    def ports(self) -> tuple[Port, ...]:
+        """The ports of what is fed besides the reference."""
+        return tuple(Port(name, self.reference.n_axis) for name in self.names)
+
+    def block(self, start: int, stop: int) -> tuple[ReferenceBlock, Array]:
+        """Return the samples of the reference, and all that is fed: (n, n_external), each signal one row of memory."""
+        asked = self.reference.block(start, stop, self._fill)
+        if not self.names:
+            return asked, asked.table
+        rows = [asked.table.T]
+        for name in self.names:
+            rows.append(self._coming(start, stop).T if name == AHEAD else self._taught(name)[start:stop].T)
+        return asked, np.concatenate(rows).T
+
+    def _taught(self, name: str) -> Array:
+        assert self.learned is not None  # said by the names
+        found = self.learned.command if name == LEARNED_COMMAND else self.learned.reference
+        assert found is not None
+        return found
+
+    def _coming(self, start: int, stop: int) -> Array:
+        """Return the positions asked for some ticks later; after the end the last one holds."""
+        last = self.reference.n_sample
+        far = min(stop + max(self._ahead), last)
+        position = self.reference.block(start, far, self._fill).position
+        index = np.arange(stop - start)
+        return np.column_stack([position[np.minimum(index + ticks, far - start - 1), j] for j, ticks in enumerate(self._ahead)])

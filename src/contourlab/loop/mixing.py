@@ -1,0 +1,23 @@
+"""Nodes that add signals up."""
+
+from __future__ import annotations
+
+from functools import cache
+from typing import Any
+
+from contourlab.engine.step import Port, Step
+
+__all__ = ["sum_step"]
+
+
+@cache
+def sum_step(n: int) -> Step:
+    """Return the step that adds `n` signals, two or more."""
+    return Step("sum", _total, (), (), "", (), (Port("terms", n),), (Port("total"),))
+
+
+def _total(par: Any, x: Any, inp: Any, clock: Any) -> Any:
+    total = inp.terms[0]
+    for i in range(1, len(inp.terms)):
+        total = total + inp.terms[i]
+    return (), (total,)
