@@ -5,16 +5,19 @@ Inside: `tree` (raw content that remembers where it stands), `files` (parts in f
 run), `values` (what comes out), `load` (the doors), `dump` and `toml_text` (the way back).
 """
 
+from contourlab.scenario.case import Case, Overrides, Scenario
 from contourlab.scenario.dump import dump
 from contourlab.scenario.files import BUILTIN, builtin_file, builtin_names
+from contourlab.scenario.learning import LearningSettings
 from contourlab.scenario.load import load_axis, load_controller, load_machine, load_scenario, parse_scenario, scenario_from_parts
-from contourlab.scenario.values import Case, Contour, FeedSettings, Motion, Overrides, PartProgram, RunSettings, Scenario
+from contourlab.scenario.values import Contour, FeedSettings, Motion, PartProgram, RunSettings
 
 __all__ = [
     "BUILTIN",
     "Case",
     "Contour",
     "FeedSettings",
+    "LearningSettings",
     "Motion",
     "Overrides",
     "PartProgram",

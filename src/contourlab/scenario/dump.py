@@ -12,11 +12,13 @@ from typing import Any
 from contourlab.components.contract import Component, Parameter
 from contourlab.loop import Axis, AxisController, AxisError, Controller, Limits, Machine
 from contourlab.loop.machine import CONTROLLER_SLOTS
+from contourlab.scenario.case import Case, Scenario
 from contourlab.scenario.components import parameters_of
 from contourlab.scenario.files import BUILTIN, builtin_file, builtin_names
+from contourlab.scenario.learning import LearningSettings
 from contourlab.scenario.toml_text import Noted, toml
 from contourlab.scenario.tree import DEFAULT
-from contourlab.scenario.values import Case, Contour, Motion, PartProgram, Scenario
+from contourlab.scenario.values import Contour, Motion, PartProgram
 from contourlab.units import from_si, to_si
 
 __all__ = ["dump", "quantity"]
@@ -252,12 +254,23 @@ def case_tables(case: Case) -> dict[str, Any]:
         plain: dict[str, Any] = {k: list(v) if isinstance(v, tuple) else v for k, v in given.items()}
         return {k: quantity(v, *units[k]) if k in units else v for k, v in plain.items()}
 
+    learning = {} if case.learning is None else {"learning": learning_table(case.learning, case.machine)}
     return {
         **machine_tables(case.machine),
         "controller": controller_table(case.controller, case.machine),
         "feed": settings(case.feed),
         "run": settings(case.run),
+        **learning,
     }
+
+
+def learning_table(learning: LearningSettings, machine: Machine) -> dict[str, Any]:
+    """Return ``learning``."""
+    plant = machine.axes[0].plant
+    table: dict[str, Any] = {f.name: getattr(learning, f.name) for f in fields(learning) if f.name not in ("law", "table")}
+    if learning.table is not None:
+        table["table"] = learning.table.resolve().as_posix()
+    return {"law": component_table(learning.law, (plant.command_unit, plant.force_unit)), **table}
 
 
 def difference(base: Mapping[str, Any], other: Mapping[str, Any]) -> dict[str, Any]:

@@ -11,15 +11,17 @@ from contourlab.components.registry import load_plugin
 from contourlab.errors import ScenarioError
 from contourlab.loop import Axis, Controller, Machine
 from contourlab.scenario.build import build_axis, build_controller, build_machine
+from contourlab.scenario.case import Case, Scenario
 from contourlab.scenario.files import BUILTIN, EVERY, Reader, builtin_file, join, listed
+from contourlab.scenario.learning import read_learning
 from contourlab.scenario.motion import read_feed, read_motion, read_run
 from contourlab.scenario.tables import ScenarioTable, read_table
 from contourlab.scenario.tree import Leaf, Node, Table, from_mapping, hint, merge, parse_tree, settle
-from contourlab.scenario.values import Case, Contour, Motion, Scenario
+from contourlab.scenario.values import Contour, Motion
 
 __all__ = ["load_axis", "load_controller", "load_machine", "load_scenario", "named_file", "parse_scenario", "scenario_from_parts"]
 
-SCHEME_KEYS = ("machine", "axes", "controller", "feed", "run")
+SCHEME_KEYS = ("machine", "axes", "controller", "feed", "run", "learning")
 COMMAND_LINE = "<arguments>"
 """What messages call values that come from no file; relative names then start at the working folder."""
 _loaded: set[Path] = set()
@@ -33,6 +35,7 @@ class _Layers:
     controller: Node
     feed: Table
     run: Table
+    learning: Table
 
     @property
     def names(self) -> tuple[str, ...]:
@@ -253,7 +256,8 @@ def _scenario(reader: Reader, content: Table, path: Path) -> Scenario:
         raise content.error("contour and program are both given: leave one out" if both else "one of contour and program is missing")
     machine = reader.machine(_only(content, "machine", "axes"))
     reader = replace(reader, names=listed(machine))
-    layers = _Layers(machine, reader.controller(content.entries["controller"]), content.table("feed"), content.table("run"))
+    settings = (content.table(name) for name in ("feed", "run", "learning"))
+    layers = _Layers(machine, reader.controller(content.entries["controller"]), *settings)
     base_machine = build_machine(settle(machine))
     motion = read_motion(content, base_machine)
     base = _case("base", layers, motion, content)
@@ -288,8 +292,7 @@ def _over(reader: Reader, base: _Layers, scheme: Table) -> _Layers:
         _check_axes(scheme.entries["controller"], reader.names, controller)
         fresh = isinstance(over, Leaf) or isinstance(controller, Leaf) or over.afresh
         controller = over if fresh else join(controller, over, reader.names)  # type: ignore[arg-type]
-    feed, run = (merge(getattr(base, name), scheme.table(name)) for name in ("feed", "run"))
-    return _Layers(machine, controller, feed, run)
+    return _Layers(machine, controller, *(merge(getattr(base, name), scheme.table(name)) for name in ("feed", "run", "learning")))
 
 
 def _check_axes(over: Node, names: tuple[str, ...], base: Table | Leaf) -> None:
@@ -317,4 +320,4 @@ def _case(name: str, layers: _Layers, motion: Motion, place: Table) -> Case:
         what = motion.name if isinstance(motion, Contour) else motion.file.name
         cure = "a scheme's machine must have as many axes as the base's"
         raise place.error(f"{what} has {motion.n_axis} coordinates, {machine.name} has the axes {', '.join(machine.axis_names)}: {cure}")
-    return Case(name, machine, controller, motion, feed, run)
+    return Case(name, machine, controller, motion, feed, run, read_learning(settle(layers.learning), machine))

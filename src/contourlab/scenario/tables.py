@@ -19,6 +19,7 @@ __all__ = [
     "ErrorTable",
     "FeedTable",
     "GainsTable",
+    "LearningTable",
     "LimitsTable",
     "MachineTable",
     "ProgramTable",
@@ -89,6 +90,7 @@ class ScenarioTable(_Strict):
     program: Any = None
     feed: Any = None
     run: Any = None
+    learning: Any = None
     schemes: Any = None
 
 
@@ -211,6 +213,16 @@ class RunTable(_Strict):
     seed: Annotated[int, Field(ge=0, lt=2**63)] = 0
     tolerance: Distance | None = None
     evaluate: Literal["last-lap", "whole"] = "last-lap"
+
+
+class LearningTable(_Strict):
+    """``[learning]``; the law is read by its own declaration."""
+
+    law: Any
+    trials: Annotated[int, Field(ge=1, le=100_000)] = 30
+    improvement: Part = 0.01
+    patience: Annotated[int, Field(ge=1, le=100_000)] = 10
+    table: Annotated[str, Field(min_length=1)] | None = None
 
 
 Model = TypeVar("Model", bound=BaseModel)

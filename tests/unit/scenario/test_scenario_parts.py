@@ -16,6 +16,7 @@ from contourlab.components.friction.none import NoFriction
 from contourlab.components.registry import component, components
 from contourlab.errors import ScenarioError
 from contourlab.loop import Axis, AxisController, AxisError, Controller, Limits, Machine
+from contourlab.loop.machine import CONTROLLER_SLOTS
 from contourlab.scenario import (
     dump,
     load_axis,
@@ -204,8 +205,8 @@ def test_every_component_is_written_and_read_back(kind: type, written: Write) ->
     plant = part if kind.family == "plant" else components("plant")[0](**components("plant")[0].example)
     slots = {"friction", "drive", "sensor", "disturbance"} & {kind.family}
     machine = Machine("m", (Axis("x", plant, **dict.fromkeys(slots, part)), Axis("y", plant)), 1e-3)
-    mine = {kind.family: part} if kind.family in ("controller", "velocity", "observer") else {}
-    top = {"estimator": components("estimator")[0]()} if kind.family == "coupling" else {}
+    mine = {kind.family: part} if kind.family in CONTROLLER_SLOTS else {}
+    top = {"estimator": component("estimator", "newton")()} if kind.family == "coupling" else {}
     top |= {kind.family: part} if kind.family in ("estimator", "coupling") else {}
     controller = Controller({"x": AxisController(**mine), "y": AxisController()}, **top)
     read = load_machine(written(m=dump(machine)))
