@@ -14,7 +14,9 @@ from contourlab.components.contract import Component
 from contourlab.components.controller.position import PositionController
 from contourlab.components.drive.saturation import Saturation
 from contourlab.components.friction.none import NoFriction
+from contourlab.components.plant.lagged_mass import LaggedMass
 from contourlab.components.plant.single_mass import SingleMass
+from contourlab.components.propagator import STIFFEST
 from contourlab.components.sensor.ideal import IdealSensor
 from contourlab.components.velocity.true import TrueVelocity
 from contourlab.errors import FeedError, ParameterError
@@ -145,18 +147,22 @@ class Machine:
         Raises
         ------
         FeedError
-            If an axis has no velocity limit.
+            If an axis has no velocity limit, or neither an acceleration nor a jerk limit.
         """
         free = [axis.name for axis in self.axes if not np.isfinite(axis.limits.velocity)]
         if free:
             raise FeedError(f"axis {free[0]} of {self.name} has no velocity limit to plan with: give it limits.velocity")
         found = [axis.limits for axis in self.axes]
-        return AxisLimits([x.velocity for x in found], [x.acceleration for x in found], [x.jerk for x in found])
+        limits = AxisLimits([x.velocity for x in found], [x.acceleration for x in found], [x.jerk for x in found])
+        if limits.unbounded.any():
+            name = self.axes[int(np.argmax(limits.unbounded))].name
+            raise FeedError(f"axis {name} of {self.name} has no limit for its ramps: give it limits.acceleration, limits.jerk, or both")
+        return limits
 
     def _check_masses(self, axis: Axis) -> None:
         """A plant that is known by its response only cannot be given more mass, nor tell what it moves."""
         carried = self.carried_mass(axis.name)
-        if carried and "carried_mass" not in axis.plant.parameters:
+        if carried and not axis.plant.knows_mass:
             raise ParameterError(
                 f"axes.{axis.name}.plant",
                 f'"{axis.plant.kind}"',
@@ -164,7 +170,7 @@ class Machine:
             )
         below = self.axis(axis.mounted_on).plant if axis.mounted_on and axis.alignment else axis.plant
         for plant in (axis.plant, below):
-            if axis.alignment and "carried_mass" not in plant.parameters:
+            if axis.alignment and not (plant.knows_mass and plant.force_unit == "N"):
                 raise ParameterError(
                     f"axes.{axis.name}.alignment",
                     f"{axis.alignment:g}",
@@ -172,7 +178,8 @@ class Machine:
                 )
 
     def _check_step(self, axis: Axis) -> None:
-        """The classical Runge-Kutta step follows a decay of at most 2.78 in a step."""
+        """The Runge-Kutta step follows a decay by friction of at most 2.78 in a step; a lag of the force may be far faster."""
+        self._check_lag(axis)
         steepest = getattr(type(axis.friction), "steepest", None)
         if steepest is None:
             return
@@ -185,6 +192,18 @@ class Machine:
                 f"axes.{axis.name}.substeps",
                 f"{axis.substeps}",
                 f"at least {wanted} for a {axis.friction.kind} friction as steep near rest as this; or take a softer or a sticking one",
+            )
+
+    def _check_lag(self, axis: Axis) -> None:
+        """The linear part of a plant whose force lags is exact up to a thousand of its time constants in a step."""
+        plant = self.loaded_plant(axis.name)
+        stiffness = plant.stiffness(self.servo_period) if isinstance(plant, LaggedMass) else 0.0
+        if stiffness / axis.substeps > STIFFEST:
+            raise ParameterError(
+                f"axes.{axis.name}.substeps",
+                f"{axis.substeps}",
+                f"at least {math.ceil(stiffness / STIFFEST)} for a {axis.plant.kind} whose time constants are so far below the servo "
+                "period; or take a plant without them, such as mass-damper",
             )
 
     @property

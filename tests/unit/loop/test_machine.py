@@ -10,6 +10,7 @@ import pytest
 from stages import PERIOD, control, make, stage, with_axis
 
 import contourlab as cl
+from contourlab.errors import FeedError
 from contourlab.loop import simulate_blocks
 
 
@@ -180,3 +181,17 @@ def test_values_out_of_range_are_refused() -> None:
         cl.AxisError(np.array([0.0, 0.0]), np.zeros(2))
     with pytest.raises(cl.ContourlabError, match="repeatability"):
         cl.AxisError(repeatability=-1.0)
+
+
+@pytest.mark.parametrize(
+    ("limits", "wanted"),
+    [
+        (cl.Limits(acceleration=1.0), "axis y of m has no velocity limit"),
+        (cl.Limits(velocity=0.5), "axis y of m has no limit for its ramps"),
+    ],
+)
+def test_limits_that_do_not_do_for_planning_name_the_axis(limits: cl.Limits, wanted: str) -> None:
+    plant = make("plant", "rigid-axis", gain=1.0)
+    whole = cl.Axis("x", plant, limits=cl.Limits(velocity=0.5, jerk=40.0))
+    with pytest.raises(FeedError, match=wanted):
+        cl.Machine("m", (whole, cl.Axis("y", plant, limits=limits)), 1e-3).planner_limits()
