@@ -133,3 +133,17 @@ def test_fit_leaves_alone_what_fits(contourlab: Run, tmp_path: Path) -> None:
     said = contourlab("run", write(tmp_path, "G21 F1000\nG1 X5\nM2\n"), *ON_XYZ, "--fit")
     assert said.code == 0, said.err
     assert "fitted" not in said.out.lower()
+
+
+@pytest.mark.parametrize("text", ["M2\n", "(nothing)\nG21\nM2\n"])
+def test_a_program_without_moves_is_a_document_too(contourlab: Run, tmp_path: Path, text: str) -> None:
+    said = contourlab("canon", write(tmp_path, text), "--json")
+    assert (said.code, json.loads(said.out)) == (0, {"moves": []})
+
+
+def test_travel_is_a_fault_on_a_machine_that_was_named(contourlab: Run, tmp_path: Path) -> None:
+    file = write(tmp_path, "G1 F100 X5000\nM2\n")
+    told = contourlab("check", file)
+    assert told.code == 0 and "note: axis x is sent to 0 .. 5000 mm" in told.out
+    held = contourlab("check", file, "--machine", "xyz")
+    assert held.code == 2 and "1 fault" in held.out

@@ -91,7 +91,8 @@ class Drawing:
             If there is none of that number, or there are several and none is chosen; lists what there is.
         """
         if not self.chains:
-            raise GeometryError(f"{self.file}: holds no contour{self._layers_listed()}")
+            aside = f"; left aside: {_some(self.notes)}" if self.notes else ""
+            raise GeometryError(f"{self.file}: holds no contour{self._layers_listed()}{aside}")
         if chain is None and len(self.chains) == 1:
             return self.chains[0]
         if chain is not None and 1 <= chain <= len(self.chains):

@@ -112,7 +112,7 @@ def _opened(path: File) -> Any:
 
 
 def _damaged(path: File, error: Exception) -> GeometryError:
-    why = str(error).strip() or type(error).__name__
+    why = str(error).strip() or "it breaks off, or contradicts itself"
     return GeometryError(f"{path}: is no readable DXF drawing, or a damaged one: {why}: export it again")
 
 

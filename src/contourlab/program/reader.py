@@ -28,6 +28,8 @@ Dialect: TypeAlias = Literal["linuxcnc", "grbl"]
 MOST_NOTICES = 1000
 MOST_PROBLEMS = 100
 """So many faults are kept at most."""
+MOST_REPEATED = 5_000_000
+"""So many moves are made in loops and subprograms: a few lines could ask for any number."""
 _PROGRAM_ENDS = (2, 30)
 _RETURN = 99
 
@@ -117,7 +119,7 @@ class Reader:
         ProgramError
             With file, line and column, when the faulty line is reached; at the end if there is no motion at all, or no end.
         """
-        walker, state, moved = self._walker, self.state, False
+        walker, state, moved, repeated = self._walker, self.state, False, 0
         lines = walker.lines()
         while True:
             try:
@@ -130,6 +132,10 @@ class Reader:
                 self._take(fault)
                 lines = walker.lines()
                 continue
+            if made and walker.repeating:
+                repeated += len(made)
+                if repeated > MOST_REPEATED:
+                    self._take(BlockError(f"loops and subprograms make more than {MOST_REPEATED} moves: shorten them", 0))
             for move in made:
                 walker.idle = 0
                 moved = moved or not isinstance(move, Dwell)

@@ -14,7 +14,7 @@ __all__ = ["Walker"]
 
 DEEPEST_CALL = 9
 """LinuxCNC has ten levels, the program itself among them."""
-MOST_IDLE = 200_000
+MOST_IDLE = 500_000
 """So many lines in loops and subprograms are executed without a move; more are taken for an endless loop."""
 MOST_REPEATS = 1e9
 _ENDS = {"while": "endwhile", "do": "while", "repeat": "endrepeat"}
@@ -93,6 +93,11 @@ class Walker:
         """Whether a call is being executed."""
         return len(self._frames) > 1
 
+    @property
+    def repeating(self) -> bool:
+        """Whether a loop or a subprogram is being executed."""
+        return bool(self.frame.loops) or len(self._frames) > 1
+
     def lines(self) -> Iterator[str]:
         """Yield lines until the end of the text; O-words are executed here."""
         while True:
@@ -101,7 +106,7 @@ class Walker:
             if line is None:
                 self._at_end(frame)
                 return
-            if not frame.loops and len(self._frames) == 1:
+            if not self.repeating:
                 frame.tape.forget(frame.index)
             else:
                 self._count()
@@ -114,7 +119,7 @@ class Walker:
     def _count(self) -> None:
         self.idle += 1
         if self.idle > MOST_IDLE:
-            raise BlockError(f"an endless loop: {MOST_IDLE} lines of loops and subprograms without a move", 0)
+            raise BlockError(f"{MOST_IDLE} lines of loops and subprograms without a move are taken for an endless loop", 0)
 
     def _at_end(self, frame: _Frame) -> None:
         if len(self._frames) > 1:
@@ -375,7 +380,7 @@ class Walker:
                     return found
                 if found.keyword == "sub" and keywords == ("endsub",):
                     raise BlockError(f"O{found.label} sub stands inside O{label} sub: write it before or behind", found.column)
-            if not frame.loops and len(self._frames) == 1:
+            if not self.repeating:
                 frame.tape.forget(frame.index)
         frame.index = begun  # the line that has no end is the one to look at
         raise BlockError(f"O{label} {word.keyword} has no end: write O{label} {keywords[-1]}", word.column)

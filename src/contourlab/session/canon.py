@@ -104,10 +104,11 @@ def write_canon(file: str | Path, out: TextIO, *, as_json: bool, reading: Readin
     """
     chosen = reading or Reading(require_end=False)
     with open_program(file, chosen, still=True) as reader, tempfile.SpooledTemporaryFile(IN_MEMORY, "w+", encoding="utf-8") as kept:
-        before = '{"moves": [' if as_json else ""
+        kept.write('{"moves": [' if as_json else "")
+        before = "\n"
         for move in canonical_moves(reader):
-            kept.write((before + "\n" + json.dumps(move)) if as_json else _line(move))
-            before = "," if as_json else ""
+            kept.write(before + json.dumps(move) if as_json else _line(move))
+            before = ",\n"
         kept.write("\n]}\n" if as_json else "")
         kept.seek(0)
         while part := kept.read(1 << 20):

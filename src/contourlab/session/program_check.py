@@ -40,14 +40,15 @@ class Checked:
     text: str
 
 
-def check_program(file: str | Path, machine: str | Path = DEFAULT_MACHINE, *, reading: Reading | None = None) -> Checked:
+def check_program(file: str | Path, machine: str | Path | None = None, *, reading: Reading | None = None) -> Checked:
     """Read a part program to its end, collecting its faults; work out its box, its feeds, and its cycle time on a machine.
 
     Parameters
     ----------
     file : str or Path
-    machine : str or Path
-        File, or name of a shipped machine: its limits give the cycle time, and its travel is looked at.
+    machine : str or Path, optional
+        File, or name of a shipped machine: its limits give the cycle time, and a program that leaves its travel has a fault. By default
+        a shipped one, whose travel is told of only.
     reading : Reading, optional
         By default a program need not say where it ends.
 
@@ -87,14 +88,16 @@ def _tools(program: Program) -> list[int]:
     return found
 
 
-def _add_motion(summary: dict[str, Any], program: Program, machine_file: str | Path) -> None:
+def _add_motion(summary: dict[str, Any], program: Program, chosen: str | Path | None) -> None:
     """Add lengths, box, cycle time, and whether the path lies within the machine's travel."""
     from contourlab.feed import blended, route_from_program
     from contourlab.feed.planner import plan_profile
     from contourlab.geometry.box import box
     from contourlab.scenario import load_machine
+    from contourlab.scenario.load import named_file
     from contourlab.scenario.values import DEFAULT_CORNER_TOLERANCE
 
+    machine_file = DEFAULT_MACHINE if chosen is None else named_file(chosen)
     machine = load_machine(machine_file)
     try:
         route = route_from_program(program, machine.axis_names, default_tolerance=DEFAULT_CORNER_TOLERANCE)
@@ -116,7 +119,7 @@ def _add_motion(summary: dict[str, Any], program: Program, machine_file: str | P
         if least < axis.limits.travel[0] - TRAVEL_ROUNDING or most > axis.limits.travel[1] + TRAVEL_ROUNDING:
             shown = f"{axis.limits.travel[0] * 1e3:g} to {axis.limits.travel[1] * 1e3:g} mm"
             message = f"axis {axis.name} is sent to {least * 1e3:.6g} .. {most * 1e3:.6g} mm, its travel on {machine.name} is {shown}"
-            summary["notices"].append({"line": 0, "column": 0, "message": message})
+            summary["notices" if chosen is None else "problems"].append({"file": "", "line": 0, "column": 0, "message": message})
 
 
 def _problem(error: ContourlabError) -> dict[str, Any]:

@@ -240,3 +240,13 @@ def test_moves_of_another_file_carry_the_line_of_the_call(tmp_path: Path) -> Non
     with pytest.raises(ProgramError) as caught:
         read_program(tmp_path / "main.ngc")
     assert (Path(caught.value.file).name, caught.value.line) == ("drill.ngc", 3)
+
+
+def test_loops_cannot_ask_for_any_number_of_moves(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("contourlab.program.reader.MOST_REPEATED", 1000)
+    text = "F100\n{}\no1 repeat [{}]\nG1 X1\nX0\no1 endrepeat\nM2"
+    lines = "\n".join(f"G1 Y{i % 7 + 1}" for i in range(1500))  # what the text itself holds is not counted
+    assert len(parse_program(text.format(lines, 500)).moves) == 1500 + 1000
+    with pytest.raises(ProgramError, match="loops and subprograms make more than 1000 moves") as caught:
+        parse_program(text.format("", 501))
+    assert caught.value.line == 4

@@ -17,8 +17,13 @@ FAULTY = 2
 def check(
     file: Part,
     machine: Annotated[
-        str, typer.Option(help="Machine whose limits give the cycle time: a file, or the name of a shipped one.")
-    ] = "builtin:xyz",
+        str | None,
+        typer.Option(
+            help="Machine whose limits give the cycle time, and whose travel must not be left: a file, or the name of a shipped one; "
+            "by default builtin:xyz, whose travel is told of only.",
+            show_default=False,
+        ),
+    ] = None,
     as_json: Annotated[bool, typer.Option("--json", help="Print JSON alone on standard output.")] = False,
     dialect: Dialect = "linuxcnc",
     block_delete: BlockDelete = False,
