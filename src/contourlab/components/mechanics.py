@@ -7,6 +7,8 @@ Three laws, each with its own way through time; the command and the load are hel
   instant is located on the cubic through both ends, and from there the axis is held, or slides the other way. No chatter, and friction
   never gives energy.
 - *bristle* friction is stiff: velocity and bristle are advanced together, implicitly, and extrapolated to second order.
+
+A plant whose drive's force lags behind its command has a third state; its laws are in `contourlab.components.lagged_mechanics`.
 """
 
 from __future__ import annotations
@@ -16,6 +18,7 @@ from functools import cache
 from typing import Any
 
 from contourlab.components.contract import Component
+from contourlab.components.lagged_mechanics import lagged_bristle, lagged_smooth, lagged_sticking
 from contourlab.engine.step import Step
 from contourlab.errors import ComponentError
 from contourlab.primitives import fabs, select
@@ -28,7 +31,7 @@ def link(plant: Component, friction: Component) -> Step:
 
     Parameters
     ----------
-    plant : SingleMass
+    plant : SingleMass, or the LaggedMass beside it
     friction : Component of the family friction
 
     Raises
@@ -39,7 +42,9 @@ def link(plant: Component, friction: Component) -> Step:
     shared = sorted({*plant.numeric(), *plant.derived} & {*friction.numeric(), *friction.derived})
     if shared:
         raise ComponentError(f"plant {plant.kind} and friction {friction.kind} both have a parameter {shared[0]!r}")
-    makers = {"smooth": _smooth, "sticking": _sticking, "bristle": _bristle}
+    makers: dict[str, Callable[..., Any]] = {"smooth": _smooth, "sticking": _sticking, "bristle": _bristle}
+    if any(port.name == "force" for port in plant.states):
+        makers = {"smooth": lagged_smooth, "sticking": lagged_sticking, "bristle": lagged_bristle}
     law = getattr(friction, "law", "")
     if law not in makers:
         raise ComponentError(f"friction {friction.kind}: law {law!r} is none of {', '.join(makers)}")

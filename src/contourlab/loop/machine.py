@@ -254,6 +254,14 @@ class AxisController:
     feedforward: Component | None = None
     local: tuple[str, ...] = ()
 
+    def __post_init__(self) -> None:
+        uses = any(port.name == "velocity" for port in self.controller.inputs) or self.observer is not None
+        if self.predictor is not None and uses and isinstance(self.velocity, TrueVelocity):
+            wanted = (
+                'made from the predicted position, as by "filtered-difference": the true one knows nothing of the commands on their way'
+            )
+            raise ParameterError("velocity", '"true"', wanted)
+
 
 @dataclass(frozen=True)
 class Controller:

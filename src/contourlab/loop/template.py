@@ -82,6 +82,14 @@ class _Builder:
                 f"{path.n_axis} coordinates",
                 f"one for each axis of {machine.name}: {', '.join(machine.axis_names)}",
             )
+        units = [axis.plant.command_unit for axis in machine.axes]
+        coupling = controller.coupling
+        if len(set(units)) > 1 and coupling is not None and any(port.name == "correction" for port in coupling.outputs):
+            raise ParameterError(
+                "controller.coupling",
+                f'"{coupling.kind}"',
+                f"one that acts on the reference, as the axes of {machine.name} take commands in {', '.join(units)}",
+            )
         self.machine, self.controller, self.path = machine, controller, path
         self.start, self.progress, self.overrides = start, progress, overrides
         self.seed, self.trial, self.fed = seed, trial, fed
@@ -176,7 +184,8 @@ class _Builder:
             name, mine, prefix = axis.name, self.controller.axes[axis.name], f"controller.axes.{axis.name}"
             applied = Late(f"{name}.drive.applied")
             if mine.observer is not None:
-                wires = {"velocity": self.velocity(name), "applied": applied}
+                # A predicted velocity is that of the commands ahead of their delay.
+                wires = {"velocity": self.velocity(name), "applied": applied if mine.predictor is None else self.accepted(name)}
                 self.add(f"{name}.observer", mine.observer, f"{prefix}.observer", wires)
             asked = {signal: f"in.{signal}[{j}]" for signal in EXTERNALS}
             if mine.feedforward is not None:
@@ -257,7 +266,7 @@ class _Builder:
         if carried:
             own = np.asarray(axis.plant.values()["carried_mass"])
             changed["carried_mass"] = changed.get("carried_mass", own) + carried
-        return axis.plant.block(self.period, changed)
+        return axis.plant.block(self.period / axis.substeps, changed)
 
     def moved_mass(self, axis: Axis) -> Any:
         """Return the mass [kg] that an axis moves in a straight line: a number, or one for each variant."""

@@ -198,8 +198,7 @@ def _model(machine: Machine, axis: Axis, observer: Component | None) -> _Model:
     if observer is not None and {"model_gain", "model_damping"} <= set(observer.parameters):
         values = observer.values()
         return _Model(values["model_gain"], values["model_damping"])
-    linear = machine.loaded_plant(axis.name).linearize()
-    return _Model(float(linear.b[1, 0]), float(-linear.a[1, 1]))
+    return _Model(*machine.loaded_plant(axis.name).rigid_model())
 
 
 def _position(table: Table, units: tuple[str, str], model: _Model) -> Any:

@@ -132,5 +132,4 @@ def _faster_observer(name: str, part: AxisController) -> AxisController:
 
 def _model_of(machine: Machine, name: str) -> tuple[float, float]:
     """Return acceleration per command and decay of an axis with all that stands on it."""
-    model = machine.loaded_plant(name).linearize()
-    return float(model.b[1, 0]), float(-model.a[1, 1])
+    return machine.loaded_plant(name).rigid_model()

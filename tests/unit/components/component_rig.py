@@ -41,7 +41,7 @@ def run_alone(
     n_tick, n_axis = next(iter(columns.values())).shape[0], max(c.shape[1] for c in columns.values())
     resting = friction or NoFriction()
     step = link(part, resting) if part.family == "plant" else part.make_step(n_axis)
-    values = part.block(period) | (resting.block(period) if part.family == "plant" else {})
+    values = part.block(period / substeps) | (resting.block(period) if part.family == "plant" else {})
     at, start = part.at_rest(0.0)
     node = Node(
         "part",

