@@ -11,6 +11,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from contourlab.analysis.response import AxisResponse
 from contourlab.analysis.sampled_loop import sampled_loop
+from contourlab.components.conformance import SLOTS
 from contourlab.components.contract import Component, LinearModel
 from contourlab.components.velocity.true import TrueVelocity
 from contourlab.errors import ComponentError, ParameterError
@@ -71,6 +72,8 @@ def axis_response(
 
 
 def _continuous(axis: Axis, controller: AxisController, w: Array, carried_mass: float) -> AxisResponse:
+    if controller.predictor is not None:
+        raise ComponentError(f"predictor {controller.predictor.kind} has no linear model in continuous time: ask for the sampled loop")
     s = np.asarray(1j * w, dtype=np.complex128)
     plant = axis.plant.loaded(carried_mass)
     moved = transfer(_model(plant), s)
@@ -79,7 +82,7 @@ def _continuous(axis: Axis, controller: AxisController, w: Array, carried_mass: 
     measured = velocity if seen is None else seen * position
     measured_load = velocity_load if seen is None else seen * position_load
     of_velocity, of_applied = _observer_rows(controller, s)
-    gains = {name: transfer(_model(controller.controller), s)[:, 0, i] for i, name in enumerate(_model(controller.controller).inputs)}
+    gains = _gains(_model(controller.controller), s)
     drive = np.exp(-s * float(getattr(axis.drive, "delay", 0.0)))
 
     # Command per applied command with the reference at rest.
@@ -89,6 +92,7 @@ def _continuous(axis: Axis, controller: AxisController, w: Array, carried_mass: 
     # Zero for a single mass, whose load acts where its drive does. Put together like this nothing large cancels at low frequencies.
     apart = (gains["velocity"] + gains["disturbance_estimate"] * of_velocity) * (measured_load * position - measured * position_load)
     forward = gains["reference"] + s * gains["reference_velocity"] + s * s * gains["reference_acceleration"]
+    forward = forward + gains["feedforward"] * _fed_forward(controller, s)
     applied = drive / (1.0 - drive * back)
     inner = drive / (1.0 - drive * gains["disturbance_estimate"] * estimate)
     return AxisResponse(
@@ -99,6 +103,23 @@ def _continuous(axis: Axis, controller: AxisController, w: Array, carried_mass: 
         compliance=(position_load * inside + drive * apart) / (1.0 - drive * back),
         compensated=velocity * inner,
     )
+
+
+def _gains(model: LinearModel, s: Complex) -> dict[str, Complex]:
+    """Return the command over each thing that a controller may take; zero for what it does not."""
+    offered, _ = SLOTS["controller"]
+    rows = transfer(model, s)
+    return {name: rows[:, 0, model.inputs.index(name)] if name in model.inputs else np.zeros_like(s) for name in offered}
+
+
+def _fed_forward(controller: AxisController, s: Complex) -> Complex:
+    """Return the command over the reference of what feeds it forward; of a feedforward that is not linear, nothing."""
+    model = None if controller.feedforward is None else controller.feedforward.linearize()
+    if model is None or "command" not in model.outputs:
+        return np.zeros_like(s)
+    rows = transfer(model, s)[:, model.outputs.index("command")]
+    order = {"reference": 0, "reference_velocity": 1, "reference_acceleration": 2}
+    return np.asarray(sum(rows[:, i] * s ** order[name] for i, name in enumerate(model.inputs)))
 
 
 def _velocity_row(controller: AxisController, s: Complex) -> Complex | None:

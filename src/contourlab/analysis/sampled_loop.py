@@ -10,6 +10,7 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass, replace
 from functools import cached_property
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -184,7 +185,10 @@ def sampled_loop(axis: Axis, controller: AxisController, servo_period: float, ca
     ComponentError
         If a component is not linear, or a delay is longer than `LONGEST` ticks.
     """
-    made = replace(controller, controller=_without_hold(controller.controller))
+    ahead = controller.feedforward
+    # What is fed forward is no part of the loop: of it only what is linear has a place in the response to the reference.
+    ahead = ahead if ahead is not None and ahead.linearize() is not None else None
+    made = replace(controller, controller=_without_limits(controller.controller), feedforward=ahead)
     machine = Machine("axis", (_linear(axis, carried_mass),), servo_period)
     path = Path([Line((0.0,), (1.0,))])
     whole = build(machine, Controller({axis.name: made}), path, np.zeros(1)).schedule
@@ -219,7 +223,12 @@ def _linear(axis: Axis, carried_mass: float) -> Axis:
     return Axis(axis.name, axis.plant.loaded(carried_mass), NoFriction(), drive, IdealSensor(), limits=axis.limits, substeps=axis.substeps)
 
 
-def _without_hold(controller: Component) -> Component:
-    """Return the controller whose integral does not wait for the drive, which is never at its limit here."""
-    known = controller.parameters.get("anti_windup")
-    return controller.replace(anti_windup="none") if known is not None and "none" in known.choices else controller
+def _without_limits(controller: Component) -> Component:
+    """Return the controller without a limit of its own, whose integral does not wait for the drive, which is never at its limit here."""
+    known = controller.parameters
+    free: dict[str, Any] = {}
+    if "anti_windup" in known and "none" in known["anti_windup"].choices:
+        free["anti_windup"] = "none"
+    if "command_limit" in known and known["command_limit"].default == math.inf:
+        free["command_limit"] = math.inf
+    return controller.replace(**free) if free else controller

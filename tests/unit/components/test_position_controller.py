@@ -109,6 +109,7 @@ def test_the_command_is_equation_15() -> None:
         integral += PERIOD * (r - p)
         command[k] = 100.0 * (fed["reference_velocity"][k] - fed["velocity"][k]) + 4000.0 * (r - p) + 4000.0 * 12.0 * integral
         command[k] += (fed["reference_acceleration"][k] + 30.0 * fed["reference_velocity"][k]) / 0.9 - fed["disturbance_estimate"][k]
+        command[k] += fed["feedforward"][k]
     assert run_alone(part, fed)["command"] == pytest.approx(command, rel=1e-12)
 
 

@@ -1,0 +1,153 @@
+"""The cascade of a position and a velocity loop, as servo drives have it."""
+
+from __future__ import annotations
+
+import math
+from functools import cache
+from typing import Any
+
+import numpy as np
+
+from contourlab.components.contract import Component, LinearModel, Port, param, text_param
+from contourlab.components.controller.anti_windup import ANTI_WINDUP, integral_rise, recovery_part
+from contourlab.errors import ParameterError
+from contourlab.primitives import clip
+
+__all__ = ["Cascade"]
+
+
+@cache
+def _make(anti_windup: str) -> Any:
+    rise = integral_rise(anti_windup)
+
+    def step(par: Any, x: Any, inp: Any, clock: Any) -> Any:
+        wanted = par.position_gain * (inp.reference - inp.position) + par.velocity_feedforward * inp.reference_velocity
+        speed_error = wanted - inp.velocity
+        integral = x.integral + rise(clock.dt * par.integral_rate * speed_error, x.last_command - inp.accepted, par.recovery)
+        forward = par.acceleration_feedforward * inp.reference_acceleration + inp.feedforward
+        command = par.velocity_gain * speed_error + integral + forward - inp.disturbance_estimate
+        return (integral, command), (clip(command, -par.command_limit, par.command_limit),)
+
+    return step
+
+
+class Cascade(Component):
+    """P-PI cascade: a proportional position loop that asks a PI velocity loop for a velocity.
+
+    v_c = K_v (r - p) + w r_v, u = K (1 + 1/(T_i s)) (v_c - v) + k_a r_a + u_ff - d_hat, held within `command_limit`. Without velocity
+    feedforward the axis lags by v/K_v at the speed v; with w = 1 and k_a the inverse of the model's acceleration per command, an axis
+    without damping follows its reference. The integral is kept in command units and summed by backward Euler; at a limit it is treated as
+    `contourlab.components.controller.anti_windup` says.
+
+    References
+    ----------
+    Gross, Hamann & Wiegartner, "Electrical Feed Drives in Automation", 2001 (cascade of servo drives, K_v factor); Pritschow, "A comparison
+    of linear and conventional electromechanical drives", CIRP Annals 47(2), 1998.
+    """
+
+    family = "controller"
+    kind = "cascade"
+    reference = "Pritschow, CIRP Annals 47(2), 1998"
+    example = {
+        "position_gain": 40.0,
+        "velocity_gain": 120.0,
+        "integral_time": 0.02,
+        "velocity_feedforward": 0.9,
+        "acceleration_feedforward": 0.5,
+        "command_limit": 300.0,
+    }
+    without_effect = ("tracking_time",)  # in the example, whose integral is held
+    states = (Port("integral"), Port("last_command"))
+    inputs = (
+        Port("reference"),
+        Port("reference_velocity"),
+        Port("reference_acceleration"),
+        Port("position"),
+        Port("velocity"),
+        Port("disturbance_estimate"),
+        Port("feedforward"),
+        Port("accepted"),
+    )
+    outputs = (Port("command"),)
+    derived = ("integral_rate", "recovery")
+
+    position_gain: float = param(unit="1/s", minimum=0.0, doc="velocity asked for per position error, K_v")
+    velocity_gain: float = param(unit="{command}*s/m", minimum=0.0, display="{command}*s/mm", doc="of the velocity loop, K")
+    integral_time: float = param(
+        default=math.inf, unit="s", minimum=0.0, exclusive=True, display="ms", doc="of the velocity loop, T_i; infinite for no integral"
+    )
+    velocity_feedforward: float = param(default=1.0, minimum=0.0, maximum=2.0, doc="part of the reference's velocity asked for, w")
+    acceleration_feedforward: float = param(
+        default=0.0, unit="{command}*s^2/m", minimum=0.0, display="{command}*s^2/mm", doc="command per acceleration of the reference, k_a"
+    )
+    command_limit: float = param(
+        default=math.inf, unit="{command}", minimum=0.0, exclusive=True, doc="largest command it gives, such as the peak current"
+    )
+    anti_windup: str = text_param(default="hold", choices=ANTI_WINDUP, doc="what the integral does at a limit")
+    tracking_time: float = param(
+        default=0.01, unit="s", minimum=0.0, exclusive=True, display="ms", doc="time constant of the back-calculation, T_t"
+    )
+
+    def derive(self, par: Any, dt: float) -> tuple[Any, ...]:
+        return par.velocity_gain / par.integral_time, recovery_part(par.tracking_time, dt)
+
+    def step_function(self) -> Any:
+        return _make(self.anti_windup)
+
+    @staticmethod
+    def tune(
+        bandwidth: float, damping: float, model_gain: float, model_damping: float = 0.0, position_gain: float | None = None
+    ) -> dict[str, float]:
+        """Return the gains for a rigid axis v' = a u - b v: the velocity loop gets the poles of s^2 + 2 zeta w s + w^2.
+
+        Parameters
+        ----------
+        bandwidth : float [rad/s], > 0
+            w of the velocity loop.
+        damping : float, > 0
+            zeta of the velocity loop.
+        model_gain : float [m/s^2 per command], > 0
+            a.
+        model_damping : float [1/s], >= 0
+            b, below 2 zeta w.
+        position_gain : float [1/s], > 0
+            K_v; a fifth of the bandwidth where it is not given, far enough below that the loops hardly touch.
+
+        Raises
+        ------
+        ParameterError
+            If an argument is out of range, or the axis is damped more than the poles asked for.
+
+        Notes
+        -----
+        With b = 0 the whole loop is stable for every K_v while zeta >= 0.5 (Routh: 2 zeta (w + 2 zeta K_v) > K_v).
+
+        >>> gains = Cascade.tune(200.0, 1.0, 0.8)
+        >>> gains["velocity_gain"], gains["integral_time"], gains["position_gain"], gains["acceleration_feedforward"]
+        (500.0, 0.01, 40.0, 1.25)
+        """
+        kv = bandwidth / 5.0 if position_gain is None else position_gain
+        for name, value in (("bandwidth", bandwidth), ("damping", damping), ("model_gain", model_gain), ("position_gain", kv)):
+            if not (value > 0.0 and math.isfinite(value)):
+                raise ParameterError(name, f"{value:g}", "> 0 and finite")
+        if not 0.0 <= model_damping < 2.0 * damping * bandwidth:
+            raise ParameterError(
+                "model_damping", f"{model_damping:g}", f">= 0 and < 2 damping bandwidth = {2.0 * damping * bandwidth:g}", "1/s"
+            )
+        gain = (2.0 * damping * bandwidth - model_damping) / model_gain
+        return {
+            "position_gain": kv,
+            "velocity_gain": gain,
+            "integral_time": model_gain * gain / bandwidth**2,
+            "velocity_feedforward": 1.0,
+            "acceleration_feedforward": 1.0 / model_gain,
+        }
+
+    def linearize(self) -> LinearModel:
+        """Return the model away from the limits."""
+        kv, k, w = self.position_gain, self.velocity_gain, self.velocity_feedforward
+        asked = np.array([kv, w, 0.0, -kv, -1.0, 0.0, 0.0])
+        through = k * asked + np.array([0.0, 0.0, self.acceleration_feedforward, 0.0, 0.0, -1.0, 1.0])
+        names = tuple(port.name for port in self.inputs[:-1])
+        rate = k / self.integral_time
+        return LinearModel(np.zeros((1, 1)), rate * asked[None, :], np.ones((1, 1)), through[None, :], names, ("command",))

@@ -1,0 +1,204 @@
+"""State feedback with placed poles."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from functools import cache
+from typing import Any
+
+import numpy as np
+
+from contourlab.components.contract import Component, LinearModel, Port, param, text_param
+from contourlab.components.controller.anti_windup import ANTI_WINDUP, integral_rise, recovery_part
+from contourlab.errors import ParameterError
+
+__all__ = ["StateFeedback"]
+
+
+@cache
+def _make(anti_windup: str, follows: bool) -> Any:
+    rise = integral_rise(anti_windup)
+
+    def step(par: Any, x: Any, inp: Any, clock: Any) -> Any:
+        error = inp.reference - inp.position
+        integral = x.integral + rise(clock.dt * par.integral_gain * error, x.last_command - inp.accepted, par.recovery)
+        acceleration = x.acceleration + par.weight * ((inp.velocity - x.previous_velocity) / clock.dt - x.acceleration)
+        if follows:
+            jerk = (inp.reference_acceleration - x.previous_reference) / clock.dt
+            back = par.velocity_gain * (inp.reference_velocity - inp.velocity)
+            back += par.acceleration_gain * (inp.reference_acceleration - acceleration)
+            forward = par.velocity_feedforward * inp.reference_velocity + par.acceleration_feedforward * inp.reference_acceleration
+            forward += par.jerk_feedforward * jerk
+        else:
+            back, forward = -par.velocity_gain * inp.velocity - par.acceleration_gain * acceleration, 0.0
+        law = integral + par.position_gain * error + back + forward
+        command = law + inp.feedforward - inp.disturbance_estimate
+        return (integral, inp.velocity, acceleration, inp.reference_acceleration, command), (command,)
+
+    return step
+
+
+def _coefficients(poles: Sequence[complex], order: int) -> list[float]:
+    """Return c_1 ... of s^m + c_1 s^(m-1) + ..., padded to order + 1 of them: the last is zero where no integral is placed."""
+    n = len(poles)
+    if n not in (order, order + 1):
+        raise ParameterError("poles", f"{n} of them", f"{order}, or {order + 1} with the integral")
+    found = np.poly(np.asarray(poles, dtype=complex))
+    if not np.isfinite(found).all() or np.abs(found.imag).max() > 1e-9 * np.abs(found).max():
+        raise ParameterError("poles", "a list", "finite, and complex ones in conjugate pairs", "rad/s")
+    if max(complex(pole).real for pole in poles) >= 0.0:
+        raise ParameterError("poles", "a list", "with negative real parts", "rad/s")
+    return [*found.real[1:].tolist(), *([0.0] if n == order else [])]
+
+
+class StateFeedback(Component):
+    """Feedback of position, velocity and, where the model has it as a state, acceleration, with an integral of the position error.
+
+    ``following = "model"``: u = K_I int (r - p) + k_1 (r - p) + k_2 (r_v - v) + k_3 (r_a - a) + f_1 r_v + f_2 r_a + f_3 r_j + u_ff - d_hat.
+    With the inverse of the model in f the reference is followed and the poles shape what is left. ``following = "position"``: the reference
+    enters with its position alone, u = K_I int (r - p) + k_1 (r - p) - k_2 v - k_3 a, so that the closed loop has no zeros but that of the
+    integral, and lags; this is the pole-placement controller of text books.
+
+    a is the difference of the velocity that the controller sees behind a first-order filter of `acceleration_bandwidth` (backward Euler),
+    and the jerk r_j the difference of the reference's acceleration. The filter is no part of the placing: keep it well above the poles.
+    `place_rigid` and `place_second_order` give all gains for a model.
+
+    References
+    ----------
+    Franklin, Powell & Emami-Naeini, "Feedback Control of Dynamic Systems", sections 7.5 and 7.10 (integral); the models are eqs (1)-(2) of
+    Ghaffari & Ulsoy and eq (4) of Gecer Ulu, Ulu & Cakmakci.
+    """
+
+    family = "controller"
+    kind = "state-feedback"
+    reference = "Franklin, Powell & Emami-Naeini, sections 7.5 and 7.10"
+    example = {
+        "position_gain": 900.0,
+        "velocity_gain": 40.0,
+        "acceleration_gain": 0.3,
+        "integral_gain": 3000.0,
+        "velocity_feedforward": 2.0,
+        "acceleration_feedforward": 0.8,
+        "jerk_feedforward": 0.002,
+        "acceleration_bandwidth": 900.0,
+    }
+    without_effect = ("tracking_time",)  # in the example, whose integral is held
+    states = (Port("integral"), Port("previous_velocity"), Port("acceleration"), Port("previous_reference"), Port("last_command"))
+    inputs = (
+        Port("reference"),
+        Port("reference_velocity"),
+        Port("reference_acceleration"),
+        Port("position"),
+        Port("velocity"),
+        Port("disturbance_estimate"),
+        Port("feedforward"),
+        Port("accepted"),
+    )
+    outputs = (Port("command"),)
+    derived = ("weight", "recovery")
+
+    position_gain: float = param(unit="{command}/m", minimum=0.0, display="{command}/mm", doc="k_1")
+    velocity_gain: float = param(default=0.0, unit="{command}*s/m", display="{command}*s/mm", doc="k_2; negative takes damping away")
+    acceleration_gain: float = param(default=0.0, unit="{command}*s^2/m", display="{command}*s^2/mm", doc="k_3; 0 for a rigid model")
+    integral_gain: float = param(default=0.0, unit="{command}/m/s", minimum=0.0, display="{command}/mm/s", doc="K_I")
+    velocity_feedforward: float = param(default=0.0, unit="{command}*s/m", minimum=0.0, display="{command}*s/mm", doc="f_1")
+    acceleration_feedforward: float = param(default=0.0, unit="{command}*s^2/m", minimum=0.0, display="{command}*s^2/mm", doc="f_2")
+    jerk_feedforward: float = param(default=0.0, unit="{command}*s^3/m", minimum=0.0, display="{command}*s^3/mm", doc="f_3")
+    acceleration_bandwidth: float = param(
+        default=math.inf, unit="rad/s", minimum=0.0, exclusive=True, doc="of the filter of the differenced velocity; infinite for none"
+    )
+    following: str = text_param(default="model", choices=("model", "position"), doc="what of the reference is followed")
+    anti_windup: str = text_param(default="hold", choices=ANTI_WINDUP, doc="what the integral does while the drive saturates")
+    tracking_time: float = param(
+        default=0.01, unit="s", minimum=0.0, exclusive=True, display="ms", doc="time constant of the back-calculation, T_t"
+    )
+    unbounded = ("velocity_gain", "acceleration_gain")
+
+    def derive(self, par: Any, dt: float) -> tuple[Any, ...]:
+        # Written so that an infinite bandwidth gives the weight 1.
+        return 1.0 / (1.0 + 1.0 / (par.acceleration_bandwidth * dt)), recovery_part(par.tracking_time, dt)
+
+    def step_function(self) -> Any:
+        return _make(self.anti_windup, self.following == "model")
+
+    @staticmethod
+    def place_rigid(poles: Sequence[complex], model_gain: float, model_damping: float = 0.0) -> dict[str, float]:
+        """Return the gains that place the poles of a rigid axis v' = a u - b v, and the feedforward of its inverse.
+
+        Parameters
+        ----------
+        poles : sequence of complex (2,) or (3,) [rad/s]
+            With negative real parts, complex ones in conjugate pairs; three of them place an integral as well.
+        model_gain : float [m/s^2 per command], > 0
+            a.
+        model_damping : float [1/s], >= 0
+            b.
+
+        Raises
+        ------
+        ParameterError
+
+        >>> StateFeedback.place_rigid([-30.0 + 40.0j, -30.0 - 40.0j], 2.0, 10.0)["position_gain"]
+        1250.0
+        """
+        _check_model(model_gain=model_gain)
+        c = _coefficients(poles, 2)
+        return {
+            "velocity_gain": (c[0] - model_damping) / model_gain,
+            "position_gain": c[1] / model_gain,
+            "integral_gain": c[2] / model_gain,
+            "velocity_feedforward": model_damping / model_gain,
+            "acceleration_feedforward": 1.0 / model_gain,
+        }
+
+    @staticmethod
+    def place_second_order(poles: Sequence[complex], dc_gain: float, damping_ratio: float, natural_frequency: float) -> dict[str, float]:
+        """Return the gains that place the poles of G w^2/(s (s^2 + 2 zeta w s + w^2)), and the feedforward of its inverse.
+
+        Parameters
+        ----------
+        poles : sequence of complex (3,) or (4,) [rad/s]
+            With negative real parts, complex ones in conjugate pairs; four of them place an integral as well.
+        dc_gain : float [m/s per command], > 0
+            G.
+        damping_ratio : float, >= 0
+            zeta.
+        natural_frequency : float [rad/s], > 0
+            w.
+
+        Raises
+        ------
+        ParameterError
+        """
+        _check_model(dc_gain=dc_gain, natural_frequency=natural_frequency)
+        w, c = natural_frequency, _coefficients(poles, 3)
+        gain = dc_gain * w * w
+        return {
+            "acceleration_gain": (c[0] - 2.0 * damping_ratio * w) / gain,
+            "velocity_gain": (c[1] - w * w) / gain,
+            "position_gain": c[2] / gain,
+            "integral_gain": c[3] / gain,
+            "velocity_feedforward": 1.0 / dc_gain,
+            "acceleration_feedforward": 2.0 * damping_ratio / (dc_gain * w),
+            "jerk_feedforward": 1.0 / gain,
+        }
+
+    def linearize(self) -> LinearModel | None:
+        """Return the model away from the limits, or None where it differentiates without a filter: the jerk, or an infinite bandwidth."""
+        follows = 1.0 if self.following == "model" else 0.0
+        if follows * self.jerk_feedforward or (self.acceleration_gain and self.acceleration_bandwidth == math.inf):
+            return None
+        k1, k2, k3, ki = self.position_gain, self.velocity_gain, self.acceleration_gain, self.integral_gain
+        w = self.acceleration_bandwidth if k3 else 1.0
+        b = np.array([[ki, 0.0, 0.0, -ki, 0.0, 0.0, 0.0], [0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0]])
+        forward = [k1, follows * (k2 + self.velocity_feedforward), follows * (k3 + self.acceleration_feedforward)]
+        through = np.array([[*forward, -k1, -k2 - k3 * w, -1.0, 1.0]])
+        names = tuple(port.name for port in self.inputs[:-1])
+        return LinearModel(np.diag([0.0, -w]), b, np.array([[1.0, k3 * w * w]]), through, names, ("command",))
+
+
+def _check_model(**values: float) -> None:
+    for name, value in values.items():
+        if not (value > 0.0 and math.isfinite(value)):
+            raise ParameterError(name, f"{value:g}", "> 0 and finite")

@@ -1,0 +1,1 @@
+"""Where an axis will be once a delay has passed."""
