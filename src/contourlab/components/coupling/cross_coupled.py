@@ -1,0 +1,96 @@
+"""Cross-coupled control by the contour-error vector, with a PID controller."""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+import numpy as np
+
+from contourlab.components.contract import Component, LinearModel, Port, param
+from contourlab.components.coupling.transport import carried, turning
+from contourlab.primitives import add, dot, lincomb, maximum, minimum, scale, select, sqrt, sub
+
+__all__ = ["CrossCoupled"]
+
+
+class CrossCoupled(Component):
+    """The contour-error vector through C_cc(s) = K (1 + k_i/s + T_d s/(1 + T_f s)), added to the axes' commands: any number of axes.
+
+    In the plane it is u = n C_cc(eps), eps the error along the normal n: the states are the scalar controller's times the normal of the
+    day. In space the normal plane has more than one direction and no direction of its own; there the states are vectors in it, carried
+    along by parallel transport (the least rotation from each tangent to the next), which in the plane is the scalar form itself. Where
+    the path turns back on itself, exactly, they stay as they are in space. P and PI control by zeros for the rest.
+
+    With an estimator whose error vector is eps times the gain vector C (koren-lo), K alone gives C K eps.
+
+    The integral stands still while the output is at its limit and the error would drive it further. All axes are taken to have commands of
+    the same unit.
+
+    References
+    ----------
+    Gecer Ulu, Ulu & Cakmakci, section 3.2 and eqs (13)-(14); Yeh & Hsu, IEEE/ASME Trans. Mechatronics 7 (2002); Koren 1980 and Koren & Lo
+    1991 by their estimators.
+    """
+
+    family = "coupling"
+    kind = "cross-coupled"
+    example = {"gain": 3.0, "integral_rate": 20.0, "derivative_time": 5e-3, "derivative_filter": 2e-3, "limit": 2.0}
+    reference = "Gecer Ulu, Ulu & Cakmakci, eqs 13-14; Yeh & Hsu 2002"
+    states = (Port("integral", -1), Port("filtered", -1), Port("tangent", -1))
+    inputs = (Port("error_vector", -1), Port("tangent", -1))
+    outputs = (Port("correction", -1),)
+    derived = ("integral_step", "filter_weight", "derivative_rate")
+
+    gain: float = param(unit="{command}/m", minimum=0.0, display="{command}/mm", doc="K: correction for a contour error")
+    integral_rate: float = param(default=0.0, unit="1/s", minimum=0.0, doc="k_i: one over the integral time; 0 for no integral")
+    derivative_time: float = param(default=0.0, unit="s", minimum=0.0, display="ms", doc="T_d; 0 for no derivative")
+    derivative_filter: float = param(
+        default=1e-3, unit="s", minimum=0.0, exclusive=True, display="ms", doc="T_f: time constant of the derivative's low-pass"
+    )
+    limit: float = param(
+        default=math.inf, unit="{command}", minimum=0.0, exclusive=True, doc="largest length of the correction, taken over all axes"
+    )
+
+    def derive(self, par: Any, dt: float) -> tuple[Any, ...]:
+        # Backward Euler: the slope of a ramp comes out as it is.
+        window = par.derivative_filter + dt
+        return par.integral_rate * dt, dt / window, par.derivative_time / window
+
+    @staticmethod
+    def step(par: Any, x: Any, inp: Any, clock: Any) -> Any:
+        error, tangent = inp.error_vector, inp.tangent
+        turn = turning(x.tangent, tangent)
+        before = carried(x.integral, tangent, turn)
+        filtered = carried(x.filtered, tangent, turn)
+        news = sub(error, filtered)
+        integral = lincomb(1.0, before, par.integral_step, error)
+        raw = scale(par.gain, add(error, lincomb(1.0, integral, par.derivative_rate, news)))
+        size = sqrt(dot(raw, raw))
+        push = dot(raw, error)
+        keep = select(size > par.limit, select(push > 0.0, 0.0, 1.0), 1.0)
+        integral = lincomb(1.0, before, keep * par.integral_step, error)
+        correction = scale(minimum(1.0, par.limit / maximum(size, 1e-300)), raw)
+        return (integral, lincomb(1.0, filtered, par.filter_weight, news), tangent), (correction,)
+
+    def linear_controller(self) -> LinearModel:
+        """Return C_cc in continuous time, within its limit.
+
+        Returns
+        -------
+        LinearModel
+            From ``contour_error`` [m], along the normal from the tool to the path, to ``correction`` [command] along the same normal; with
+            no state that has no part in it.
+
+        >>> CrossCoupled(gain=2.0).linear_controller().d
+        array([[2.]])
+        """
+        rates, inflow, gains, direct = [], [], [], self.gain
+        if self.integral_rate > 0.0:
+            rates, inflow, gains = [0.0], [1.0], [self.gain * self.integral_rate]
+        if self.derivative_time > 0.0:
+            pole, share = 1.0 / self.derivative_filter, self.gain * self.derivative_time / self.derivative_filter
+            rates, inflow, gains = [*rates, -pole], [*inflow, pole], [*gains, -share]
+            direct += share
+        b, c = np.array(inflow).reshape(-1, 1), np.array(gains).reshape(1, -1)
+        return LinearModel(np.diag(rates), b, c, np.array([[direct]]), ("contour_error",), ("correction",))
