@@ -18,6 +18,7 @@ from contourlab.cli.commands.canon import canon
 from contourlab.cli.commands.check import check
 from contourlab.cli.commands.components import components
 from contourlab.cli.commands.demo import demo
+from contourlab.cli.commands.interpolate import interpolate
 from contourlab.cli.commands.new import new
 from contourlab.cli.commands.reproduce import reproduce
 from contourlab.cli.commands.run import run as run_command
@@ -39,6 +40,7 @@ app.command("demo")(demo)
 app.command("run")(run_command)
 app.command("check")(check)
 app.command("canon")(canon)
+app.command("interpolate")(interpolate)
 app.add_typer(reproduce, name="reproduce")
 app.command("components")(components)
 app.add_typer(new, name="new")

@@ -1,0 +1,40 @@
+"""``contourlab interpolate``: correct and interpolate the signals of an encoder."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from contourlab.cli.output import emit_json, say
+
+__all__ = ["interpolate"]
+
+
+def interpolate(
+    file: Annotated[Path, typer.Argument(metavar="SIGNALS", help="Text file of numbers (.csv) with two signals.", show_default=False)],
+    pitch: Annotated[str, typer.Option(help="Travel of one period of the signals.")] = "20um",
+    resolution: Annotated[str, typer.Option(help="Travel of a count: the pitch over four times a whole number.")] = "25nm",
+    columns: Annotated[
+        str | None, typer.Option(help="The two signals by name or number, the cosine first, as u1,u2.", show_default=False)
+    ] = None,
+    reference: Annotated[
+        str | None, typer.Option(help="Column with the true position; one called reference is taken by itself.", show_default=False)
+    ] = None,
+    forgetting: Annotated[
+        float | None,
+        typer.Option(help="Correct sample by sample, with recursive least squares and this factor (0.995 to 0.9995).", show_default=False),
+    ] = None,
+    out: Annotated[Path | None, typer.Option(help="Folder for counts, constants and picture.", show_default=False)] = None,
+    as_json: Annotated[bool, typer.Option("--json", help="Print JSON alone on standard output.")] = False,
+) -> int:
+    """Correct quadrature signals of an encoder, interpolate them to counts, and say how good they are."""
+    from contourlab.session.interpolate import interpolate_file
+
+    found = interpolate_file(file, out, pitch=pitch, resolution=resolution, columns=columns, reference=reference, forgetting=forgetting)
+    if as_json:
+        emit_json(found.summary)
+    else:
+        say(found.text)
+    return 0 if found.sound else 1

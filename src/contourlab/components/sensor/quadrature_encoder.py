@@ -1,0 +1,195 @@
+"""An encoder from its analogue signals on: two sinusoids with their errors, the correction, and the interpolation to counts."""
+
+from __future__ import annotations
+
+import math
+from functools import cache
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from contourlab.components.contract import Component, Port, param, text_param
+from contourlab.components.quadrature import (
+    DERIVED,
+    FURTHEST,
+    IDENTITY,
+    LEAST,
+    LEAST_COVARIANCE,
+    STATES,
+    TABLES,
+    arctangents,
+    constants,
+    corrected,
+    ellipse,
+    followed,
+    in_turns,
+)
+from contourlab.errors import ParameterError
+from contourlab.primitives import clip, cos, floor, normal, rint, select, sin
+
+__all__ = ["QuadratureEncoder"]
+
+TURN = 2.0 * math.pi
+
+
+def waves(par: Any, position: float, k: float) -> tuple[float, float]:
+    """Return the two signals as the converter sees them, over the nominal amplitude."""
+    turns = position / par.pitch
+    phase = TURN * (turns - rint(turns))
+    u1 = par.amplitude * (cos(phase) + par.third_harmonic * cos(3.0 * phase))
+    u2 = par.amplitude * (sin(phase) - par.third_harmonic * sin(3.0 * phase))
+    d1 = u1 + par.offset_1 + par.noise * normal(par.stream, 2.0 * k)
+    d2 = (u2 * par.phase_cosine - u1 * par.phase_sine) / par.amplitude_ratio + par.offset_2 + par.noise * normal(par.stream, 2.0 * k + 1.0)
+    return converted(par, d1) / par.amplitude, converted(par, d2) / par.amplitude
+
+
+def converted(par: Any, voltage: float) -> float:
+    """Return a voltage as the analogue-to-digital converter gives it; as it is where there is none."""
+    held = clip(voltage, -par.converter_range, par.converter_range)
+    return select(par.bits > 0.0, par.step_of_converter * rint(held / par.step_of_converter), voltage)
+
+
+@cache
+def _make(correction: str, in_hardware: bool) -> Any:
+    adaptive, none = correction == "adaptive", correction == "none"
+
+    def step(par: Any, x: Any, inp: Any, clock: Any) -> Any:
+        v1, v2 = waves(par, inp.position, clock.k)
+        true = inp.position / par.pitch
+        # At the first tick the axis stands at its reference mark: the period is known.
+        near = true if in_hardware else select(x.begun > 0.0, x.turns, true)
+        if adaptive:
+            states, _ = followed(par, x, v1, v2, near)
+            turns = states[1]
+        else:
+            known = (par.theta_a, par.theta_b, par.theta_c, par.theta_d, par.theta_e)
+            u1, u2 = (v1, v2) if none else corrected(constants(known), v1, v2)
+            angle = in_turns(par.arctangent, u1, u2)
+            turns = angle + rint(near - angle)
+            states = (1.0, turns, 0.0, 0.0, known, IDENTITY)
+        position = par.resolution * floor(turns * par.counts_per_pitch + 0.5)
+        return states, (position, rint(true - turns))
+
+    return step
+
+
+class QuadratureEncoder(Component):
+    """Position from two analogue signals: u1 = a cos phi, u2 = a sin phi, phi = 2 pi x/pitch, as a real scale gives them.
+
+    The signals have offsets p and q, an amplitude ratio r, a phase error al, a third harmonic, noise and the steps of a converter:
+    u1d = u1 + p, u2d = (u2 cos al - u1 sin al)/r + q. Uncorrected, they make errors that repeat with every pitch: with amplitude a, p/a rad
+    once a pitch from an offset, (r - 1)/2 and al/2 rad twice from ratio and phase, and h rad four times from a third harmonic h (which no
+    ellipse takes away). The pitch is the travel of one period: a scale "with 1 um" after the usual fourfold count has 4 um.
+
+    ``correction = "fixed"`` takes the errors away with the known constants; ``"adaptive"`` begins with them and follows by recursive least
+    squares with forgetting, counted in updates, of which there is one for each `update_travel`. An axis that stands, or dithers within one
+    pitch, teaches nothing and nothing is forgotten.
+
+    The corrected angle is interpolated to counts, pitch/resolution = 4 n of them in a pitch: the count steps half-way between two whole
+    counts, where sin(n phi) + cos(n phi) or their difference crosses zero.
+
+    With ``counting = "hardware"`` the whole periods come from a counter that runs at its own high rate and are always right; with
+    ``"sampled"`` they are counted at the servo rate, and an axis that moves more than half a pitch in a tick loses whole pitches.
+    The output `missed_periods` says by how many the count is off.
+
+    References
+    ----------
+    E. Ulu, N. Gecer Ulu, M. Cakmakci, "Development and validation of an adaptive method to generate high-resolution quadrature encoder
+    signals", Journal of Dynamic Systems, Measurement, and Control 136 (2014). P. L. M. Heydemann, Applied Optics 20 (1981).
+    """
+
+    family = "sensor"
+    kind = "quadrature-encoder"
+    reference = "Ulu, Gecer Ulu & Cakmakci 2014; Heydemann 1981"
+    example = {
+        "pitch": 1e-3,
+        "resolution": 1e-7,
+        "offset_1": 0.05,
+        "offset_2": -0.04,
+        "amplitude_ratio": 1.1,
+        "phase_error": 0.08,
+        "third_harmonic": 0.01,
+        "noise": 0.002,
+        "bits": 12.0,
+        "counting": "sampled",
+        "correction": "adaptive",
+        "known_offset_1": 0.03,
+        "known_offset_2": -0.02,
+        "known_ratio": 1.05,
+        "known_phase_error": 0.03,
+        "stream": 7.0,
+    }
+    states = STATES
+    inputs = (Port("position"),)
+    outputs = (Port("position"), Port("missed_periods"))
+    derived = ("phase_sine", "phase_cosine", "step_of_converter", "counts_per_pitch", *DERIVED)
+    tables = TABLES
+
+    pitch: float = param(unit="m", minimum=0.0, exclusive=True, display="um", doc="travel of one period of the signals")
+    resolution: float = param(
+        unit="m", minimum=0.0, exclusive=True, display="nm", doc="travel per count; the pitch over four times a whole number"
+    )
+    amplitude: float = param(default=0.5, unit="V", minimum=0.0, exclusive=True, doc="amplitude of the first signal, a")
+    offset_1: float = param(default=0.0, unit="V", minimum=-100.0, maximum=100.0, display="mV", doc="offset of the first signal, p")
+    offset_2: float = param(default=0.0, unit="V", minimum=-100.0, maximum=100.0, display="mV", doc="offset of the second signal, q")
+    amplitude_ratio: float = param(default=1.0, minimum=0.1, maximum=10.0, doc="amplitude of the first signal over the second, r")
+    phase_error: float = param(
+        default=0.0, unit="rad", minimum=-1.0, maximum=1.0, display="deg", doc="by how much the second signal is off quadrature, al"
+    )
+    third_harmonic: float = param(default=0.0, minimum=-0.3, maximum=0.3, doc="amplitude of the third harmonic over that of the first")
+    noise: float = param(default=0.0, unit="V", minimum=0.0, display="mV", doc="standard deviation of each signal, white")
+    bits: float = param(default=0.0, minimum=0.0, maximum=32.0, whole=True, doc="of the analogue-to-digital converter; 0 for none")
+    converter_range: float = param(
+        default=1.0, unit="V", minimum=0.0, exclusive=True, doc="the converter takes signals between plus and minus this"
+    )
+    counting: str = text_param(default="hardware", choices=("hardware", "sampled"), doc="where whole periods are counted")
+    correction: str = text_param(default="adaptive", choices=("none", "fixed", "adaptive"), doc="what is done about the errors")
+    known_offset_1: float = param(
+        default=0.0, unit="V", minimum=-100.0, maximum=100.0, display="mV", doc="offset of the first signal as far as it is known"
+    )
+    known_offset_2: float = param(
+        default=0.0, unit="V", minimum=-100.0, maximum=100.0, display="mV", doc="offset of the second signal as far as it is known"
+    )
+    known_ratio: float = param(default=1.0, minimum=0.2, maximum=5.0, doc="amplitude ratio as far as it is known")
+    known_phase_error: float = param(
+        default=0.0, unit="rad", minimum=-1.0, maximum=1.0, display="deg", doc="phase error as far as it is known"
+    )
+    forgetting: float = param(default=0.998, minimum=0.9, maximum=1.0, doc="lambda: the weight of what is known at each update")
+    initial_covariance: float = param(
+        default=10.0, minimum=0.0, exclusive=True, maximum=1e6, doc="of each coefficient over the squared noise, before anything is learnt"
+    )
+    update_travel: float = param(
+        default=1.0 / 32.0, minimum=1e-4, maximum=10.0, doc="travel from one update of the fit to the next, in pitches"
+    )
+    stream: float = param(
+        default=0.0, minimum=0.0, maximum=2.0**53, whole=True, doc="number of the noise stream; set by the run from its seed"
+    )
+
+    def __init__(self, **values: Any) -> None:
+        super().__init__(**values)
+        order = self.pitch / (4.0 * self.resolution)
+        if order < 0.75 or abs(order - round(order)) > 1e-6:
+            shown = f"{self.resolution:g}"
+            raise ParameterError("resolution", shown, f"the pitch, {self.pitch:g} m, over four times a whole number", "m")
+        least = LEAST_COVARIANCE * (1.0 - self.forgetting)
+        if self.correction == "adaptive" and self.initial_covariance < least:
+            raise ParameterError("initial_covariance", f"{self.initial_covariance:g}", f">= {least:g} with this forgetting")
+        start = self.block(1.0)
+        inside = max(abs(self.known_offset_1), abs(self.known_offset_2)) <= FURTHEST * self.amplitude
+        if not (inside and all(LEAST <= start[name] <= 1.0 / LEAST for name in DERIVED[:2])):
+            shown = f"{self.known_offset_1:g} and {self.known_offset_2:g}"
+            raise ParameterError("known offsets", shown, "well inside the amplitudes of the signals", "V")
+
+    def step_function(self) -> Any:
+        return _make(self.correction, self.counting == "hardware")
+
+    def derive(self, par: Any, dt: float) -> tuple[Any, ...]:
+        start = ellipse(
+            par.known_offset_1 / par.amplitude, par.known_offset_2 / par.amplitude, par.known_ratio, np.sin(par.known_phase_error), 1.0
+        )
+        lsb = par.converter_range * 2.0 ** (1.0 - np.asarray(par.bits, dtype=float))
+        return np.sin(par.phase_error), np.cos(par.phase_error), lsb, np.rint(par.pitch / par.resolution), *start
+
+    def table_values(self) -> dict[str, NDArray[np.float64]]:
+        return {"arctangent": arctangents()}
