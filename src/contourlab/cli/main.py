@@ -14,11 +14,14 @@ from typing import Annotated
 
 import typer
 
+from contourlab.cli.commands.analyse import analyse
 from contourlab.cli.commands.canon import canon
 from contourlab.cli.commands.check import check
+from contourlab.cli.commands.compare import compare
 from contourlab.cli.commands.components import components
 from contourlab.cli.commands.demo import demo
 from contourlab.cli.commands.interpolate import interpolate
+from contourlab.cli.commands.learn import learn
 from contourlab.cli.commands.new import new
 from contourlab.cli.commands.reproduce import reproduce
 from contourlab.cli.commands.run import run as run_command
@@ -38,6 +41,9 @@ app = typer.Typer(
 )
 app.command("demo")(demo)
 app.command("run")(run_command)
+app.command("compare")(compare)
+app.command("learn")(learn)
+app.command("analyse")(analyse)
 app.command("check")(check)
 app.command("canon")(canon)
 app.command("interpolate")(interpolate)

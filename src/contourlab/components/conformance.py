@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from contourlab.components.contract import FAMILIES, Component, Parameter
+from contourlab.components.learning_check import learning_fault
 from contourlab.components.linear_check import linear_fault
 from contourlab.engine.runner import Group, make_group
 from contourlab.engine.schedule import Node, Schedule
@@ -56,6 +57,7 @@ SLOTS: dict[str, tuple[tuple[str, ...], tuple[str, ...]]] = {
         ("reference", "position", "foot_position", "error_vector", "contour_error_estimate", "tangent"),
         ("modified_reference", "correction"),
     ),
+    "learning": ((), ()),
 }
 """What the slot of each family offers, and what it wants back."""
 
@@ -74,7 +76,7 @@ def check_component(kind: type[Component], *, jit: bool = True) -> None:
     Declarations (family, ports, bounds, documentation), sizes, finite outputs and states, determinism, save and restore in mid-run,
     agreement of lanes, compiled scalar and plain Python to 1e-9, that a linear model belongs to its step, that friction takes energy, and
     that every parameter has an effect, are checked on its `example`. Plants and frictions are checked linked to each other, estimators on
-    an ellipse.
+    an ellipse, learning laws by what they make of a trial.
 
     Parameters
     ----------
@@ -95,6 +97,11 @@ def check_component(kind: type[Component], *, jit: bool = True) -> None:
         part = kind(**kind.example)
     except ContourlabError as error:
         raise _fault(kind, f"its example does not make a component: {error}") from error
+    if kind.family == "learning":  # it has no step: it runs between trials
+        said = learning_fault(part, _others)
+        if said:
+            raise _fault(kind, said)
+        return
     for scale in SCALES:
         _check_running(kind, part, scale, jit)
     _check_linear(kind, part)

@@ -47,6 +47,7 @@ FAMILIES = (
     "controller",
     "estimator",
     "coupling",
+    "learning",
 )
 """The slots of the servo loop, in the order in which `contourlab components` lists them."""
 

@@ -28,7 +28,10 @@ class InterpretedGroup(Group):
         self._sources = schedule.sources
         self._first = schedule.first_row
         self._types = [(record(tuple(p.name for p in n.step.states)), record(tuple(p.name for p in n.step.inputs))) for n in schedule.nodes]
-        self._par = [[self._par_of(n, i) for i in range(width)] for n in range(len(schedule.nodes))]
+        self.refresh()
+
+    def refresh(self) -> None:
+        self._par = [[self._par_of(n, i) for i in range(self.width)] for n in range(len(self.schedule.nodes))]
 
     def _par_of(self, n: int, lane: int) -> tuple[object, ...]:
         node = self.schedule.nodes[n]

@@ -106,6 +106,9 @@ class Group:
                 return node.name
         return ""
 
+    def refresh(self) -> None:
+        """Take notice of parameters that were written to `parameters`."""
+
     def run(self, external: Array, log_rows: list[int], out: Array | None = None) -> Array:
         """Run one tick per row of `external` (n_tick, n_external); return the log (n_tick, n_log, width), in `out` where it is given."""
         raise NotImplementedError

@@ -125,7 +125,7 @@ def simulate_batch(
     compiled = jit_enabled() if jit is None else jit
     feed = Feed(machine, controller, reference, learned, sampler(compiled))
     first, _ = feed.block(0, min(BLOCK, reference.n_sample))
-    extra = (_judge_node(machine, reference, view, window),) if judge else ()
+    extra = (judge_node(machine, reference, view, window),) if judge else ()
     start, progress_at = first.position[0], float(first.arc_length[0])
     loop = build(machine, controller, reference.path, start, progress_at, columns, view, extra, seed, fed=feed.names)
     groups = [make_group(loop.schedule, LANES, slice(i, i + LANES), compiled) for i in range(0, n, LANES)]
@@ -178,7 +178,7 @@ def _checked(machine: Machine, controller: Controller, variants: Mapping[str, Ar
     return columns, lengths.pop()
 
 
-def _judge_node(machine: Machine, reference: Reference, view: PathView, window: tuple[int, int] | None) -> Node:
+def judge_node(machine: Machine, reference: Reference, view: PathView, window: tuple[int, int] | None) -> Node:
     start, stop = window or (reference.laps[-1] if reference.laps else (0, reference.n_sample))
     n = len(machine.axes)
     wires: dict[str, Any] = {

@@ -66,7 +66,7 @@ class Panel:
         Drawn as a shaded band: the tolerance.
     band_label : str
     ticks : tuple of Tick
-    log_x : bool
+    log_x, log_y : bool
     y_range : (low, high) or None
         None lets the drawing choose.
     far : bool
@@ -81,6 +81,7 @@ class Panel:
     band_label: str = ""
     ticks: tuple[Tick, ...] = ()
     log_x: bool = False
+    log_y: bool = False
     y_range: tuple[float, float] | None = None
     far: bool = False
 

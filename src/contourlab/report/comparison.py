@@ -90,7 +90,7 @@ def compare(data: ReportData) -> Comparison:
     keys = dict.fromkeys(key for column in columns for key in column)
     rows = [_row([column.get(key) for column in columns]) for key in keys]
     rows = [row for row in rows if any(cell.text != number(math.nan) for cell in row.cells)]
-    rows = [*_verdict_row(data), *_loop_row(data), *rows]
+    rows = [*_verdict_row(data), *_loop_row(data), *_learning_row(data), *rows]
     tolerance = "" if data.tolerance is None else nominal(data.tolerance, "µm", 1e6)
     return Comparison(heads, tuple(rows), tolerance, _note(data))
 
@@ -117,6 +117,17 @@ def _loop_row(data: ReportData) -> list[Row]:
         for axes, scheme in zip(shaky, data.schemes, strict=True)
     )
     return [Row("servo loops", "", tuple(cells))]
+
+
+def _learning_row(data: ReportData) -> list[Row]:
+    """Say how learning ended; nothing where no scheme learns."""
+    if all(scheme.trials is None for scheme in data.schemes):
+        return []
+    cells = (
+        Cell("–") if scheme.trials is None else Cell(scheme.trials.in_words, "poor" if scheme.trials.status.startswith("diverged") else "")
+        for scheme in data.schemes
+    )
+    return [Row("learning", "", tuple(cells))]
 
 
 def _passed(scheme: SchemeReport, tolerance: float | None) -> bool | None:

@@ -17,6 +17,7 @@ from contourlab.result import Result
 
 if TYPE_CHECKING:
     from contourlab.report.feed_picture import FeedRun
+    from contourlab.report.trials import TrialCourse
 
 __all__ = [
     "AxisBounds",
@@ -177,6 +178,10 @@ class SchemeReport:
     spikes : sequence of Mark or Spike
     limits : LimitReport or None
         Of the planned motion; None where it was not planned within limits.
+    trials : TrialCourse or None
+        Of a scheme that learns: the result is that of its best trial.
+    tick : float or None [s]
+        What a tick of the servo loop costs, where it was measured.
     """
 
     name: str
@@ -189,6 +194,8 @@ class SchemeReport:
     bidirectional: Mapping[str, Bidirectional] = field(default_factory=dict)
     spikes: Sequence[Mark | Spike] = ()
     limits: LimitReport | None = None
+    trials: TrialCourse | None = None
+    tick: float | None = None
 
     @property
     def runs(self) -> tuple[CircleRun, ...]:

@@ -45,7 +45,7 @@ def figures_of(data: ReportData, scheme: SchemeReport) -> dict[str, Figure]:
     -----
     Where the planned path is the programmed one, part error and contour error are the same thing and are printed once.
     """
-    found = [*_errors(data, scheme), *_axes(data, scheme), *_motion(scheme)]
+    found = [*_errors(data, scheme), *_axes(data, scheme), *_motion(scheme), *_cost(scheme)]
     return {figure.label: figure for figure in found}
 
 
@@ -76,6 +76,12 @@ def _axes(data: ReportData, scheme: SchemeReport) -> Iterator[Figure]:
         yield Figure(f"tracking error {axis}, rms", error.rms, UM, "µm")
     for axis, part in zip(data.axes, scheme.metrics.saturation, strict=True):
         yield Figure(f"drive {axis} saturated", part, 100.0, "% of time")
+
+
+def _cost(scheme: SchemeReport) -> Iterator[Figure]:
+    """Yield what the loop costs, where it was measured."""
+    if scheme.tick is not None:
+        yield Figure("servo tick, machine included", scheme.tick, 1e9, "ns", lower_is_better=False)
 
 
 def _motion(scheme: SchemeReport) -> Iterator[Figure]:

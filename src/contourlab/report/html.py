@@ -21,6 +21,7 @@ from contourlab.report.path_picture import path_charts
 from contourlab.report.plotly_view import Figure, line_figure, path_figure, polar_figure
 from contourlab.report.style import scheme_style
 from contourlab.report.text import nominal, number, quantity
+from contourlab.report.trials import trial_charts
 from contourlab.result.atomic import write_text_atomic
 
 __all__ = ["MOST_POINTS", "TOTAL_POINTS", "render_html", "write_html"]
@@ -108,6 +109,7 @@ def _figures(data: ReportData, points: int) -> dict[str, list[dict[str, Any]]]:
         "circles": [_entry(chart, polar_figure(chart)) for chart in polar_charts(data, points)],
         "errors": [_entry(chart, line_figure(chart)) for chart in error_charts(data, points)],
         "axes": [_entry(chart, line_figure(chart)) for chart in (*feed_charts(data.feed), *axis_charts(data, points))],
+        "trials": [_entry(chart, line_figure(chart)) for chart in trial_charts(data)],
         "bode": [_entry(chart, line_figure(chart)) for chart in bode_charts(data, points)],
     }
 

@@ -90,6 +90,8 @@ def _panel(place: Axes, panel: Panel) -> None:
         place.set_xscale("log")
     else:
         place.margins(x=0)
+    if panel.log_y:
+        _logarithmic(place)
     place.set_ylabel(_plain(panel.y_label))
     texts = []
     if panel.y_range is not None:
@@ -112,10 +114,20 @@ def _panel(place: Axes, panel: Panel) -> None:
     _ticks(place, panel)
 
 
+def _logarithmic(place: Axes) -> None:
+    """Give a panel a logarithmic y axis with numbers as people write them."""
+    from matplotlib.ticker import LogLocator, NullFormatter, StrMethodFormatter
+
+    place.set_yscale("log")
+    place.yaxis.set_major_locator(LogLocator(subs=(1.0, 2.0, 5.0)))
+    place.yaxis.set_major_formatter(StrMethodFormatter("{x:g}"))
+    place.yaxis.set_minor_formatter(NullFormatter())
+
+
 def _ticks(place: Axes, panel: Panel) -> None:
     """Draw the marks along the foot of a panel."""
     transform = place.get_xaxis_transform()
-    for kind, symbol in (("reversal", "^"), ("corner", "D")):
+    for kind, symbol in (("reversal", "^"), ("corner", "D"), ("first zero", "o")):
         x = [tick.x for tick in panel.ticks if tick.kind == kind]
         if x:
             style: dict[str, Any] = {"linestyle": "none", "marker": symbol, "markersize": 3.2, "color": MUTED}

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import base64
+import math
 from typing import Any
 
 import numpy as np
@@ -89,6 +90,10 @@ def _line(curve: Curve | Magnified, **more: Any) -> Figure:
     return {"type": "scatter", "mode": "lines", "name": name, "line": style, "legendgroup": name, **more}
 
 
+TICKS = (("reversal", "triangle-up"), ("corner", "diamond"), ("first zero", "circle"))
+"""Kinds of marks on the x axis, and how they are drawn."""
+
+
 def line_figure(chart: Chart) -> Figure:
     """Return panels under one another; they zoom together along x."""
     count = len(chart.panels)
@@ -108,11 +113,22 @@ def line_figure(chart: Chart) -> Figure:
         x_axis |= {} if panel.log_x else {"range": _x_span(chart)}
         layout[f"xaxis{tail}"] = x_axis
         layout[f"yaxis{tail}"] = _axis(panel.y_label, anchor=f"x{tail}", domain=[max(high - one, 0.0), high])
+        if panel.log_y:
+            values = _decades(panel)
+            layout[f"yaxis{tail}"] |= {"type": "log", "tickvals": values, "ticktext": [f"{value:g}" for value in values]}
         if panel.y_range is not None:
-            layout[f"yaxis{tail}"]["range"] = list(panel.y_range)
+            layout[f"yaxis{tail}"]["range"] = [math.log10(edge) for edge in panel.y_range] if panel.log_y else list(panel.y_range)
         data += _panel_curves(panel, tail, seen)
         _decorate(layout, panel, tail)
     return {"data": data, "layout": layout}
+
+
+def _decades(panel: Panel) -> list[float]:
+    """Return 1, 2 and 5 of every decade that the curves reach, and those beside: plotly would leave out the decade itself."""
+    values = np.concatenate([curve.y for curve in panel.curves] or [np.ones(1)])
+    values = values[np.isfinite(values) & (values > 0.0)]
+    low, high = (float(values.min()), float(values.max())) if values.size else (1.0, 1.0)
+    return [digit * 10.0**n for n in range(math.floor(math.log10(low)), math.ceil(math.log10(high)) + 1) for digit in (1.0, 2.0, 5.0)]
 
 
 def _x_span(chart: Chart) -> list[float]:
@@ -131,7 +147,7 @@ def _panel_curves(panel: Panel, tail: str, seen: set[str]) -> list[Figure]:
         trace |= {"showlegend": curve.name not in seen, "hovertemplate": f"%{{y:.4g}} {_plain(unit)}"}
         seen.add(curve.name)
         traces.append(trace)
-    for kind, symbol in (("reversal", "triangle-up"), ("corner", "diamond")):
+    for kind, symbol in TICKS:
         ticks = [tick for tick in panel.ticks if tick.kind == kind]
         if ticks:
             traces.append(_marks(panel, ticks, kind, symbol, tail))

@@ -14,6 +14,7 @@ from contourlab.report.data import ReportData
 from contourlab.report.error_pictures import error_charts, polar_charts
 from contourlab.report.feed_picture import feed_charts
 from contourlab.report.path_picture import path_charts
+from contourlab.report.trials import trial_charts
 from contourlab.result.atomic import write_bytes_atomic
 
 if TYPE_CHECKING:
@@ -53,6 +54,23 @@ def write_plots(data: ReportData, folder: str | Path, formats: Sequence[str] = (
     ResultError
         If a result has not been judged.
     """
+    return _written(_drawings(data), folder, formats)
+
+
+def write_charts(charts: Sequence[Chart], folder: str | Path, formats: Sequence[str] = ("png",)) -> tuple[Path, ...]:
+    """Write pictures that belong to no report, each as a file named by its key.
+
+    Parameters
+    ----------
+    charts : sequence of Chart
+    folder, formats
+        As of `write_plots`, which says what may be raised, too.
+    """
+    return _written(((chart.key, _draw(chart)) for chart in charts), folder, formats)
+
+
+def _written(drawings: Iterator[tuple[str, Figure]], folder: str | Path, formats: Sequence[str]) -> tuple[Path, ...]:
+    """Write each drawing in each format."""
     import matplotlib
 
     from contourlab.report.matplotlib_view import LOOKS
@@ -61,8 +79,7 @@ def write_plots(data: ReportData, folder: str | Path, formats: Sequence[str] = (
         if name not in FORMATS:
             raise ParameterError("formats", name, f"of {', '.join(FORMATS)}")
     with matplotlib.rc_context(rc=LOOKS):  # type: ignore[arg-type]
-        files = [_write(figure, Path(folder) / f"{key}.{name}", name) for key, figure in _drawings(data) for name in formats]
-    return tuple(files)
+        return tuple(_write(figure, Path(folder) / f"{key}.{name}", name) for key, figure in drawings for name in formats)
 
 
 def _write(figure: Figure, file: Path, name: str) -> Path:
@@ -79,7 +96,7 @@ def _drawings(data: ReportData) -> Iterator[tuple[str, Figure]]:
     for make in charts:
         for chart in make(data, POINTS):
             yield chart.key, _draw(chart)
-    for chart in feed_charts(data.feed):
+    for chart in (*trial_charts(data), *feed_charts(data.feed)):
         yield chart.key, _draw(chart)
 
 

@@ -8,12 +8,13 @@ from typing import TYPE_CHECKING, TextIO
 
 from contourlab.report.comparison import Comparison, Row, compare
 from contourlab.report.data import ReportData
-from contourlab.report.text import plain_unit
+from contourlab.report.text import number, plain_unit
+from contourlab.report.trials import trial_rows
 
 if TYPE_CHECKING:
     from rich.table import Table
 
-__all__ = ["comparison_markdown", "comparison_table", "comparison_text", "print_comparison"]
+__all__ = ["comparison_markdown", "comparison_table", "comparison_text", "print_comparison", "trials_text"]
 
 _MOOD = {"good": "green", "poor": "red", "": ""}
 
@@ -45,6 +46,19 @@ def comparison_table(data: ReportData, *, ascii_only: bool = False) -> Table:
         names = [Text(_shown(text, ascii_only)) for text in (row.label, row.unit)]
         table.add_row(*names, *cells, *change, style="bold" if row.strong else "")
     return table
+
+
+def trials_text(data: ReportData) -> str:
+    """Return the trials of each scheme that learns as plain text; empty where none does."""
+    lines = []
+    for scheme in data.schemes:
+        if scheme.trials is None:
+            continue
+        lines += ["", f"{scheme.name}", "trial   contour rms [um]   tracking rms [um]"]
+        for trial, contour, tracking in trial_rows(scheme.trials):
+            best = "   best" if trial == scheme.trials.best else ""
+            lines.append(f"{trial:5d}   {number(contour * 1e6, 4):>16}   {number(tracking * 1e6, 4):>17}{best}".replace("−", "-"))
+    return "\n".join(lines)
 
 
 def _shown(text: str, ascii_only: bool) -> str:

@@ -7,6 +7,7 @@ run), `values` (what comes out), `load` (the doors), `dump` and `toml_text` (the
 
 from contourlab.scenario.case import Case, Overrides, Scenario
 from contourlab.scenario.dump import dump
+from contourlab.scenario.features import FEATURES, chosen
 from contourlab.scenario.files import BUILTIN, builtin_file, builtin_names
 from contourlab.scenario.learning import LearningSettings
 from contourlab.scenario.load import load_axis, load_controller, load_machine, load_scenario, parse_scenario, scenario_from_parts
@@ -14,6 +15,7 @@ from contourlab.scenario.values import Contour, FeedSettings, Motion, PartProgra
 
 __all__ = [
     "BUILTIN",
+    "FEATURES",
     "Case",
     "Contour",
     "FeedSettings",
@@ -25,6 +27,7 @@ __all__ = [
     "Scenario",
     "builtin_file",
     "builtin_names",
+    "chosen",
     "dump",
     "load_axis",
     "load_controller",

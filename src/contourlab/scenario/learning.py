@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from contourlab.components.contract import Component
+from contourlab.components.learning.law import LearningLaw
 from contourlab.loop import Machine
 from contourlab.scenario.components import read_component
 from contourlab.scenario.files import locate
@@ -22,7 +22,7 @@ class LearningSettings:
 
     Attributes
     ----------
-    law : Component of the family learning
+    law : LearningLaw
     trials : int
         Largest number of trials after the first, which has learned nothing.
     improvement : float, 0 to 1
@@ -32,7 +32,7 @@ class LearningSettings:
         A learned table to start with.
     """
 
-    law: Component
+    law: LearningLaw
     trials: int = 30
     improvement: float = 0.01
     patience: int = 10

@@ -221,7 +221,7 @@ class LearningTable(_Strict):
     law: Any
     trials: Annotated[int, Field(ge=1, le=100_000)] = 30
     improvement: Part = 0.01
-    patience: Annotated[int, Field(ge=1, le=100_000)] = 10
+    patience: Annotated[int, Field(ge=2, le=100_000)] = 10
     table: Annotated[str, Field(min_length=1)] | None = None
 
 

@@ -15,7 +15,7 @@ from contourlab.errors import OutputError
 
 __all__ = ["staged"]
 
-OURS = ("report.html", "signals/*.nc", "plots/*.png", "plots/*.svg", "plots/*.pdf", "summary.json")
+OURS = ("report.html", "signals/*.nc", "learned/*.nc", "plots/*.png", "plots/*.svg", "plots/*.pdf", "summary.json")
 """What a run writes; the summary comes last, so that where it is the rest is complete."""
 
 
@@ -61,7 +61,7 @@ def _exchange(stage: Path, folder: Path) -> None:
             path.replace(target)
     except OSError as error:
         raise OutputError(f"{folder}: cannot be written: {error.strerror or error}") from error
-    for name in ("signals", "plots"):
+    for name in ("signals", "learned", "plots"):
         with suppress(OSError):
             (folder / name).rmdir()
 

@@ -13,6 +13,7 @@ from contourlab.feed.binding import Binding, limiting
 from contourlab.metrics.circles import pairs
 from contourlab.report.data import AxisBounds, CircleRun, FrequencyResponse, Mark, Provenance, ReportData, SchemeReport
 from contourlab.report.feed_picture import FeedRun
+from contourlab.report.trials import TrialCourse
 from contourlab.studies.compare import AxisBode, Outcome
 
 __all__ = ["report_data"]
@@ -96,7 +97,18 @@ def _scheme(outcome: Outcome) -> SchemeReport:
         spikes=marks,
         bidirectional=pairs(outcome.circles),
         limits=outcome.limits,
+        trials=_course(outcome),
+        tick=outcome.tick,
     )
+
+
+def _course(outcome: Outcome) -> TrialCourse | None:
+    run = outcome.learning
+    if run is None:
+        return None
+    contour = np.array([trial.contour_rms for trial in run.trials])
+    tracking = np.array([trial.tracking_rms for trial in run.trials])
+    return TrialCourse(contour, tracking, run.best, run.status, run.reason, outcome.warnings)
 
 
 def _response(bode: AxisBode) -> FrequencyResponse:

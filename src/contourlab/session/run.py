@@ -196,10 +196,13 @@ def run_session(
     plots: Sequence[str] = (),
     signals: Sequence[str] = (),
     progress: bool = False,
+    costs: bool = False,
+    foretell: bool = False,
 ) -> RunOutcome:
     """Run every scheme of a scenario; write signals, summary.json, report.html and plots into a folder.
 
-    A scheme that runs away is named in the summary and takes nothing from the others.
+    A scheme that runs away is named in the summary and takes nothing from the others. With `costs` the servo tick of each scheme is timed;
+    with `foretell` an analysis says beforehand how learning will go.
 
     Raises
     ------
@@ -215,13 +218,15 @@ def run_session(
         outcomes: list[Outcome] = []
         runaways: dict[str, DivergenceError] = {}
         with shown(progress) as stages:
-            _run_each(cases, stages, outcomes, runaways)
+            _run_each(cases, stages, outcomes, runaways, costs, foretell)
             first = next(iter(runaways.values()), None)
             if first is not None and not outcomes:
                 raise first
             stages.begin("writing signals")
             for outcome in outcomes:
                 _write_signals(outcome, folder / "signals" / f"{names[outcome.name]}.nc", signals or outcome.case.signals)
+                if outcome.learning is not None:
+                    outcome.learning.table.save(folder / "learned" / f"{names[outcome.name]}.nc")
             summary = summary_of(scenario.name, outcomes, command, runaways)
             write_text_atomic(folder / "summary.json", json.dumps(summary, indent=2, allow_nan=False) + "\n")
             stages.begin("writing the report")
@@ -229,10 +234,17 @@ def run_session(
     return RunOutcome(summary["passed"] is not False, summary, f"{table}\nreport: {Path(out) / 'report.html'}", first)
 
 
-def _run_each(cases: Sequence[Case], stages: Stages, outcomes: list[Outcome], runaways: dict[str, DivergenceError]) -> None:
+def _run_each(
+    cases: Sequence[Case],
+    stages: Stages,
+    outcomes: list[Outcome],
+    runaways: dict[str, DivergenceError],
+    costs: bool,
+    foretell: bool,
+) -> None:
     for case in cases:
         try:
-            outcomes.append(run_case(case, progress=stages.advance, stage=stages.begin))
+            outcomes.append(run_case(case, progress=stages.advance, stage=stages.begin, costs=costs, foretell=foretell))
         except DivergenceError as error:
             runaways[case.name] = error
 
@@ -279,7 +291,7 @@ def file_names(names: Sequence[str]) -> dict[str, str]:
 
 def _write_report(scenario: Scenario, outcomes: Sequence[Outcome], folder: Path, command: str, plots: Sequence[str]) -> str:
     from contourlab.report.html import write_html
-    from contourlab.report.tables import comparison_text
+    from contourlab.report.tables import comparison_text, trials_text
     from contourlab.session.page import report_data
 
     data = report_data(scenario.name, outcomes, scenario=scenario.text, command=command)
@@ -288,7 +300,8 @@ def _write_report(scenario: Scenario, outcomes: Sequence[Outcome], folder: Path,
         from contourlab.report.plots import write_plots
 
         write_plots(data, folder / "plots", tuple(plots))
-    return "\n".join([comparison_text(data).rstrip(), *verdict_lines(outcomes)])
+    trials = trials_text(data)
+    return "\n".join([comparison_text(data).rstrip(), *([f"{trials}\n"] if trials else []), *verdict_lines(outcomes)])
 
 
 def verdict_lines(outcomes: Sequence[Outcome]) -> list[str]:
@@ -296,6 +309,9 @@ def verdict_lines(outcomes: Sequence[Outcome]) -> list[str]:
     lines = []
     for outcome in outcomes:
         found = outcome.verdict
+        lines += [f"{outcome.name}: note: {warning}" for warning in outcome.warnings]
+        if outcome.learning is not None:
+            lines.append(f"{outcome.name}: {outcome.learning.status}: {outcome.learning.reason}")
         if found is None:
             continue
         worst = found.worst

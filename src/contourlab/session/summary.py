@@ -15,6 +15,7 @@ from contourlab.feed.verify import LimitReport
 from contourlab.metrics.circles import pairs
 from contourlab.report.limit_table import nearest
 from contourlab.studies.compare import Outcome
+from contourlab.studies.learn import LearningRun
 
 __all__ = ["SCHEMA", "summary_of"]
 
@@ -69,6 +70,21 @@ def _scheme(outcome: Outcome) -> dict[str, Any]:
         "reversals": [asdict(spike) for spike in outcome.spikes],
         "margins": {axis: asdict(bode.margins) for axis, bode in outcome.bode.items()},
         "limits": _limits(outcome.limits, result.axes) if outcome.limits else None,
+        "learning": _learning(outcome.learning) if outcome.learning else None,
+        "warnings": list(outcome.warnings),
+        "tick": outcome.tick,
+    }
+
+
+def _learning(run: LearningRun) -> dict[str, Any]:
+    """Return how learning went, with the figures of each trial."""
+    return {
+        "status": run.status,
+        "reason": run.reason,
+        "best_trial": run.best,
+        "gain": run.gain,
+        "trials": [asdict(trial) for trial in run.trials],
+        "split": asdict(run.split) if run.split else None,
     }
 
 

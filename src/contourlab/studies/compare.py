@@ -1,24 +1,52 @@
-"""One case after another: simulate, judge, sum up, give a verdict."""
+"""One case after another: simulate, or learn from trial to trial, judge, sum up, give a verdict."""
 
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
+from pathlib import Path
 from typing import Protocol
 
-from contourlab.analysis import AxisResponse, Margins, sampled_loop
-from contourlab.errors import ComponentError
+from contourlab.analysis import AxisResponse, Margins, learning_analysis, sampled_loop
+from contourlab.components.learning.law import LearningLaw
+from contourlab.errors import ComponentError, ResultError
 from contourlab.feed import AxisLimits, LimitReport, Reference, Route, limit_report
 from contourlab.loop import Controller, Machine, simulate
 from contourlab.metrics import CircleFigures, Metrics, Spike, circles_of, judge, reversal_spikes, summarise
 from contourlab.result import Result
+from contourlab.studies.cost import tick_cost
+from contourlab.studies.learn import LearnedTable, LearningRun, Stopping, learn
 from contourlab.studies.verdict import Verdict, verdict
 
-__all__ = ["AxisBode", "Case", "Outcome", "run_case"]
+__all__ = ["AxisBode", "Case", "Learning", "Outcome", "run_case"]
 
 KEPT_REPORTS = 16
 _REPORTS: dict[tuple[str, bytes, bytes, bytes], LimitReport] = {}
 """The latest reports by motion and limits: the schemes of a file mostly share both, and each report reads the whole motion."""
+
+
+class Learning(Protocol):
+    """How a case learns from trial to trial."""
+
+    @property
+    def law(self) -> LearningLaw:
+        """What is learned from a trial."""
+
+    @property
+    def trials(self) -> int:
+        """Largest number of trials after the first."""
+
+    @property
+    def improvement(self) -> float:
+        """Part of the error that `patience` trials have to take off, for learning to go on."""
+
+    @property
+    def patience(self) -> int:
+        """Number of those trials."""
+
+    @property
+    def table(self) -> Path | None:
+        """A learned table to start with."""
 
 
 class Case(Protocol):
@@ -64,6 +92,10 @@ class Case(Protocol):
     def limits(self) -> AxisLimits:
         """Limits of the axes that the motion was planned with."""
 
+    @property
+    def learning(self) -> Learning | None:
+        """How it learns from trial to trial; None where it is driven once."""
+
     def route(self) -> Route | None:
         """The path with its feedrates; None where the motion was not planned."""
 
@@ -84,7 +116,11 @@ class AxisBode:
 
 @dataclass(frozen=True, eq=False)
 class Outcome:
-    """A judged case; `limits` is None where the motion was not planned within limits."""
+    """A judged case: of a case that learns, its best trial.
+
+    `limits` is None where the motion was not planned within limits, `learning` where nothing was learned. `warnings` are those of an
+    analysis of learning, `tick` [s] is what a tick of the servo loop costs, where it was asked for.
+    """
 
     name: str
     case: Case
@@ -96,6 +132,9 @@ class Outcome:
     spikes: tuple[Spike, ...]
     bode: dict[str, AxisBode]
     limits: LimitReport | None
+    learning: LearningRun | None = None
+    warnings: tuple[str, ...] = ()
+    tick: float | None = None
 
 
 def run_case(
@@ -104,6 +143,8 @@ def run_case(
     explain: bool = True,
     progress: Callable[[int, int], None] | None = None,
     stage: Callable[[str], None] | None = None,
+    costs: bool = False,
+    foretell: bool = False,
 ) -> Outcome:
     """Run one case and judge it.
 
@@ -115,7 +156,12 @@ def run_case(
     progress : callable, optional
         Told samples done and samples in all, while simulating.
     stage : callable, optional
-        Told in words what is begun: planning, simulating, judging, and looking for the causes of a verdict that failed.
+        Told in words what is begun: planning, simulating or learning, judging, and looking for the causes of a verdict that failed. What
+        was learned belongs to the machine as it is, so that the causes of a case that learns are not looked for.
+    costs : bool
+        Whether the servo tick is timed.
+    foretell : bool
+        Whether an analysis says beforehand how learning will go.
 
     Raises
     ------
@@ -128,17 +174,29 @@ def run_case(
 
     def told(done: int) -> None:
         if progress is not None:
-            progress(done, reference.n_sample)
+            progress(done, reference.n_sample * (1 if case.learning is None else case.learning.trials + 1))
 
-    begin(f"simulating {case.name}")
-    result = simulate(case.machine, case.controller, reference, scheme=case.name, seed=case.seed, progress=told)
+    warnings: tuple[str, ...] = ()
+    if case.learning is None:
+        learned = None
+        begin(f"simulating {case.name}")
+        result = simulate(case.machine, case.controller, reference, scheme=case.name, seed=case.seed, progress=told)
+    else:
+        if foretell:
+            begin(f"analysing how {case.name} learns")
+            warnings = _foretold(case, case.learning)
+        begin(f"learning, {case.name}")
+        learned = _learned(case, case.learning, reference, told)
+        begin(f"simulating {case.name}, trial {learned.best}")
+        table = learned.table.learned
+        result = simulate(case.machine, case.controller, reference, scheme=case.name, seed=case.seed, learned=table, trial=learned.best)
     begin(f"judging {case.name}")
     judged = judge(result, reference)
     figures = summarise(judged, reference)
     found = None
     if case.tolerance is not None:
-        failed = figures.part_error.max > case.tolerance
-        if explain and failed:
+        explain = explain and figures.part_error.max > case.tolerance and learned is None
+        if explain:
             begin(f"looking for the causes of the error of {case.name}")
         found = verdict(
             case.machine,
@@ -149,13 +207,50 @@ def run_case(
             lines=case.lines,
             slower=case.reference,
             closer=case.closer,
-            explain=explain and failed,
+            explain=explain,
             seed=case.seed,
         )
     circles = circles_of(judged, reference)
     spikes = reversal_spikes(judged, (max(figures.window[0] - 5, 0), figures.window[1]))
     bode = bode_of(case.machine, case.controller)
-    return Outcome(case.name, case, reference, judged, figures, found, circles, spikes, bode, limits_of(case, reference))
+    limits = limits_of(case, reference)
+    tick = tick_cost(case.machine, case.controller, reference) if costs else None
+    return Outcome(case.name, case, reference, judged, figures, found, circles, spikes, bode, limits, learned, warnings, tick)
+
+
+def _start(case: Case, file: Path, reference: Reference) -> LearnedTable:
+    """Return the learned table of a file, which has to belong to the case."""
+    table = LearnedTable.load(file)
+    try:
+        table.check(case.machine, case.controller, reference)
+    except ResultError as error:
+        raise ResultError(f"{file}: {error}") from error
+    return table
+
+
+def _foretold(case: Case, learning: Learning) -> tuple[str, ...]:
+    """Return what an analysis says of learning, before it begins; nothing where there is no linear model to analyse."""
+    try:
+        return learning_analysis(case.machine, case.controller, learning.law).warnings
+    except ComponentError:
+        return ()
+
+
+def _learned(case: Case, learning: Learning, reference: Reference, told: Callable[[int], None]) -> LearningRun:
+    """Run the trials of a case; the first one starts with the table that the case names."""
+    stopping = Stopping(improvement=learning.improvement, patience=learning.patience)
+    start = None if learning.table is None else _start(case, learning.table, reference)
+    return learn(
+        case.machine,
+        case.controller,
+        reference,
+        learning.law,
+        trials=learning.trials,
+        seed=case.seed,
+        start=start,
+        stopping=stopping,
+        progress=told,
+    )
 
 
 def limits_of(case: Case, reference: Reference) -> LimitReport | None:

@@ -1,0 +1,29 @@
+"""``contourlab analyse``: margins, coupling and convergence of learning, before anything runs."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from contourlab.cli.output import emit_json, say
+from contourlab.cli.scheme_options import Json, Out, Plots, Plugins, ScenarioFile, Schemes, listed
+
+__all__ = ["analyse"]
+
+
+def analyse(
+    file: ScenarioFile,
+    schemes: Schemes = None,
+    out: Out = Path("results"),
+    as_json: Json = False,
+    plots: Plots = None,
+    plugin: Plugins = None,
+) -> int:
+    """Say before anything runs how far each loop and the coupling are from instability, and whether learning converges."""
+    from contourlab.session.analyse import analyse_scenario
+
+    found = analyse_scenario(file, schemes=listed(schemes), plugins=tuple(plugin or ()), plots=tuple(plots or ()), out=out)
+    if as_json:
+        emit_json(found.summary)
+    else:
+        say(found.text)
+    return 0 if found.good else 1

@@ -1,0 +1,73 @@
+"""Filters without phase, over whole trials.
+
+Beyond its ends a trial goes on as its own mirror image, d c b a | a b c d | d c b a. A filter then is a symmetric matrix whose
+eigenvalues are its response at the frequencies of the record: it keeps a constant, and where the response is at most 1 it makes nothing
+larger. Other continuations, by an odd image or by the last value, let the samples at the ends through unfiltered: there learning goes
+astray that converges everywhere else.
+"""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+from numpy.typing import NDArray
+
+__all__ = ["advanced", "moving_average", "q_filter"]
+
+Array = NDArray[np.float64]
+
+
+def moving_average(signal: Array, half_width: int, passes: int = 1) -> Array:
+    """Return the mean over 2 M + 1 samples around each one, `passes` times.
+
+    Parameters
+    ----------
+    signal : ndarray (n_sample, n_axis)
+    half_width : int, M >= 0
+    passes : int, >= 0
+
+    Notes
+    -----
+    H_M(w) = sin((2 M + 1) w T_s/2) / ((2 M + 1) sin(w T_s/2)).
+    """
+    from scipy.ndimage import uniform_filter1d
+
+    for _ in range(passes):
+        signal = uniform_filter1d(signal, 2 * half_width + 1, axis=0, mode="reflect")
+    return signal
+
+
+def advanced(signal: Array, samples: int) -> Array:
+    """Return x(k + samples); zero where that is beyond the end, so that nothing is learned from what is not known."""
+    if not samples:
+        return signal
+    later = np.zeros_like(signal)
+    later[: max(len(signal) - samples, 0)] = signal[samples:]
+    return later
+
+
+def q_filter(signal: Array, bandwidth: float, order: int, servo_period: float) -> Array:
+    """Return a signal behind a Butterworth low-pass run forwards and backwards, 1/(1 + (tan(w T_s/2)/tan(w_q T_s/2))^(2 order)).
+
+    Parameters
+    ----------
+    signal : ndarray (n_sample, n_axis)
+    bandwidth : float [rad/s], > 0
+        w_q, where half of the amplitude is left; from the Nyquist frequency on there is no filter.
+    order : int, >= 1
+    servo_period : float [s]
+
+    Notes
+    -----
+    That is the magnitude of the sampled filter, squared; for w far below the Nyquist frequency 1/(1 + (w/w_q)^(2 order)).
+    """
+    if bandwidth * servo_period >= math.pi:
+        return signal
+    from scipy.fft import dct, idct
+
+    n = len(signal)
+    ratio = np.tan(0.5 * np.pi * np.arange(n) / n) / math.tan(0.5 * bandwidth * servo_period)
+    gain = 1.0 / (1.0 + np.minimum(ratio, 1e9) ** (2 * order))
+    # The cosines are what a mirror image at both ends leaves of the frequencies: the filter is this product, without any padding.
+    return np.asarray(idct(dct(np.ascontiguousarray(signal.T)) * gain).T)

@@ -1,0 +1,267 @@
+"""The same motion again and again: what does not change from trial to trial is made once.
+
+A trial gives the positions that `simulate` gives with the same table, seed and trial number, to the last bit.
+"""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Callable, Iterable
+from dataclasses import dataclass, replace
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from contourlab.components.drive.saturation import Saturation
+from contourlab.components.sensor.ideal import IdealSensor
+from contourlab.components.velocity.true import TrueVelocity
+from contourlab.engine.runner import Group, make_group
+from contourlab.engine.schedule import Schedule
+from contourlab.feed import Reference
+from contourlab.geometry.view import PathView, view_of
+from contourlab.loop.feeding import LEARNED_COMMAND, LEARNED_REFERENCE, Feed, Learned
+from contourlab.loop.machine import Controller, Machine
+from contourlab.loop.simulate import BLOCK, jit_enabled, sampler
+from contourlab.loop.template import Loop, build
+from contourlab.loop.tool import ToolPosition
+from contourlab.loop.trial_judge import TrialJudge
+from contourlab.loop.watch import watched
+from contourlab.metrics.judge import reach
+from contourlab.result import Status
+
+__all__ = ["Trial", "Trials", "feedforward_command"]
+
+Array = NDArray[np.float64]
+
+
+@dataclass(frozen=True, eq=False)
+class Trial:
+    """What came of one trial: arrays (n_sample, n_axis) unless said otherwise, each signal one row of memory.
+
+    Attributes
+    ----------
+    status : Status
+        The arrays of a trial that fails mean nothing from the failing sample on.
+    position, measured, tool : ndarray [m]
+        Of the axes, what their encoders say, and where the tool was.
+    command, excess : ndarray [command unit]
+        Of the controllers, with what was learned; and what of it lay beyond the limit of the drive.
+    estimate : ndarray [command unit]
+        Disturbance estimate that was subtracted from the command; zero without an observer.
+    contour_vector : ndarray [m] or None
+        From the tool, as measured, to the path; where it was asked for.
+    contour_error : ndarray (n_sample,) [m]
+        Exact, of the tool.
+    contour_rms, contour_max, contour_mean : float [m]
+        Over the samples that count; NaN for a trial that failed.
+    """
+
+    status: Status
+    position: Array
+    measured: Array
+    tool: Array
+    command: Array
+    excess: Array
+    estimate: Array
+    contour_vector: Array | None
+    contour_error: Array
+    contour_rms: float
+    contour_max: float
+    contour_mean: float
+
+
+class Trials:
+    """Runs trials of one motion.
+
+    Parameters
+    ----------
+    machine, controller, reference
+        What runs.
+    target : {"command", "reference"}
+        What the learned table is added to.
+    vector : bool
+        Whether the contour-error vector of the measured position is wanted.
+    seed : int
+        Of all noise.
+    window : (int, int), optional
+        Samples [start, stop) that count; by default the last whole lap, or all.
+    jit, view
+        As of `simulate`.
+
+    Attributes
+    ----------
+    position, arc_length : ndarray (n_sample, n_axis) and (n_sample,) [m]
+        Of the reference.
+    engine_seconds, judge_seconds : float [s]
+        Time that the machine and the judge have run so far.
+
+    Raises
+    ------
+    ParameterError
+        If the window is not within the samples, or a controller has no port for what is learned.
+
+    Notes
+    -----
+    Memory grows with the samples: some 150 bytes for each and each axis.
+    """
+
+    def __init__(
+        self,
+        machine: Machine,
+        controller: Controller,
+        reference: Reference,
+        *,
+        target: str = "command",
+        vector: bool = False,
+        seed: int = 0,
+        window: tuple[int, int] | None = None,
+        jit: bool | None = None,
+        view: PathView | None = None,
+    ) -> None:
+        self.machine, self.controller, self.reference, self.seed = machine, controller, reference, seed
+        compiled = jit_enabled() if jit is None else jit
+        self.window = window or (reference.laps[-1] if reference.laps else (0, reference.n_sample))
+        n = reference.n_sample
+        self._feed = Feed(machine, controller, reference, Learned(**{target: np.zeros((n, reference.n_axis))}), sampler(compiled))
+        self._fed = LEARNED_COMMAND if target == "command" else LEARNED_REFERENCE
+        blocks = [self._feed.block(k, min(k + BLOCK, n)) for k in range(0, n, BLOCK)]
+        self._blocks = [fed for _, fed in blocks]
+        self.position = np.concatenate([asked.position.T for asked, _ in blocks], axis=1).T
+        self.arc_length = np.concatenate([asked.arc_length for asked, _ in blocks])
+        self._view = view
+        loop = self._built(0)
+        self._schedule, self._signals = loop.schedule, loop.signals
+        self._group = make_group(self._schedule, 1, slice(0, 1), compiled)
+        self._fresh = self._group.snapshot()
+        self._noisy = any("stream" in node.step.parameters for node in loop.schedule.nodes)
+        self._column = self._wanted()
+        self._log = np.empty((n, len(self._column), 1))
+        self._limit = np.array([float(getattr(axis.drive, "limit", np.inf)) for axis in machine.axes])
+        seen = view or view_of(reference.path)
+        self._judge = TrialJudge(machine, reference, seen, self.position, self.arc_length, self.window, vector, compiled)
+        self.engine_seconds = self.judge_seconds = 0.0
+
+    def _built(self, trial: int) -> Loop:
+        start, progress = self.position[0], float(self.arc_length[0])
+        given: dict[str, Any] = {"view": self._view, "seed": self.seed, "trial": trial, "fed": self._feed.names}
+        return build(self.machine, self.controller, self.reference.path, start, progress, **given)
+
+    def _wanted(self) -> dict[str, int]:
+        """Return the signals that are logged, and the column of each."""
+        kinds = ["axis_position", "position", "command"]
+        if not ToolPosition(self.machine, self.seed).exact:
+            kinds.append("axis_velocity")
+        names = [signal for kind in kinds for signal in self._signals[kind]]
+        names += [self._estimate_of(name) for name in self.machine.axis_names if self.controller.axes[name].observer is not None]
+        return {name: i for i, name in enumerate(dict.fromkeys(names))}
+
+    @staticmethod
+    def _estimate_of(axis: str) -> str:
+        return f"{axis}.observer.disturbance_estimate"
+
+    def run(self, table: Array | None, trial: int, progress: Callable[[int], None] | None = None) -> Trial:
+        """Run one trial with a learned table (n_sample, n_axis), or none; stop at the end of the block in which it fails."""
+        group, began = self._group, time.perf_counter()
+        group.restore(self._fresh)
+        if self._noisy and trial:
+            self._draw(trial)
+        first = self._schedule.row(f"in.{self._fed}")
+        rows = [self._schedule.row(name) for name in self._column]
+        status, k = Status(ok=True), 0
+        for external in self._blocks:
+            stop = k + len(external)
+            external[:, first : first + self.reference.n_axis] = 0.0 if table is None else table[k:stop]
+            group.run(external, rows, self._log[k:stop])
+            status, k = self._status(group, stop), stop
+            if progress is not None:
+                progress(k)
+            if not status.ok:
+                break
+        self._log[k:] = np.nan
+        self.engine_seconds += time.perf_counter() - began
+        return self._trial(status, trial)
+
+    def _draw(self, trial: int) -> None:
+        """Give every source of noise the numbers of this trial."""
+        drawn = self._built(trial).schedule.nodes
+        for node, memory in zip(drawn, self._group.parameters, strict=True):
+            if "stream" in node.step.parameters:
+                memory[:, 0] = [float(node.parameters[name]) for name in node.step.parameters]
+        self._group.refresh()
+
+    def _status(self, group: Group, stop: int) -> Status:
+        status = watched(group, self.machine)
+        if status.ok and not group.finite().all():
+            node = group.first_bad_node()
+            return Status(ok=False, sample=stop - 1, axis=node.split(".")[0], reason=f"{node} gave a number that is not finite")
+        return status
+
+    def _trial(self, status: Status, trial: int) -> Trial:
+        # Turned once, so that all that follows runs along memory.
+        rows = np.ascontiguousarray(self._log[:, :, 0].T)
+
+        def signal(names: Iterable[str]) -> Array:
+            return rows[[self._column[name] for name in names]].T
+
+        position, measured, command = (signal(self._signals[name]) for name in ("axis_position", "position", "command"))
+        estimate = np.zeros(command.T.shape).T
+        for j, name in enumerate(self.machine.axis_names):
+            if self._estimate_of(name) in self._column:
+                estimate[:, j] = rows[self._column[self._estimate_of(name)]]
+        if not status.ok:
+            unknown = np.full(len(position), np.nan)
+            return Trial(
+                status, position, measured, position, command, np.zeros_like(command), estimate, None, unknown, np.nan, np.nan, np.nan
+            )
+        excess = command - np.clip(command, -self._limit, self._limit)
+        velocity = signal(self._signals["axis_velocity"]) if self._signals["axis_velocity"][0] in self._column else position
+        began = time.perf_counter()
+        tool, vector, contour, figures = self._judged(trial, position, measured, velocity)
+        self.judge_seconds += time.perf_counter() - began
+        return Trial(status, position, measured, tool, command, excess, estimate, vector, contour, *figures)
+
+    def _judged(
+        self, trial: int, position: Array, measured: Array, velocity: Array
+    ) -> tuple[Array, Array | None, Array, tuple[float, float, float]]:
+        """Return tool position, error vector, contour error and its rms, maximum and mean, again and by the slow way where need be."""
+        contour, vector, sums = self._judge(position, measured)
+        made = ToolPosition(self.machine, self.seed, trial)
+        if made.exact and not sums["unsure"]:
+            count = max(sums["count"], 1.0)
+            return position, vector, contour, (float(np.sqrt(sums["sum_square"] / count)), sums["largest"], sums["sum_magnitude"] / count)
+        tool = position if made.exact else made.of(position, velocity)
+        path = self.reference.path
+        found = path.foot_point(tool, self.arc_length, reach(path, self.position - tool))
+        contour = found.signed if path.is_planar else found.distance
+        size = np.abs(contour[slice(*self.window)])
+        return tool, vector, contour, (float(np.sqrt(np.mean(size**2))), float(size.max()), float(size.mean()))
+
+
+def feedforward_command(machine: Machine, controller: Controller, reference: Reference, *, jit: bool | None = None) -> Array:
+    """Return what the controllers give on a machine without any error: feedforward of the reference (n_sample, n_axis) [command unit].
+
+    The nodes of feedforward, velocity and control run with the reference in place of the measured position, without observer and coupling.
+    """
+    compiled = jit_enabled() if jit is None else jit
+    feed = Feed(machine, controller, reference, None, sampler(compiled))
+    alone = Controller({name: replace(controller.axes[name], observer=None, predictor=None) for name in machine.axis_names})
+    plain = replace(machine, axes=tuple(replace(axis, drive=Saturation(), sensor=IdealSensor()) for axis in machine.axes))
+    first, _ = feed.block(0, min(BLOCK, reference.n_sample))
+    loop = build(plain, alone, reference.path, first.position[0], float(first.arc_length[0]), fed=feed.names)
+    nodes = []
+    for node in loop.schedule.nodes[: loop.schedule.record_point - 1]:
+        axis, _, slot = node.name.partition(".")
+        given: dict[str, Any] = {}
+        if slot in ("velocity", "controller"):
+            j = machine.axis_names.index(axis)
+            given["position"] = f"in.reference[{j}]"
+            if slot == "controller" and isinstance(controller.axes[axis].velocity, TrueVelocity):
+                given["velocity"] = f"in.reference_velocity[{j}]"
+        wires = {**node.wires, **{port: wire for port, wire in given.items() if port in node.wires}}
+        nodes.append(replace(node, wires=wires))
+    schedule = Schedule(tuple(nodes), loop.schedule.externals, machine.servo_period, len(nodes))
+    group = make_group(schedule, 1, slice(0, 1), compiled)
+    rows = [schedule.row(signal) for signal in loop.signals["command"]]
+    stops = range(0, reference.n_sample, BLOCK)
+    return np.concatenate([group.run(feed.block(k, min(k + BLOCK, reference.n_sample))[1], rows)[:, :, 0] for k in stops])

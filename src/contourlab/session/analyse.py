@@ -1,0 +1,187 @@
+"""``contourlab analyse``: what can be said of loops, coupling and learning before anything runs."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import asdict, dataclass, field
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from contourlab.analysis import (
+    ContourTransfer,
+    InternalStability,
+    LearningAnalysis,
+    Margins,
+    contour_transfer,
+    internal_stability,
+    learning_analysis,
+    sampled_loop,
+)
+from contourlab.errors import ComponentError
+
+if TYPE_CHECKING:
+    from contourlab.report.charts import Chart
+    from contourlab.scenario import Case
+
+__all__ = ["Analysed", "analyse_scenario"]
+
+LONGEST = 4000
+"""Samples times axes up to which a whole trial is looked at: beyond, seconds become minutes."""
+
+
+@dataclass(frozen=True)
+class Analysed:
+    """What a command prints: the summary, the text, and whether everything is stable and all that learns converges."""
+
+    good: bool
+    summary: dict[str, Any]
+    text: str
+
+
+@dataclass(eq=False)
+class _Found:
+    """What was found of one case; an entry is None, with its reason, where there is no linear model."""
+
+    name: str
+    margins: dict[str, Margins] = field(default_factory=dict)
+    transfer: ContourTransfer | None = None
+    stability: InternalStability | None = None
+    learning: LearningAnalysis | None = None
+    unknown: list[str] = field(default_factory=list)
+
+    @property
+    def good(self) -> bool:
+        loops = all(margins.stable for margins in self.margins.values())
+        inside = self.stability is None or self.stability.stable
+        return loops and inside and (self.learning is None or self.learning.converges)
+
+
+def analyse_scenario(
+    file: str | Path,
+    *,
+    schemes: Sequence[str] = (),
+    plugins: Sequence[str | Path] = (),
+    plots: Sequence[str] = (),
+    out: str | Path = "results",
+) -> Analysed:
+    """Analyse the schemes of a scenario: margins of each axis, of the coupling in all directions of the path, convergence of learning.
+
+    Parameters
+    ----------
+    file : str or Path
+        A scenario.
+    schemes : sequence of str
+        As of `contourlab.session.schemes.compare_schemes`.
+    plugins : sequence of str or Path
+        Python files with components.
+    plots : sequence of str
+        Formats of the pictures: png, svg, pdf; none by default.
+    out : str or Path
+        Folder of the pictures.
+    """
+    from contourlab.session.schemes import loaded
+
+    scenario = loaded(file, schemes, plugins)
+    found = [_of(case) for case in scenario.cases()]
+    text = "\n\n".join("\n".join(_lines(one)) for one in found)
+    if plots:
+        from contourlab.report.plots import write_charts
+
+        files = write_charts(_charts(found), Path(out) / "plots", tuple(plots))
+        text += "".join(f"\n{file}" for file in files)
+    summary = {"name": scenario.name, "schemes": {one.name: _summary(one) for one in found}}
+    return Analysed(all(one.good for one in found), summary, text)
+
+
+def _of(case: Case) -> _Found:
+    machine, controller, found = case.machine, case.controller, _Found(case.name)
+    for axis in machine.axes:
+        try:
+            loop = sampled_loop(axis, controller.axes[axis.name], machine.servo_period, machine.carried_mass(axis.name))
+            found.margins[axis.name] = loop.margins()
+        except ComponentError as error:
+            found.unknown.append(str(error))
+    if found.unknown:
+        return found
+    reference = case.reference()
+    short = reference.n_sample * reference.n_axis <= LONGEST
+    try:
+        if controller.coupling is not None:
+            found.transfer = contour_transfer(machine, controller)
+            found.stability = internal_stability(machine, controller, reference if reference.laps and short else None)
+        if case.learning is not None:
+            found.learning = learning_analysis(machine, controller, case.learning.law, reference if short else None)
+    except ComponentError as error:
+        found.unknown.append(str(error))
+    return found
+
+
+def _lines(found: _Found) -> list[str]:
+    lines = [found.name]
+    for axis, margins in found.margins.items():
+        lines.append(f"  axis {axis}: {_margins(margins)}")
+    if found.transfer is not None and found.stability is not None:
+        over = found.transfer.margins()
+        lines.append(f"  coupling: {found.stability.verdict}")
+        if over.stable:
+            lines.append(f"  coupling, over all directions: gain margin {_decibel(over.gain)}, phase margin {_degrees(over.phase)}")
+    if found.learning is not None:
+        learning = found.learning
+        rate = f"a trial leaves at most {learning.worst_factor:.4g} of an error, at {learning.worst_frequency / (2.0 * math.pi):.3g} Hz"
+        said = "converges" if learning.converges else "diverges"
+        lines.append(f"  learning: {said}{', each trial better than the last' if learning.monotone else ''}; {rate}")
+        lines += [f"  learning: {warning}" for warning in learning.warnings]
+    return lines + [f"  not analysed: {reason}" for reason in found.unknown]
+
+
+def _margins(margins: Margins) -> str:
+    if not margins.stable:
+        return "unstable"
+    at = f" at {margins.crossover / (2.0 * math.pi):.3g} Hz" if math.isfinite(margins.crossover) else ""
+    return f"gain margin {_decibel(margins.gain)}, phase margin {_degrees(margins.phase)}{at}, modulus margin {margins.modulus:.3g}"
+
+
+def _decibel(factor: float) -> str:
+    return f"{20.0 * math.log10(factor):.3g} dB" if math.isfinite(factor) else "without bound"
+
+
+def _degrees(angle: float) -> str:
+    return f"{math.degrees(angle):.3g} deg" if math.isfinite(angle) else "without bound"
+
+
+def _summary(found: _Found) -> dict[str, Any]:
+    learning, stability = found.learning, found.stability
+    return {
+        "good": found.good,
+        "margins": {axis: asdict(margins) for axis, margins in found.margins.items()},
+        "coupling": None
+        if stability is None or found.transfer is None
+        else {"stable": stability.stable, "lap": stability.lap, "verdict": stability.verdict, "margins": asdict(found.transfer.margins())},
+        "learning": None
+        if learning is None
+        else {
+            "converges": learning.converges,
+            "monotone": learning.monotone,
+            "worst_factor": learning.worst_factor,
+            "worst_frequency": learning.worst_frequency / (2.0 * math.pi),
+            "warnings": list(learning.warnings),
+        },
+        "not_analysed": found.unknown,
+    }
+
+
+def _charts(found: Sequence[_Found]) -> list[Chart]:
+    """Return the pictures: those of each coupling, and learning of all schemes together."""
+    from dataclasses import replace
+
+    from contourlab.report.contour_transfer_picture import contour_transfer_charts
+    from contourlab.report.learning_pictures import learning_charts
+
+    charts: list[Chart] = []
+    for one in found:
+        if one.transfer is not None:
+            named = contour_transfer_charts(one.transfer)
+            charts += [replace(c, key=f"{c.key}-{one.name}", title=f"{c.title}, {one.name}") for c in named]
+    learning = {one.name: one.learning for one in found if one.learning is not None}
+    return [*charts, *(learning_charts(learning) if learning else ())]

@@ -1,0 +1,204 @@
+"""The learned table on disk: what was learned, and the program, machine and controller that it belongs to."""
+
+from __future__ import annotations
+
+import hashlib
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from itertools import zip_longest
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from contourlab.components.learning.law import LearningLaw
+from contourlab.errors import ResultError
+from contourlab.feed import Reference
+from contourlab.loop import Controller, Learned, Machine
+from contourlab.result.atomic import replacing
+from contourlab.scenario import dump
+from contourlab.scenario.dump import component_table
+from contourlab.scenario.toml_text import toml
+
+__all__ = ["LearnedTable"]
+
+Array = NDArray[np.float64]
+FORMAT = "contourlab-learned/1"
+_TEXTS = ("format", "target", "path", "reference", "machine", "controller", "law", "scheme")
+
+
+@dataclass(frozen=True, eq=False)
+class LearnedTable:
+    """What was learned, and for what.
+
+    Attributes
+    ----------
+    values : ndarray (n_sample, n_axis) [command unit, or m]
+    target : {"command", "reference"}
+    axes : tuple of str
+    servo_period : float [s]
+    path, reference : str
+        Digests of the planned path and of the motion along it.
+    machine, controller, law : str
+        As files would have them.
+    figures : mapping of str to ndarray (n_trial,) or (n_trial, n_axis)
+        What each trial came to, for people.
+    """
+
+    values: Array
+    target: str
+    axes: tuple[str, ...]
+    servo_period: float
+    path: str
+    reference: str
+    machine: str
+    controller: str
+    law: str
+    figures: Mapping[str, Array] = field(default_factory=dict)
+
+    @classmethod
+    def of(
+        cls,
+        values: Array,
+        machine: Machine,
+        controller: Controller,
+        reference: Reference,
+        law: LearningLaw,
+        figures: Mapping[str, Array] | None = None,
+    ) -> LearnedTable:
+        """Return the table that belongs to a motion of a machine under its controller."""
+        return cls(
+            values=values,
+            target=law.target,
+            axes=machine.axis_names,
+            servo_period=machine.servo_period,
+            path=reference.path.digest,
+            reference=reference.digest,
+            machine=dump(machine),
+            controller=dump(controller, machine),
+            law=_law_text(law, machine),
+            figures=figures or {},
+        )
+
+    @property
+    def scheme(self) -> str:
+        """Digest of machine, controller and law."""
+        return hashlib.sha256("\n".join((self.machine, self.controller, self.law)).encode()).hexdigest()
+
+    @property
+    def learned(self) -> Learned:
+        """What `simulate` takes."""
+        return Learned(command=self.values) if self.target == "command" else Learned(reference=self.values)
+
+    def check(self, machine: Machine, controller: Controller, reference: Reference) -> None:
+        """See that the table belongs to this motion of this machine under this controller.
+
+        The law is not held against it: another law, or other gains, may go on from what one has learned.
+
+        Raises
+        ------
+        ResultError
+            If it does not; the message says what differs, and what would be right.
+        """
+        names = ", ".join(self.axes)
+        if self.axes != machine.axis_names:
+            raise self._refused(
+                f"axes {names}", f"a machine with axes {', '.join(machine.axis_names)}", f"take a machine with axes {names}"
+            )
+        if self.servo_period != machine.servo_period or self.servo_period != reference.servo_period:
+            other = machine.servo_period if self.servo_period != machine.servo_period else reference.servo_period
+            raise self._refused(
+                f"a servo period of {self.servo_period:g} s", f"one of {other:g} s", f"run at {self.servo_period:g} s, or learn again"
+            )
+        if self.path != reference.path.digest:
+            raise self._refused(f"path {self.path[:12]}", f"path {reference.path.digest[:12]}", "take the program that it was learned on")
+        if self.reference != reference.digest or len(self.values) != reference.n_sample:
+            mine = f"a motion of {len(self.values)} samples ({self.reference[:12]})"
+            other_motion = f"one of {reference.n_sample} ({reference.digest[:12]}) along the same path"
+            raise self._refused(mine, other_motion, "take the feed, the limits and the blending that it was learned with")
+        for what, mine, now in (("machine", self.machine, dump(machine)), ("controller", self.controller, dump(controller, machine))):
+            if mine != now:
+                was, has = _first_difference(mine, now)
+                raise self._refused(f"a {what} with {was}", f"one with {has}", f"take the {what} that it was learned on, or learn again")
+
+    def _refused(self, mine: str, other: str, right: str) -> ResultError:
+        return ResultError(f"the learned table belongs to {mine}, not to {other}: {right}")
+
+    def save(self, file: str | Path) -> None:
+        """Write a NetCDF-4 file, whole or not at all.
+
+        Raises
+        ------
+        OutputError
+            If it cannot be written.
+        """
+        import h5netcdf
+        import h5py
+
+        text = h5py.string_dtype("utf-8")
+        with replacing(file) as temporary, h5netcdf.File(temporary, "w") as data:
+            n_trial = len(next(iter(self.figures.values()))) if self.figures else 0
+            data.dimensions = {"sample": len(self.values), "axis": len(self.axes), **({"trial": n_trial} if n_trial else {})}
+            data.create_variable("axis", ("axis",), dtype=text)[:] = np.array(self.axes, dtype=object)
+            # Texts are variables: an attribute may hold 64 kB only.
+            for name, value in (*((name, getattr(self, name)) for name in _TEXTS[1:]), ("format", FORMAT)):
+                data.create_variable(name, (), dtype=text)[...] = value
+            data.create_variable("servo_period", (), float)[...] = self.servo_period
+            data.create_variable("values", ("sample", "axis"), float)[...] = self.values
+            for name, figures in self.figures.items():
+                dims = ("trial",) if figures.ndim == 1 else ("trial", "axis")
+                data.create_variable(f"figure_{name}", dims, float)[...] = figures
+
+    @classmethod
+    def load(cls, file: str | Path) -> LearnedTable:
+        """Read a file of `save`.
+
+        Raises
+        ------
+        ResultError
+            If it cannot be read, is no learned table, or is damaged.
+        """
+        import h5py
+
+        try:
+            with h5py.File(file, "r") as data:
+                form = _text(data["format"][()]) if "format" in data else None
+                if form != FORMAT:
+                    raise ResultError(f"{file}: is no learned table of contourlab (format = {form!r})")
+                texts = {name: _text(data[name][()]) for name in _TEXTS[1:]}
+                axes = tuple(_text(name) for name in data["axis"][:])
+                period, values = float(data["servo_period"][()]), np.array(data["values"][...])
+                found = {name.removeprefix("figure_"): np.array(data[name][...]) for name in data if name.startswith("figure_")}
+        except (OSError, KeyError, RuntimeError, TypeError, ValueError) as error:
+            raise ResultError(f"{file}: cannot be read as a learned table: {error}") from error
+        scheme = texts.pop("scheme")
+        table = cls(values=values, axes=axes, servo_period=period, figures=found, **texts)
+        if table.scheme != scheme or values.ndim != 2 or values.shape[1] != len(axes) or not np.isfinite(values).all():
+            raise ResultError(f"{file}: is damaged: its contents do not belong together")
+        return table
+
+
+def _text(value: Any) -> str:
+    return value.decode("utf-8") if isinstance(value, bytes) else str(value)
+
+
+def _law_text(law: LearningLaw, machine: Machine) -> str:
+    plant = machine.axes[0].plant
+    return toml({"law": component_table(law, (plant.command_unit, plant.force_unit))})
+
+
+def _first_difference(mine: str, other: str) -> tuple[str, str]:
+    """Return the first lines in which two files differ, each under the heading it stands in."""
+    heading = ""
+    for one, two in zip_longest(mine.splitlines(), other.splitlines(), fillvalue="nothing more"):
+        if one != two:
+            return _shown(heading, one), _shown(heading, two)
+        if one.startswith("["):
+            heading = one.strip("[] ")
+    return "another text", "this one"
+
+
+def _shown(heading: str, line: str) -> str:
+    plain = line.partition("#")[0].strip()
+    return f"[{heading}] {plain}" if heading and not plain.startswith("[") else plain

@@ -1,0 +1,114 @@
+"""`contourlab learn` and `contourlab compare`, as typed."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+import pytest
+from typed_commands import Run
+
+LEARNING = """\
+name = "again and again"
+machine = "builtin:ghaffari/a3a1"
+controller = "builtin:ghaffari/placed"
+[contour]
+name = "circle"
+radius = "5 mm"
+[feed]
+law = "uniform"
+frequency = "{frequency}"
+laps = 1
+[learning]
+law = {{kind = "zero-phase", gain = {gain}, half_width = {half_width}}}
+trials = 4
+[schemes.coupled]
+learning.law = "none"
+[schemes.coupled.controller]
+estimator = "tangent"
+coupling = {{kind = "cross-coupled", gain = "2 full_scale/mm"}}
+"""
+
+
+def write(folder: Path, frequency: str = "0.5 Hz", gain: float = 0.3, half_width: int = 5) -> str:
+    text = LEARNING.format(frequency=frequency, gain=gain, half_width=half_width)
+    (folder / "s.toml").write_text(text, encoding="utf-8")
+    return "s.toml"
+
+
+def test_schemes_by_their_parts(contourlab: Run, tmp_path: Path) -> None:
+    names = ["fb", "ccc", "ilc", "ccc+ilc", "mr", "me+ilc", "coupled"]
+    said = contourlab("compare", write(tmp_path), "--schemes", ",".join(names), "--json")
+    assert said.code == 0, said.err
+    schemes = json.loads(said.out)["schemes"]
+    assert list(schemes) == names
+    rms = {name: scheme["metrics"]["contour_error"]["rms"] for name, scheme in schemes.items()}
+    assert rms["ccc"] < rms["fb"] and rms["ccc+ilc"] < rms["ccc"] and rms["ilc"] < rms["fb"]
+    assert rms["coupled"] == rms["ccc"]
+    assert {name for name, scheme in schemes.items() if scheme["learning"]} == {"ilc", "ccc+ilc", "me+ilc"}
+    assert all(1e-9 < scheme["tick"] < 1e-3 for scheme in schemes.values())
+    assert sorted(file.name for file in (tmp_path / "results" / "learned").iterdir()) == ["ccc-ilc.nc", "ilc.nc", "me-ilc.nc"]
+    # Trial 0 of a scheme that learns is the scheme that does not.
+    assert schemes["ccc+ilc"]["learning"]["trials"][0]["contour_rms"] == pytest.approx(rms["ccc"], rel=1e-6)
+
+
+def test_learning_goes_on_where_it_ended(contourlab: Run, tmp_path: Path) -> None:
+    file = write(tmp_path)
+    first = json.loads(contourlab("learn", file, "--schemes", "ilc", "--json").out)["schemes"]
+    assert list(first) == ["before learning", "ilc"]
+    trials = first["ilc"]["learning"]["trials"]
+    assert len(trials) == 5
+    assert first["before learning"]["metrics"]["contour_error"]["rms"] == pytest.approx(trials[0]["contour_rms"], rel=1e-6)
+    assert first["ilc"]["metrics"]["contour_error"]["rms"] == pytest.approx(
+        trials[first["ilc"]["learning"]["best_trial"]]["contour_rms"], rel=1e-6
+    )
+    again = contourlab("learn", file, "--schemes", "ilc", "--table", "results/learned/ilc.nc", "--trials", "2", "--out", "on", "--json")
+    more = json.loads(again.out)["schemes"]["ilc"]["learning"]["trials"]
+    assert more[0]["contour_rms"] == pytest.approx(trials[-1]["contour_rms"], rel=1e-3)
+    assert len(more) == 3
+    # Another feed is another motion.
+    write(tmp_path, frequency="0.625 Hz")
+    refused = contourlab("learn", file, "--schemes", "ilc", "--table", "results/learned/ilc.nc", "--out", "no")
+    assert refused.code == 2
+    assert "results/learned/ilc.nc: the learned table belongs to" in refused.err
+    assert not (tmp_path / "no").exists()
+
+
+def test_the_text_tells_trials_and_what_is_to_be_expected(contourlab: Run, tmp_path: Path) -> None:
+    said = contourlab("learn", write(tmp_path, gain=0.9, half_width=0), "--schemes", "ilc", "--trials", "60")
+    assert said.code == 0
+    assert "before learning" in said.out and "trial   contour rms [um]" in said.out
+    assert "ilc: note: M = 0 at 1 ms diverges" in said.out
+    assert "ilc: diverged, rolled back to trial" in said.out
+
+
+@pytest.mark.parametrize(
+    ("words", "message"),
+    [
+        (["compare", "s.toml", "--schemes", "fb,fb"], "scheme 'fb' is asked for twice"),
+        (["compare", "s.toml", "--schemes", "fb,warp"], "no scheme 'warp': there are coupled, fb, ccc, mr, me, ilc, and these"),
+        (["compare", "s.toml", "--schemes", "ccc+mr"], "one coupling at most"),
+        (["learn", "s.toml", "--schemes", "coupled"], "no scheme learns; say how, for example:"),
+        (["learn", "s.toml", "--schemes", "ilc", "--trials", "0"], "--trials = 0: must be 1 or more"),
+        (["learn", "s.toml", "--schemes", "ilc", "--table", "nowhere.nc"], "nowhere.nc: cannot be read as a learned table"),
+        (["learn", "part.ngc"], "a scenario is wanted, which ends in .toml"),
+        (["learn", "nowhere.toml"], "nowhere.toml: cannot be read"),
+    ],
+)  # fmt: skip
+def test_what_cannot_be_done_is_said(contourlab: Run, tmp_path: Path, words: list[str], message: str) -> None:
+    write(tmp_path)
+    said = contourlab(*words)
+    assert (said.code, said.out) == (2, "")
+    assert message in said.err
+    assert not (tmp_path / "results").exists()
+
+
+def test_a_part_that_the_scenario_does_not_hold(contourlab: Run, tmp_path: Path) -> None:
+    file = tmp_path / "s.toml"
+    text = (tmp_path / write(tmp_path)).read_text()
+    file.write_text(text[: text.index("[learning]")])
+    for scheme, wanted in (("ccc", 'coupling = {kind = "cross-coupled"'), ("ilc", 'law = {kind = "zero-phase"')):
+        said = contourlab("compare", "s.toml", "--schemes", scheme)
+        assert said.code == 2
+        assert wanted in said.err
+    assert contourlab("compare", "s.toml", "--schemes", "fb,mr,me").code == 0

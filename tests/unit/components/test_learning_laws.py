@@ -1,0 +1,312 @@
+"""Learning laws against closed forms, dense matrices and other programs."""
+
+from __future__ import annotations
+
+from itertools import pairwise
+from typing import Any
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from numpy.typing import NDArray
+
+from contourlab.components.conformance import check_component
+from contourlab.components.learning.filters import advanced, moving_average, q_filter
+from contourlab.components.learning.law import InputModel, LearningLaw, LearningProblem, TrialRecord
+from contourlab.components.learning_check import learning_fault
+from contourlab.components.registry import component, components
+from contourlab.errors import ComponentError, ParameterError
+
+Array = NDArray[np.float64]
+PERIOD = 1e-3
+
+
+def law(kind: str, **parameters: Any) -> Any:
+    return component("learning", kind)(**parameters)
+
+
+def problem_of(impulse: Array, n: int, tangent: Array | None = None) -> LearningProblem:
+    along = np.zeros((n, impulse.shape[1])) if tangent is None else tangent
+    if tangent is None:
+        along[:, 0] = 1.0
+    return LearningProblem(PERIOD, along, lambda: impulse)
+
+
+def trial_of(error: Array, feedback: Array | None = None, excess: Array | None = None, contour: Array | None = None) -> TrialRecord:
+    none = np.zeros_like(error)
+    return TrialRecord(error, none if feedback is None else feedback, none if excess is None else excess, contour)
+
+
+def dense(impulse: Array, n: int) -> Array:
+    """Return the lower-triangular matrix of an impulse response."""
+    g = np.concatenate([impulse, np.zeros(max(n - len(impulse), 0))])
+    return np.array([[g[i - j] if i >= j else 0.0 for j in range(n)] for i in range(n)])
+
+
+def settling(n: int, *decays: float) -> Array:
+    return np.column_stack([np.concatenate([[0.0], (1.0 - a) * a ** np.arange(n - 1)]) for a in decays])
+
+
+# --- filters -------------------------------------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("frequency", [2.0, 21.7, 90.0, 180.0])
+@pytest.mark.parametrize("passes", [1, 2])
+def test_the_average_has_the_response_of_eq_9(frequency: float, passes: int) -> None:
+    m, w = 11, 2.0 * np.pi * frequency
+    t = np.arange(600)[:, None] * PERIOD
+    wave = np.sin(w * t + 0.3)
+    expected = (np.sin((2 * m + 1) * w * PERIOD / 2) / ((2 * m + 1) * np.sin(w * PERIOD / 2))) ** passes
+    inner = slice(2 * m, -2 * m)
+    assert moving_average(wave, m, passes)[inner] == pytest.approx(expected * wave[inner], abs=1e-12)
+
+
+def test_the_average_of_a_constant_is_that_constant_to_the_very_ends() -> None:
+    assert moving_average(np.full((40, 2), 3.0), 11) == pytest.approx(np.full((40, 2), 3.0), rel=1e-14)
+
+
+def test_the_average_is_as_wide_as_it_says() -> None:
+    impulse = np.zeros((50, 1))
+    impulse[20] = 1.0
+    found = moving_average(impulse, 3)[:, 0]
+    assert np.flatnonzero(np.abs(found) > 1e-15).tolist() == list(range(17, 24))
+
+
+@pytest.mark.parametrize("order", [1, 2, 4])
+def test_the_q_filter_is_a_butterworth_run_both_ways(order: int) -> None:
+    """Beside SciPy's, in the time domain, over a long mirror image."""
+    from scipy.signal import butter, sosfiltfilt
+
+    signal = np.random.default_rng(5).normal(size=(4000, 2)).cumsum(axis=0)
+    whole = np.pad(signal, ((4000, 4000), (0, 0)), mode="symmetric")
+    for hertz in (4.0, 120.0, 420.0):
+        ours = q_filter(signal, 2.0 * np.pi * hertz, order, PERIOD)
+        theirs = sosfiltfilt(butter(order, hertz, fs=1.0 / PERIOD, output="sos"), whole, axis=0)[4000:8000]
+        assert ours == pytest.approx(theirs, abs=1e-8 * np.abs(theirs).max())
+
+
+@pytest.mark.parametrize("order", [1, 3])
+def test_the_q_filter_leaves_half_of_the_amplitude_at_its_bandwidth(order: int) -> None:
+    t = np.arange(5000)[:, None] * PERIOD
+    for ratio in (0.5, 1.0, 2.0):
+        wave = np.cos(ratio * 40.0 * t)
+        found = q_filter(wave, 40.0, order, PERIOD)
+        assert found[2000:3000] == pytest.approx(wave[2000:3000] / (1.0 + ratio ** (2 * order)), abs=2e-4)  # warping
+
+
+@given(st.integers(2, 300), st.floats(1.0, 4000.0), st.integers(1, 4), st.integers(0, 40), st.integers(0, 2**31))
+@settings(max_examples=60)
+def test_the_filters_keep_a_constant_and_make_nothing_larger(n: int, bandwidth: float, order: int, half_width: int, seed: int) -> None:
+    """Symmetric, too: all that keeps the ends of a trial from going astray while the rest converges."""
+    rng = np.random.default_rng(seed)
+    x, y = rng.normal(size=(2, n, 1))
+    for filtered in (lambda s: q_filter(s, bandwidth, order, PERIOD), lambda s: moving_average(s, half_width)):
+        assert filtered(np.full((n, 1), 3.0)) == pytest.approx(np.full((n, 1), 3.0), rel=1e-12)
+        assert np.linalg.norm(filtered(x)) <= np.linalg.norm(x) * (1.0 + 1e-12)
+        assert float(np.vdot(y, filtered(x))) == pytest.approx(float(np.vdot(filtered(y), x)), abs=1e-10 * n)
+
+
+def test_what_is_advanced_comes_sooner_and_is_nothing_beyond_the_end() -> None:
+    signal = np.arange(1.0, 7.0)[:, None]
+    assert advanced(signal, 2)[:, 0].tolist() == [3.0, 4.0, 5.0, 6.0, 0.0, 0.0]
+    assert advanced(signal, 0) is signal
+    assert advanced(signal, 99)[:, 0].tolist() == [0.0] * 6
+
+
+# --- the model -----------------------------------------------------------------------------------------------------------------------
+
+
+@given(st.integers(3, 200), st.integers(1, 60), st.integers(1, 3), st.integers(0, 2**31))
+@settings(max_examples=40)
+def test_the_model_convolves_and_its_adjoint_is_the_transpose(n: int, m: int, n_axis: int, seed: int) -> None:
+    rng = np.random.default_rng(seed)
+    impulse = rng.normal(size=(m, n_axis))
+    model = InputModel(impulse, n)
+    u, e = rng.normal(size=(2, n, n_axis))
+    for j in range(n_axis):
+        assert model.forward(u)[:, j] == pytest.approx(np.convolve(u[:, j], impulse[:n, j])[:n], abs=1e-10)
+        assert model.adjoint(e)[:, j] == pytest.approx(dense(impulse[:, j], n).T @ e[:, j], abs=1e-10)
+
+
+# --- laws ----------------------------------------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("kind", components("learning"), ids=lambda kind: kind.kind)
+def test_every_law_keeps_the_contract(kind: type[LearningLaw]) -> None:
+    check_component(kind)
+
+
+def test_p_and_pd_type_and_cross_coupled_add_up_what_they_say() -> None:
+    rng = np.random.default_rng(3)
+    error, contour, table = rng.normal(size=(3, 50, 2))
+    nothing = problem_of(np.zeros((2, 2)), 50)
+    trial = trial_of(error, contour=contour)
+    rate = np.gradient(error, PERIOD, axis=0)
+    assert law("p-type", gain=4.0).update(table, trial, nothing) == pytest.approx(table + 4.0 * error)
+    assert law("pd-type", gain=4.0, derivative_gain=0.1).update(table, trial, nothing) == pytest.approx(table + 4.0 * error + 0.1 * rate)
+    assert law("cross-coupled", gain=4.0, contour_gain=3.0).update(table, trial, nothing) == pytest.approx(
+        table + 4.0 * error + 3.0 * contour
+    )
+    shifted = law("p-type", gain=4.0, target="reference", stiffness=8.0, lead=3e-3).update(table, trial, nothing)
+    assert shifted[:-3] == pytest.approx(table[:-3] + 0.5 * error[3:])
+
+
+def test_the_vector_form_is_the_scalar_one_of_barton_and_alleyne_in_the_plane() -> None:
+    """u_x + L e_x - C_x L_c eps and u_y + L e_y + C_y L_c eps with eps = -C_x e_x + C_y e_y, C_x = sin, C_y = cos."""
+    rng = np.random.default_rng(4)
+    angle = rng.uniform(0.0, 6.0, 80)
+    tangent = np.column_stack([np.cos(angle), np.sin(angle)])
+    error = rng.normal(size=(80, 2))
+    eps = -np.sin(angle) * error[:, 0] + np.cos(angle) * error[:, 1]
+    problem = problem_of(np.zeros((2, 2)), 80, tangent)
+    found = law("cross-coupled", gain=2.0, contour_gain=5.0).update(
+        np.zeros((80, 2)), trial_of(error, contour=problem.across(error)), problem
+    )
+    assert found[:, 0] == pytest.approx(2.0 * error[:, 0] - np.sin(angle) * 5.0 * eps)
+    assert found[:, 1] == pytest.approx(2.0 * error[:, 1] + np.cos(angle) * 5.0 * eps)
+
+
+def test_the_inverse_of_an_exact_model_takes_the_error_away_in_one_trial() -> None:
+    n, impulse = 400, settling(300, 0.9, 0.8)
+    model = InputModel(impulse, n)
+    wanted = np.zeros((n, 2))
+    wanted[50:250] = np.hanning(200)[:, None] * (1.0, -2.0)
+    error = model.forward(wanted)
+    found = law("plant-inversion", regularisation=1e-12).update(np.zeros((n, 2)), trial_of(error), problem_of(impulse, n))
+    assert found == pytest.approx(wanted, abs=1e-5)
+    half = law("plant-inversion", regularisation=1e-12, gain=0.5).update(np.zeros((n, 2)), trial_of(error), problem_of(impulse, n))
+    assert half == pytest.approx(0.5 * wanted, abs=1e-5)
+
+
+@pytest.mark.parametrize("contour", [0.0, 3.0])
+def test_norm_optimal_solves_the_dense_equation(contour: float) -> None:
+    """u+ = (G'QG + S + R)^-1 ((G'QG + R) u + G'Q e), Q = q I + Gamma' q_c Gamma, with matrices as large as they are."""
+    n, rng = 40, np.random.default_rng(8)
+    angle = np.linspace(0.0, 3.0, n)
+    tangent = np.column_stack([np.cos(angle), np.sin(angle)])
+    impulse = settling(30, 0.7, 0.5)
+    problem = problem_of(impulse, n, tangent)
+    error, table = rng.normal(size=(2, n, 2))
+    given = {"tracking_weight": 1.5, "contour_weight": contour, "input_weight": 0.05, "change_weight": 0.2}
+    found = law("norm-optimal", **given, tolerance=1e-13).update(table, trial_of(error), problem)
+
+    g = np.zeros((2 * n, 2 * n))
+    g[0::2, 0::2], g[1::2, 1::2] = dense(impulse[:, 0], n), dense(impulse[:, 1], n)
+    q = 1.5 * np.eye(2 * n)
+    for k in range(n):
+        normal = np.array([-tangent[k, 1], tangent[k, 0]])
+        q[2 * k : 2 * k + 2, 2 * k : 2 * k + 2] += contour * np.outer(normal, normal)
+    peak = np.tile((np.abs(problem.model.response) ** 2).max(axis=0), n)
+    s, r = np.diag(0.05 * peak), np.diag(0.2 * peak)
+    left = g.T @ q @ g + s + r
+    expected = np.linalg.solve(left, (g.T @ q @ g + r) @ table.ravel() + g.T @ q @ error.ravel())
+    assert found.ravel() == pytest.approx(expected, abs=1e-9)
+
+
+def test_norm_optimal_lowers_the_weighted_error_in_every_trial() -> None:
+    n, rng = 300, np.random.default_rng(9)
+    impulse = settling(200, 0.95, 0.9)
+    angle = np.linspace(0.0, 5.0, n)
+    problem = problem_of(impulse, n, np.column_stack([np.cos(angle), np.sin(angle)]))
+    wanted, table = moving_average(rng.normal(size=(n, 2)), 4), np.zeros((n, 2))
+    optimal, sizes = law("norm-optimal", contour_weight=2.0, change_weight=0.05), []
+    for _ in range(12):
+        error = wanted - problem.model.forward(table)
+        across = problem.across(error)
+        sizes.append(float((error**2).sum() + 2.0 * (across**2).sum()))
+        table = optimal.update(table, trial_of(error), problem)
+    assert all(b < a for a, b in pairwise(sizes))
+    assert sizes[-1] < 0.05 * sizes[0]
+
+
+def test_zero_phase_takes_the_feedback_or_for_the_reference_the_error() -> None:
+    rng = np.random.default_rng(6)
+    feedback, error, table = rng.normal(size=(3, 200, 2))
+    nothing = problem_of(np.zeros((2, 2)), 200)
+    trial = trial_of(error, feedback)
+    kernel = np.full(7, 0.2 / 7)
+    for target, signal in (("command", feedback), ("reference", error)):
+        found = law("zero-phase", gain=0.2, half_width=3, target=target).update(table, trial, nothing)
+        for j in range(2):
+            assert found[3:-3, j] == pytest.approx(table[3:-3, j] + np.convolve(signal[:, j], kernel, "valid"), abs=1e-12)
+
+
+@pytest.mark.parametrize("kind", [kind.kind for kind in components("learning")])
+def test_a_saturated_drive_is_driven_no_further(kind: str) -> None:
+    """A hundred trials of a machine that stays at its limit: the table there does not grow."""
+    n = 300
+    one = component("learning", kind)
+    problem = problem_of(settling(100, 0.9, 0.8), n)
+    excess = np.zeros((n, 2))
+    excess[100:200, 0] = 0.3
+    trial = trial_of(np.full((n, 2), 1e-3), np.full((n, 2), 0.1), excess, np.full((n, 2), 1e-3))
+    table = np.zeros((n, 2))
+    for _ in range(100):
+        table = one(**one.example).update(table, trial, problem)
+    assert table[100:200, 0].max() <= 1e-12
+    assert np.abs(table[:, 1]).max() > 0.0
+
+
+# --- the check of laws ---------------------------------------------------------------------------------------------------------------
+
+
+def _other(parameter: Any, value: Any) -> list[Any]:
+    return [choice for choice in parameter.choices if choice != value] if parameter.choices else [0.6 * value + 0.01]
+
+
+class _Sound(LearningLaw):
+    """Adds the error."""
+
+    def revised(self, table: Array, trial: TrialRecord, problem: LearningProblem) -> Array:
+        return table + (1.0 if self.target == "command" else 2.0) * trial.tracking_error
+
+
+def test_a_sound_law_has_no_fault() -> None:
+    assert learning_fault(_Sound(), _other) == ""
+
+
+def _faulty(body: Any) -> LearningLaw:
+    class Faulty(_Sound):
+        def update(self, table: Array, trial: TrialRecord, problem: LearningProblem) -> Array:
+            return np.asarray(body(self, table, trial, problem))
+
+    return Faulty()
+
+
+def _in_place(self: Any, table: Array, trial: TrialRecord, problem: LearningProblem) -> Array:
+    table += trial.tracking_error
+    return table
+
+
+FAULTS = {
+    "shape": lambda self, table, trial, problem: table[:-1],
+    "not finite": lambda self, table, trial, problem: table / 0.0 if table.any() else table * 1.0,
+    "writes into": _in_place,
+    "differ": lambda self, table, trial, problem: table + np.random.default_rng().normal() * trial.tracking_error,
+    "without errors": lambda self, table, trial, problem: table + trial.tracking_error + 1.0,
+    "into its limit": lambda self, table, trial, problem: self.revised(table, trial, problem) + trial.excess,
+    "fails: KeyError": lambda self, table, trial, problem: {}["nothing"],
+    "target has no effect": lambda self, table, trial, problem: LearningLaw.update(self.replace(target="command"), table, trial, problem),
+}
+
+
+@pytest.mark.parametrize("said", FAULTS)
+@pytest.mark.filterwarnings("ignore:divide by zero", "ignore:invalid value")
+def test_a_planted_fault_is_found(said: str) -> None:
+    assert said in learning_fault(_faulty(FAULTS[said]), _other)
+
+
+def test_a_law_that_is_none_is_refused() -> None:
+    assert "subclass" in learning_fault(object(), _other)
+
+
+def test_bounds_are_held() -> None:
+    with pytest.raises(ParameterError, match="gain"):
+        law("zero-phase", gain=-0.1)
+    with pytest.raises(ParameterError, match="whole"):
+        law("zero-phase", half_width=2.5)
+    with pytest.raises(ParameterError, match="bandwidth"):
+        law("p-type", gain=1.0, bandwidth=0.0)
+    with pytest.raises(ComponentError, match="no learning"):
+        component("learning", "by-heart")
