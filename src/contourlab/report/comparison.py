@@ -151,7 +151,8 @@ def _row(figures: list[Figure | None]) -> Row:
 
 def _change(before: float, after: float, lower_is_better: bool) -> tuple[str, str]:
     """Return the change of the magnitude in percent, and whether it is one for the better."""
-    if not (math.isfinite(before) and math.isfinite(after)) or before == 0.0:
+    # What comes out of rounding is nothing to compare with.
+    if not (math.isfinite(before) and math.isfinite(after)) or abs(before) <= 1e-9 * abs(after) or before == 0.0:
         return "–", ""
     percent = 100.0 * (abs(after) - abs(before)) / abs(before)
     if abs(percent) < 0.05:

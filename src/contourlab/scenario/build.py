@@ -22,6 +22,7 @@ from contourlab.scenario.tables import (
     GainsTable,
     LimitsTable,
     MachineTable,
+    ZeroPhaseTable,
     read_table,
 )
 from contourlab.scenario.tree import Leaf, Table, hint
@@ -167,13 +168,31 @@ def _axis_controller(table: Table, machine: Machine, name: str) -> AxisControlle
     axis = machine.axis(name)
     units = (axis.plant.command_unit, axis.plant.force_unit)
     parts: dict[str, Any] = {}
-    for slot in ("predictor", "velocity", "observer", "feedforward"):
+    for slot in ("predictor", "velocity", "observer"):
         if slot in table.entries:
             parts[slot] = read_component(table.entries[slot], slot, units, optional=slot != "velocity")
     model = _model(machine, axis, parts.get("observer"))
     parts["controller"] = _position(table, units, model)
+    if "feedforward" in table.entries:
+        parts["feedforward"] = _feedforward(table, units, parts, machine, axis)
     local = _local(plain.local, parts, table)
     return AxisController(local=local, **parts)
+
+
+def _feedforward(table: Table, units: tuple[str, str], parts: Mapping[str, Any], machine: Machine, axis: Axis) -> Component | None:
+    """Return the feedforward of an axis; zero-phase tracking without coefficients is designed for the loop as it stands."""
+    node = table.entries["feedforward"]
+    given = node.without("radius") if isinstance(node, Table) else Table({"kind": node}, node.file, node.key)
+    kind = given.get("kind")
+    if not (isinstance(kind, Leaf) and kind.value == "zpetc" and set(given.entries) == {"kind"}):
+        found: Component | None = read_component(node, "feedforward", units, optional=True)
+        return found
+    from contourlab.analysis import sampled_loop, zpetc_design
+
+    radius = read_table(ZeroPhaseTable, node).radius if isinstance(node, Table) else ZeroPhaseTable(kind="zpetc").radius
+    with located(table, "feedforward"):
+        loop = sampled_loop(axis, AxisController(**parts), machine.servo_period, machine.carried_mass(axis.name))
+        return zpetc_design(loop, radius=radius).component()
 
 
 def _local(names: list[str], parts: Mapping[str, Component | None], table: Table) -> tuple[str, ...]:

@@ -25,6 +25,7 @@ __all__ = [
     "ProgramTable",
     "RunTable",
     "ScenarioTable",
+    "ZeroPhaseTable",
     "read_table",
 ]
 
@@ -162,6 +163,13 @@ class GainsTable(_Strict):
     natural_frequency: Corner
     damping: Ratio
     pole: Corner
+
+
+class ZeroPhaseTable(_Strict):
+    """``feedforward = {kind = "zpetc"}`` without coefficients, which are found for the loop."""
+
+    kind: str
+    radius: Annotated[float, _number("", minimum=0.0, maximum=1.0, exclusive=True)] = 0.9
 
 
 class ProgramTable(_Strict):
