@@ -1,26 +1,30 @@
-"""Splines through points and near points, with corners where the points turn sharply."""
+"""Curves through points and near points: splines, straight stretches, and corners where the points turn sharply."""
 
 from __future__ import annotations
 
 import math
-import warnings
+from collections.abc import Callable
 from dataclasses import dataclass
 from itertools import pairwise
 
 import numpy as np
 from numpy.typing import NDArray
 
+from contourlab.contours.laying import Laid, doubts, interpolated, smoothed
+from contourlab.contours.polygon import Polygon
 from contourlab.errors import GeometryError
-from contourlab.geometry import BSpline, Curve, Line, Path, with_ends
+from contourlab.geometry import BSpline, Curve, Path
 from contourlab.geometry.spline_cut import split_at
 
 __all__ = ["PointFit", "fit_points"]
 
 Array = NDArray[np.float64]
-DEGREE = 5
 SAME_PLACE = 1e-9
 """Ends [m] that make a closed contour."""
-_NODES, _WEIGHTS = np.polynomial.legendre.leggauss(8)
+DOUBT = 0.3
+"""Where a quintic and a cubic spline through the points differ by this much of their bulge, neither is to be trusted."""
+ROUNDS = 12
+"""How often splines are divided where they leave their polygon, before they are divided at each point."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -36,6 +40,13 @@ class PointFit:
         Largest distance of a point from the curve, at the parameter that the point has; 0 but for rounding where the curve passes
         through.
     smoothed : bool
+    bulge : float [m]
+        Largest distance of the curve, between two points, from the chord that joins them.
+    n_straight : int
+        Straight stretches: chords much longer than the spacing next to them, kept as lines that the splines next to them are tangent to.
+    n_divided : int
+        Points at which a spline was divided, with a common tangent but not a common curvature, as it would have left its polygon further
+        than the polygon's turns explain.
     """
 
     path: Path
@@ -43,16 +54,30 @@ class PointFit:
     n_corner: int
     deviation: float
     smoothed: bool
+    bulge: float = 0.0
+    n_straight: int = 0
+    n_divided: int = 0
 
     @property
     def note(self) -> str:
         """What was done, in a line."""
         how = f"at most {1e6 * self.deviation:.3g} um from the curve" if self.smoothed else "on the curve"
-        return f"{self.n_point} points, {how}, {self.n_corner} corners, {'closed' if self.path.closed else 'open'}"
+        parts = [f"{self.n_point} points", how, f"at most {1e6 * self.bulge:.3g} um from their chords between them"]
+        parts.append(f"{self.n_corner} corners")
+        if self.n_straight:
+            parts.append(f"{self.n_straight} straight stretches")
+        if self.n_divided:
+            parts.append(f"splines divided at {self.n_divided} points to keep to the polygon")
+        return ", ".join([*parts, "closed" if self.path.closed else "open"])
 
 
-def fit_points(points: Array, tolerance: float | None, corner_angle: float) -> PointFit:
-    """Return the path along points: quintic splines, C4 between corners, over their arc length.
+def fit_points(
+    points: Array, tolerance: float | None, corner_angle: float, place: Callable[[int], str] = lambda i: f"point {i + 1}"
+) -> PointFit:
+    """Return the path along points: quintic splines, C4 between corners and straight stretches, over their arc length.
+
+    Between two points the curve leaves their chord by no more than the turns of the polygon at its ends explain; a spline that would do so
+    is divided.
 
     Parameters
     ----------
@@ -62,17 +87,17 @@ def fit_points(points: Array, tolerance: float | None, corner_angle: float) -> P
         None to pass through them; else the largest distance of a point from a smoothing spline.
     corner_angle : float [rad], > 0, < pi
         A turn of the polygon by more than this is a corner: the spline ends there and another begins.
+    place : callable
+        Names a point, by its number from 0, in messages.
 
     Raises
     ------
     GeometryError
-        If tolerance or angle are out of range, or the spline stands still somewhere.
+        If tolerance or angle are out of range, the spline stands still somewhere, or no spline keeps to the polygon.
 
     Notes
     -----
-    Chord length as a parameter would hold a quintic to fourth order; the arc lengths of a first cubic spline are its parameter here, which
-    gives the sixth. M. S. Floater and T. Surazhsky, "Parameterization for curve interpolation", Studies in Computational Mathematics 12,
-    2006.
+    `contourlab.contours.polygon` says what is straight and how far a curve may bulge, `contourlab.contours.laying` how splines are laid.
     """
     if tolerance is not None and not (0.0 < tolerance < math.inf):
         raise GeometryError(f"tolerance = {tolerance!r} m: must be > 0 and finite")
@@ -82,129 +107,149 @@ def fit_points(points: Array, tolerance: float | None, corner_angle: float) -> P
     closed = n > 2 and float(np.linalg.norm(points[-1] - points[0])) <= SAME_PLACE
     if closed:
         points = np.concatenate([points[:-1], points[:1]])
-    corners = _corners(points, closed, corner_angle)
-    curves, deviation = _closed(points, corners, tolerance) if closed else _open(points, corners, tolerance)
-    return PointFit(Path(curves, closed), n, len(corners), deviation, tolerance is not None)
+    polygon = Polygon(points, closed, corner_angle, tolerance or 0.0)
+    marks, n_straight = _marks(polygon)
+    known = len(marks)
+    fitting = _Fitting(polygon, tolerance, marks, place)
+    fitting.settle()
+    return PointFit(
+        path=Path(fitting.curves(), closed),
+        n_point=n,
+        n_corner=len(polygon.corners),
+        deviation=max(one.far for one in fitting.laid),
+        smoothed=tolerance is not None,
+        bulge=fitting.bulge,
+        n_straight=n_straight,
+        n_divided=len(fitting.marks) - known,
+    )
 
 
-def _corners(points: Array, closed: bool, angle: float) -> list[int]:
-    chords = np.diff(points, axis=0)
-    chords /= np.linalg.norm(chords, axis=1)[:, None]
-    before = np.roll(chords, 1, axis=0)
-    # atan2 of half-angle lengths: as good at small turns as at half a turn.
-    turn = 2.0 * np.arctan2(np.linalg.norm(chords - before, axis=1), np.linalg.norm(chords + before, axis=1))
-    found = np.flatnonzero(turn > angle)
-    return [int(i) for i in found if i > 0 or closed]
+def _marks(polygon: Polygon) -> tuple[dict[int, Array | None], int]:
+    """Return the points where splines end, with their tangents there, and how many straight stretches there are."""
+    straights, jumps = _breaks(polygon)
+    n = len(polygon.length)
+    wrap = n if polygon.closed else n + 1
+    marks: dict[int, Array | None] = {point % wrap: polygon.tangent(point) for point in jumps}
+    for first, last in straights:
+        marks[first], marks[(last + 1) % wrap] = polygon.direction[first], polygon.direction[last]
+    marks |= dict.fromkeys(polygon.corners)
+    if not polygon.closed:
+        marks |= {0: None, n: None}
+    return marks, len(straights)
 
 
-@dataclass(frozen=True, eq=False)
-class _Laid:
-    """A curve along points, the parameter that each point has, and the largest distance of a point from there."""
+def _breaks(polygon: Polygon) -> tuple[list[tuple[int, int]], list[int]]:
+    """Return the straight stretches, and the points where spacing jumps, but for those at which one spline is sure of itself.
 
-    curve: Curve
-    at: Array
-    far: float
+    Points of a smooth curve, however unevenly spaced, are better served by one spline.
+    """
+    straights, jumps = polygon.straights(), polygon.jumps()
+    n, corners = len(polygon.length), polygon.corners
+    doubt = np.full(n, np.inf)
+    ends = [*corners, corners[0] + n] if polygon.closed and corners else [0, *corners, n]
+    asked = np.zeros(n, dtype=bool)
+    asked[[chord for _, chord in (*straights, *jumps)]] = True
+    for first, last in pairwise(ends):
+        chords = np.arange(first, last) % n
+        if asked[chords].any():
+            doubt[chords] = doubts(polygon.span(first, last), polygon.closed and not corners)
+    sound = [(a, b) for a, b in straights if (doubt[np.arange(a, b + 1 if b >= a else b + 1 + n) % n] > DOUBT).any()]
+    return sound, [point for point, chord in jumps if doubt[chord] > DOUBT]
 
 
-def _open(points: Array, corners: list[int], tolerance: float | None) -> tuple[list[Curve], float]:
-    marks = [0, *corners, len(points) - 1]
-    found = [_laid(points[a : b + 1], tolerance) for a, b in pairwise(marks)]
-    return [one.curve for one in found], max(one.far for one in found)
+class _Fitting:
+    """Splines between marks: points where a spline ends, with the tangent it has there, or None where it is free.
 
+    The splines begin at the first mark. Divided are those that leave their polygon, and they alone are laid anew.
+    """
 
-def _closed(points: Array, corners: list[int], tolerance: float | None) -> tuple[list[Curve], float]:
-    if not corners:
-        whole = _laid(points, tolerance, periodic=True)
-        return [whole.curve], whole.far
-    if corners[0] == 0:
-        return _open(points, corners[1:], tolerance)
-    # The path starts within a stretch: one is laid from the last corner over the start to the first, and cut at the start.
-    first, last = corners[0], corners[-1]
-    whole = _laid(np.concatenate([points[last:-1], points[: first + 1]]), tolerance)
-    head, tail = _cut(whole.curve, whole.at[len(points) - 1 - last])
-    if first == last:
-        return [tail, head], whole.far
-    curves, far = _open(points[first : last + 1], [c - first for c in corners[1:-1]], tolerance)
-    return [tail, *curves, head], max(far, whole.far)
+    def __init__(self, polygon: Polygon, tolerance: float | None, marks: dict[int, Array | None], place: Callable[[int], str]) -> None:
+        self.polygon, self.tolerance, self.marks, self.place = polygon, tolerance, marks, place
+        self.bounds, self.forward = polygon.bulges()
+        self.n = len(polygon.length)
+        self.kept: dict[tuple[int, int], tuple[Laid, float]] = {}
+        self.laid: list[Laid] = []
+        self.spans: list[tuple[int, int]] = []
+        self.bulge = 0.0
+
+    def settle(self) -> None:
+        """Lay splines and divide them until all keep to the polygon."""
+        for turn in range(ROUNDS + 2):
+            self.spans = self._spans()
+            self.kept = {span: self.kept[span] for span in self.spans if span in self.kept}
+            loose = [self._tried(span, everywhere=turn >= ROUNDS) for span in self.spans if span not in self.kept]
+            loose = [points for points in loose if points]
+            if not loose:
+                break
+            for points in loose:
+                for i in points:
+                    self.marks.setdefault(i, self.polygon.tangent(i))
+        self.laid = [self.kept[span][0] for span in self.spans]
+        self.bulge = max(self.kept[span][1] for span in self.spans)
+
+    def _spans(self) -> list[tuple[int, int]]:
+        """Return first and last point of each spline; past the start of a closed polygon the numbers go on."""
+        order = sorted(self.marks)
+        if not order:
+            return [(0, self.n)]
+        return list(pairwise([*order, order[0] + self.n] if self.polygon.closed else order))
+
+    def _tried(self, span: tuple[int, int], everywhere: bool) -> list[int]:
+        """Lay the spline of a span; return the points at which it is to be divided, none if it is good and kept."""
+        first, last = span
+        points = self.polygon.span(first, last)
+        periodic = not self.marks
+        ends = (None, None) if periodic else (self.marks[first], self.marks[last % self.n if self.polygon.closed else last])
+        found = smoothed(points, self.tolerance, ends, periodic) if self.tolerance is not None and last - first > 1 else None
+        if found is not None and self._strays(found, points, first)[0].size:
+            found = None
+        if found is None:
+            found = interpolated(points, ends, periodic)
+        loose, bulge = self._strays(found, points, first)
+        try:
+            if not loose.size and found.curve:
+                self.kept[span] = found, bulge
+                return []
+        except GeometryError:  # it stands still, where splines stray from all points
+            loose = np.arange(first, last)
+        if last - first == 1:
+            raise GeometryError(self._refusal(first, last, bulge))
+        inner = range(first + 1, last) if everywhere else sorted({*loose.tolist(), *(loose + 1).tolist()})
+        if periodic:
+            return [i % self.n for i in inner]
+        # A span of two chords or more has a point inside at one end of each of its chords.
+        return [i % self.n if self.polygon.closed else i for i in inner if first < i < last]
+
+    def _strays(self, found: Laid, points: Array, first: int) -> tuple[NDArray[np.int64], float]:
+        """Return the chords that a curve leaves too far, by the numbers of their first points, and the farthest it leaves any."""
+        away, against = found.strays(points)
+        chord = (first + np.arange(len(away))) % self.n
+        bad = away > self.bounds[chord] + 2.0 * (self.tolerance or 0.0)
+        if self.tolerance is None:
+            bad |= against & self.forward[chord]
+        return first + np.flatnonzero(bad), float(away.max())
+
+    def _refusal(self, first: int, last: int, bulge: float) -> str:
+        a, b = self.place(first % self.n), self.place(last % self.n if self.polygon.closed else last)
+        return (
+            f"between {a} and {b} no curve keeps to the points: it would leave their chord by {1e6 * bulge:.3g} um. "
+            "Denser points, a smaller corner_angle, or a larger tolerance for points that are noisy would help"
+        )
+
+    def curves(self) -> list[Curve]:
+        """Return the curves in their order from the first point."""
+        if not self.polygon.closed or self.spans[0][0] == 0:
+            return [one.curve for one in self.laid]
+        # The path starts within the last span, which is cut there.
+        *others, last = self.laid
+        start = self.n - self.spans[-1][0]
+        if start == len(last.at) - 1:
+            return [last.curve, *(one.curve for one in others)]
+        head, tail = _cut(last.curve, float(last.at[start]))
+        return [tail, *(one.curve for one in others), head]
 
 
 def _cut(curve: Curve, u: float) -> tuple[Curve, Curve]:
     assert isinstance(curve, BSpline)  # three points or more lie on it
     (p, s), (q, t) = split_at(curve.degree, curve.points, curve.knots, np.array([u]))
     return BSpline(curve.degree, p, s), BSpline(curve.degree, q, t)
-
-
-def _laid(points: Array, tolerance: float | None, *, periodic: bool = False) -> _Laid:
-    """Lay a curve from the first point to the last."""
-    n = len(points)
-    if n == 2:
-        return _Laid(Line(points[0], points[1]), np.array([0.0, 1.0]), 0.0)
-    if tolerance is not None and n > DEGREE + 1:
-        found = _smoothed(points, tolerance, periodic)
-        if found is not None:
-            return found
-    at = _arc_lengths(points, periodic)
-    curve = _interpolated(points, at, _degree(n, DEGREE, periodic), periodic)
-    return _measured(curve, points, at)
-
-
-def _measured(curve: BSpline, points: Array, at: Array) -> _Laid:
-    away = np.linalg.norm(curve.raw(np.clip(at, curve.first, curve.last), 0)[0] - points, axis=1)
-    return _Laid(curve, at, float(away.max()))
-
-
-def _degree(n: int, wanted: int, periodic: bool) -> int:
-    """Return the degree that n points allow; on a closed curve the last is the first once more."""
-    if not periodic:
-        return min(wanted, n - 1)
-    return wanted if n > wanted + 1 else 3
-
-
-def _chords(points: Array) -> Array:
-    return np.concatenate([[0.0], np.cumsum(np.linalg.norm(np.diff(points, axis=0), axis=1))])
-
-
-def _interpolated(points: Array, at: Array, degree: int, periodic: bool) -> BSpline:
-    from scipy.interpolate import make_interp_spline
-
-    made = make_interp_spline(at, points, k=degree, bc_type="periodic" if periodic else None)
-    curve = BSpline(degree, made.c, made.t)
-    if not periodic:
-        # The linear system leaves rounding in the ends, which other curves join.
-        return BSpline(degree, np.concatenate([points[:1], made.c[1:-1], points[-1:]]), made.t)
-    return curve
-
-
-def _arc_lengths(points: Array, periodic: bool) -> Array:
-    """Return the arc lengths of the points along a cubic spline through them."""
-    from scipy.interpolate import make_interp_spline
-
-    chords = _chords(points)
-    cubic = make_interp_spline(chords, points, k=_degree(len(points), 3, periodic), bc_type="periodic" if periodic else None)
-    half = 0.5 * np.diff(chords)
-    speed = np.linalg.norm(cubic((chords[:-1] + half)[:, None] + half[:, None] * _NODES, nu=1), axis=2)
-    return np.concatenate([[0.0], np.cumsum(half * (speed @ _WEIGHTS))])
-
-
-def _smoothed(points: Array, tolerance: float, periodic: bool) -> _Laid | None:
-    """Return the smoothest of a row of splines that stays within the tolerance; None where only an interpolating one does."""
-    from scipy.interpolate import splprep  # make_splprep, its successor, knows closed curves only in the newest versions
-
-    at = _chords(points)
-    weights = np.ones(len(points))
-    if not periodic:
-        weights[[0, -1]] = 100.0  # the ends are points of the path: what is left of their distance is taken out below
-    budget = len(points) * tolerance**2
-    for halving in range(24):
-        with warnings.catch_warnings():
-            warnings.simplefilter("ignore")  # it says that it came no closer: what it came to is measured here
-            (knots, coefficients, _), _ = splprep(list(points.T), w=weights, u=at, k=DEGREE, s=budget * 0.5**halving, per=periodic)
-        curve = BSpline(DEGREE, np.array(coefficients).T, knots)
-        if not periodic:
-            pinned = with_ends(curve, points[0], points[-1])
-            assert isinstance(pinned, BSpline)
-            curve = pinned
-        found = _measured(curve, points, at)
-        if found.far <= tolerance:
-            return found
-    return None

@@ -58,23 +58,37 @@ def read_points(
     path = File(file)
     rows = _rows(path)
     names, factors, rows = _head(rows, path, unit)
-    points = np.empty((len(rows), len(names)))
-    for i, (line, cells) in enumerate(rows):
-        numbers = _numbers(cells, len(names), path, line)
-        for cell, number, factor in zip(cells, numbers, factors, strict=True):
-            if abs(scale * factor * number) > OUTERMOST:
-                raise GeometryError(f"{path}:{line}: {cell} is {scale * factor * number:.3g} m, beyond {OUTERMOST:g} m: is the unit right?")
-        points[i] = numbers
-        if i and np.array_equal(points[i], points[i - 1]):
-            raise GeometryError(f"{path}:{line}: repeats the point of line {rows[i - 1][0]}: leave one out")
+    points = _values(rows, len(names), path) * (scale * np.array(factors))
+    far = np.flatnonzero((np.abs(points) > OUTERMOST).any(axis=1))
+    if far.size:
+        line, cells = rows[int(far[0])]
+        i = int(np.argmax(np.abs(points[far[0]])))
+        raise GeometryError(f"{path}:{line}: {cells[i]} is {points[far[0], i]:.3g} m, beyond {OUTERMOST:g} m: is the unit right?")
+    again = np.flatnonzero((points[1:] == points[:-1]).all(axis=1))
+    if again.size:
+        i = int(again[0])
+        raise GeometryError(f"{path}:{rows[i + 1][0]}: repeats the point of line {rows[i][0]}: leave one out")
     if len(points) < 2:
         raise GeometryError(f"{path}: holds {len(points)} points: two or more are wanted")
-    points *= scale * np.array(factors)
     points = points[:, _order(names)]
+    lines = [line for line, _ in rows]
+    if reverse:
+        points, lines = points[::-1], lines[::-1]
     try:
-        return fit_points(points[::-1] if reverse else points, tolerance, corner_angle)
+        return fit_points(points, tolerance, corner_angle, lambda i: f"line {lines[i]}")
     except GeometryError as error:
         raise GeometryError(f"{path}: {error}") from error
+
+
+def _values(rows: list[tuple[int, list[str]]], n: int, path: File) -> Array:
+    """Return the numbers of the rows (n_row, n); row by row only where one is at fault, to say which."""
+    try:
+        found = np.array([[float(cell) for cell in cells] for _, cells in rows]).reshape(len(rows), n)
+        if np.isfinite(found).all():
+            return found
+    except ValueError:
+        pass
+    return np.array([_numbers(cells, n, path, line) for line, cells in rows])
 
 
 def _rows(path: File) -> list[tuple[int, list[str]]]:
