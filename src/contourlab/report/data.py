@@ -16,6 +16,7 @@ from contourlab.report.shapes import Cause, DrawnPath, Verdict, Worst
 from contourlab.result import Result
 
 if TYPE_CHECKING:
+    from contourlab.analysis import LearningAnalysis
     from contourlab.report.feed_picture import FeedRun
     from contourlab.report.trials import TrialCourse
 
@@ -180,6 +181,8 @@ class SchemeReport:
         Of the planned motion; None where it was not planned within limits.
     trials : TrialCourse or None
         Of a scheme that learns: the result is that of its best trial.
+    foretold : LearningAnalysis or None
+        What an analysis said of its learning beforehand.
     tick : float or None [s]
         What a tick of the servo loop costs, where it was measured.
     """
@@ -195,6 +198,7 @@ class SchemeReport:
     spikes: Sequence[Mark | Spike] = ()
     limits: LimitReport | None = None
     trials: TrialCourse | None = None
+    foretold: LearningAnalysis | None = None
     tick: float | None = None
 
     @property

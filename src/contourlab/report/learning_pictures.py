@@ -32,7 +32,7 @@ def learning_charts(analyses: Mapping[str, LearningAnalysis]) -> tuple[Chart, ..
         notes += [f"{name}: {text}." for text in found.warnings]
     top = 1.1 * max(1.0, min(2.0, max(float(curve.y.max()) for curve in curves)))
     one = (Level(1.0, "1: nothing is learned"),)
-    factor = Panel("frequency [Hz]", "factor of a trial", tuple(curves), one, ticks=tuple(ticks), log_x=True, y_range=(0.0, top))
+    factor = Panel("frequency [Hz]", "factor of a trial", tuple(curves), one, log_x=True, y_range=(0.0, top))
     beyond = Panel("frequency [Hz]", "growth per trial [%]", tuple(excess), ticks=tuple(ticks), log_x=True)
     caption = " ".join(["What a trial leaves of each frequency, in the worst direction of the path.", *notes])
     return (Chart("learning-factor", "Convergence of learning", caption, (factor, beyond)),)

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
@@ -11,6 +10,7 @@ from numpy.typing import NDArray
 
 from contourlab.errors import ParameterError
 from contourlab.report.charts import Chart, Curve, Panel
+from contourlab.report.learning_pictures import learning_charts
 from contourlab.report.style import scheme_style
 from contourlab.report.text import quantity
 
@@ -35,8 +35,6 @@ class TrialCourse:
         The trial that the scheme's figures are of.
     status, reason : str
         How it ended, in a word and in a sentence.
-    warnings : sequence of str
-        What an analysis said beforehand.
     """
 
     contour_rms: Array
@@ -44,7 +42,6 @@ class TrialCourse:
     best: int
     status: str
     reason: str = ""
-    warnings: Sequence[str] = ()
 
     def __post_init__(self) -> None:
         n = len(self.contour_rms)
@@ -59,7 +56,7 @@ class TrialCourse:
 
 
 def trial_charts(data: ReportData) -> tuple[Chart, ...]:
-    """Return the errors of each trial, those of schemes that do not learn as level lines; nothing where no scheme learns.
+    """Return the errors of each trial, those of schemes that do not learn as level lines, and what was foretold; nothing where none learns.
 
     Parameters
     ----------
@@ -88,7 +85,8 @@ def trial_charts(data: ReportData) -> tuple[Chart, ...]:
         Panel("trial", "tracking rms [µm]", tuple(tracking), log_y=True),
     )
     caption = f"Errors of each trial; trial 0 has learned nothing. {'. '.join(ends)}. Schemes that do not learn are drawn dotted."
-    return (Chart("trials", "Learning from trial to trial", caption, panels),)
+    foretold = {scheme.name: scheme.foretold for scheme in data.schemes if scheme.foretold is not None}
+    return (Chart("trials", "Error of each trial", caption, panels), *(learning_charts(foretold) if foretold else ()))
 
 
 def trial_rows(course: TrialCourse) -> list[tuple[int, float, float]]:

@@ -98,6 +98,7 @@ def _scheme(outcome: Outcome) -> SchemeReport:
         bidirectional=pairs(outcome.circles),
         limits=outcome.limits,
         trials=_course(outcome),
+        foretold=outcome.foretold,
         tick=outcome.tick,
     )
 
@@ -108,7 +109,7 @@ def _course(outcome: Outcome) -> TrialCourse | None:
         return None
     contour = np.array([trial.contour_rms for trial in run.trials])
     tracking = np.array([trial.tracking_rms for trial in run.trials])
-    return TrialCourse(contour, tracking, run.best, run.status, run.reason, outcome.warnings)
+    return TrialCourse(contour, tracking, run.best, run.status, run.reason)
 
 
 def _response(bode: AxisBode) -> FrequencyResponse:

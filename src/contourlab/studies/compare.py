@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Protocol
 
-from contourlab.analysis import AxisResponse, Margins, learning_analysis, sampled_loop
+from contourlab.analysis import AxisResponse, LearningAnalysis, Margins, learning_analysis, sampled_loop
 from contourlab.components.learning.law import LearningLaw
 from contourlab.errors import ComponentError, ResultError
 from contourlab.feed import AxisLimits, LimitReport, Reference, Route, limit_report
@@ -118,8 +118,8 @@ class AxisBode:
 class Outcome:
     """A judged case: of a case that learns, its best trial.
 
-    `limits` is None where the motion was not planned within limits, `learning` where nothing was learned. `warnings` are those of an
-    analysis of learning, `tick` [s] is what a tick of the servo loop costs, where it was asked for.
+    `limits` is None where the motion was not planned within limits, `learning` where nothing was learned. `foretold` is what an
+    analysis said of learning beforehand, `tick` [s] is what a tick of the servo loop costs, where it was asked for.
     """
 
     name: str
@@ -133,8 +133,13 @@ class Outcome:
     bode: dict[str, AxisBode]
     limits: LimitReport | None
     learning: LearningRun | None = None
-    warnings: tuple[str, ...] = ()
+    foretold: LearningAnalysis | None = None
     tick: float | None = None
+
+    @property
+    def warnings(self) -> tuple[str, ...]:
+        """What the analysis of learning warned of."""
+        return () if self.foretold is None else self.foretold.warnings
 
 
 def run_case(
@@ -176,7 +181,7 @@ def run_case(
         if progress is not None:
             progress(done, reference.n_sample * (1 if case.learning is None else case.learning.trials + 1))
 
-    warnings: tuple[str, ...] = ()
+    expected = None
     if case.learning is None:
         learned = None
         begin(f"simulating {case.name}")
@@ -184,7 +189,7 @@ def run_case(
     else:
         if foretell:
             begin(f"analysing how {case.name} learns")
-            warnings = _foretold(case, case.learning)
+            expected = _foretold(case, case.learning)
         begin(f"learning, {case.name}")
         learned = _learned(case, case.learning, reference, told)
         begin(f"simulating {case.name}, trial {learned.best}")
@@ -215,7 +220,7 @@ def run_case(
     bode = bode_of(case.machine, case.controller)
     limits = limits_of(case, reference)
     tick = tick_cost(case.machine, case.controller, reference) if costs else None
-    return Outcome(case.name, case, reference, judged, figures, found, circles, spikes, bode, limits, learned, warnings, tick)
+    return Outcome(case.name, case, reference, judged, figures, found, circles, spikes, bode, limits, learned, expected, tick)
 
 
 def _start(case: Case, file: Path, reference: Reference) -> LearnedTable:
@@ -228,12 +233,12 @@ def _start(case: Case, file: Path, reference: Reference) -> LearnedTable:
     return table
 
 
-def _foretold(case: Case, learning: Learning) -> tuple[str, ...]:
-    """Return what an analysis says of learning, before it begins; nothing where there is no linear model to analyse."""
+def _foretold(case: Case, learning: Learning) -> LearningAnalysis | None:
+    """Return what an analysis says of learning, before it begins; None where there is no linear model to analyse."""
     try:
-        return learning_analysis(case.machine, case.controller, learning.law).warnings
+        return learning_analysis(case.machine, case.controller, learning.law)
     except ComponentError:
-        return ()
+        return None
 
 
 def _learned(case: Case, learning: Learning, reference: Reference, told: Callable[[int], None]) -> LearningRun:

@@ -1,0 +1,85 @@
+"""Learning in the report: the errors of each trial, as picture and as text, and what a servo tick costs."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from contourlab.errors import ParameterError
+from contourlab.report import ReportData
+from contourlab.report.comparison import compare
+from contourlab.report.html import render_html
+from contourlab.report.plots import write_plots
+from contourlab.report.tables import trials_text
+from contourlab.report.trials import TrialCourse, trial_charts, trial_rows
+
+
+def course(n: int = 31, best: int = 17, status: str = "converged") -> TrialCourse:
+    rms = 1e-6 * 0.8 ** np.arange(n)
+    return TrialCourse(rms, np.column_stack([3.0 * rms, 4.0 * rms]), best, status, "the reason")
+
+
+@pytest.fixture
+def learned(circle: ReportData) -> ReportData:
+    """The second run has learned."""
+    first, second = circle.schemes
+    return replace(circle, schemes=[replace(first, tick=2e-7), replace(second, trials=course(), tick=2.5e-7)])
+
+
+def test_the_picture_has_the_errors_of_all_trials(learned: ReportData) -> None:
+    (chart,) = trial_charts(learned)
+    contour, tracking = chart.panels
+    level, falling = contour.curves
+    assert level.y.tolist() == [learned.schemes[0].metrics.contour_error.rms * 1e6] * 2
+    np.testing.assert_allclose(falling.y, 0.8 ** np.arange(31))
+    np.testing.assert_allclose(tracking.curves[0].y, 5.0 * 0.8 ** np.arange(31))
+    assert contour.log_y and "converged, trial 17 of 30" in chart.caption
+
+
+def test_a_report_without_learning_says_nothing_of_it(circle: ReportData) -> None:
+    assert trial_charts(circle) == ()
+    assert trials_text(circle) == ""
+    assert 'id="trials"' not in render_html(circle)
+    assert not {"learning", "servo tick, machine included"} & {row.label for row in compare(circle).rows}
+
+
+def test_trials_of_no_error_and_trials_that_failed_leave_gaps(learned: ReportData) -> None:
+    rms = np.array([1e-6, 0.0, np.nan])
+    odd = replace(
+        learned, schemes=[replace(learned.schemes[1], trials=TrialCourse(rms, rms[:, None], 0, "diverged, rolled back to trial 0"))]
+    )
+    (chart,) = trial_charts(odd)
+    assert np.isnan(chart.panels[0].curves[0].y).tolist() == [False, True, True]
+    assert compare(odd).rows[0].cells[0].mood == "poor" or compare(odd).rows[1].cells[0].mood == "poor"
+    render_html(odd)
+
+
+def test_the_text_shows_first_best_and_last(learned: ReportData) -> None:
+    lines = trials_text(learned).splitlines()
+    assert [int(line.split()[0]) for line in lines if line.strip()[:1].isdigit()] == [0, 1, 2, 3, 4, 5, 10, 15, 17, 20, 25, 30]
+    (best,) = [line for line in lines if line.endswith("best")]
+    assert best.split()[0] == "17"
+    assert float(best.split()[1]) == pytest.approx(0.8**17, rel=1e-3)
+    assert [row[0] for row in trial_rows(course(3, 2))] == [0, 1, 2]
+    assert len(trial_rows(course(1001, 700))) <= 20
+
+
+def test_the_table_tells_the_end_and_the_cost(learned: ReportData) -> None:
+    rows = {row.label: [cell.text for cell in row.cells] for row in compare(learned).rows}
+    assert rows["learning"] == ["–", "converged, trial 17 of 30"]
+    assert rows["servo tick, machine included"] == ["200", "250"]
+
+
+def test_page_and_plots_hold_it(learned: ReportData, tmp_path: Path) -> None:
+    page = render_html(learned)
+    assert 'id="trials"' in page and "converged, trial 17 of 30; the reason." in page
+    assert (tmp_path / "trials.png") in write_plots(learned, tmp_path)
+
+
+@pytest.mark.parametrize(("n", "best"), [(0, 0), (3, 3)])
+def test_courses_that_make_no_sense_are_refused(n: int, best: int) -> None:
+    with pytest.raises(ParameterError, match="trials"):
+        TrialCourse(np.ones(n), np.ones((n, 2)), best, "converged")
