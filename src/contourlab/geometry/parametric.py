@@ -14,11 +14,29 @@ from contourlab.geometry.curve import Curve, by_arc_length
 __all__ = ["Parametric"]
 
 Array = NDArray[np.float64]
+Index = NDArray[np.int64]
+Flags = NDArray[np.bool_]
 _NODES, _WEIGHTS = np.polynomial.legendre.leggauss(12)
 _TERMS = 12
 _CHEBYSHEV = np.cos(np.pi * (np.arange(_TERMS) + 0.5) / _TERMS)
 _TO_CHEBYSHEV = (2.0 / _TERMS) * np.cos(np.arange(_TERMS)[:, None] * np.arccos(_CHEBYSHEV)[None, :])
 _TO_CHEBYSHEV[0] *= 0.5
+_RISE = 16
+"""Terms of the speed on an interval; the length has one more."""
+_RISE_NODES = np.cos(np.pi * (np.arange(_RISE) + 0.5) / _RISE)
+_TO_SPEED = np.linalg.inv(np.polynomial.chebyshev.chebvander(_RISE_NODES, _RISE - 1))
+_TO_RISE = np.polynomial.chebyshev.chebint(_TO_SPEED, lbnd=-1)
+_PROBES = np.array([-0.93, -0.61, 0.07, 0.52, 0.96])
+_CHUNK = 4096
+"""Pieces that are inverted at a time."""
+
+
+def _clenshaw(coefficients: Array, x: Array) -> Array:
+    """Return Chebyshev series (n, m) at places (n, k), all at a time."""
+    b1, b2 = np.zeros_like(x), np.zeros_like(x)
+    for k in range(coefficients.shape[1] - 1, 0, -1):
+        b1, b2 = 2.0 * x * b1 - b2 + coefficients[:, k, None], b1
+    return np.asarray(x * b1 - b2 + coefficients[:, 0, None])
 
 
 def _unit(vectors: Array) -> Array:
@@ -94,35 +112,70 @@ class Parametric(Curve):
         points = (0.5 * (left + right))[:, None] + half[:, None] * _NODES
         return np.asarray(half * (self._speed(points) @ _WEIGHTS))
 
-    def _solve(self, s: Array) -> Array:
-        """Return the parameters of arc lengths by Newton steps inside their intervals."""
-        i = np.clip(np.searchsorted(self._marks, s, side="right") - 1, 0, len(self._marks) - 2)
+    def _solve(self, i: Index, wanted: Array) -> Array:
+        """Return the parameters of lengths (n, k) from the beginning of knot intervals (n,), by Newton steps inside these."""
         left, right = self._knots[i], self._knots[i + 1]
-        wanted = s - self._marks[i]
-        u = left + (right - left) * wanted / (self._marks[i + 1] - self._marks[i])
+        middle, half = 0.5 * (left + right), 0.5 * (right - left)
+        speed, rise, holds = self._rise(left, right)
+        x = 2.0 * wanted / np.diff(self._marks)[i, None] - 1.0
         for _ in range(12):
-            step = (self._lengths(left, u) - wanted) / np.maximum(self._speed(u), 1e-300)
+            step = (_clenshaw(rise, x) - wanted) / np.maximum(_clenshaw(speed, x) * half[:, None], 1e-300)
+            x = np.clip(x - step, -1.0, 1.0)
+            if np.abs(step).max(initial=0.0) <= 4e-16:
+                break
+        u = middle[:, None] + half[:, None] * x
+        rough = np.flatnonzero(~holds)
+        places = np.full(rough.size, wanted.shape[1])
+        u[rough] = self._solve_by_quadrature(np.repeat(left[rough], places), np.repeat(right[rough], places), wanted[rough], u[rough])
+        return np.asarray(u)
+
+    def _rise(self, left: Array, right: Array) -> tuple[Array, Array, Flags]:
+        """Return Chebyshev series of speed and length over intervals of the parameter, and whether they hold as its integral does.
+
+        So the curve is asked for at a few places of an interval, and not at a dozen places in each Newton step.
+        """
+        middle, half = 0.5 * (left + right), 0.5 * (right - left)
+        speed = self._speed(middle[:, None] + half[:, None] * _RISE_NODES)
+        rise = half[:, None] * (speed @ _TO_RISE.T)
+        probes = middle[:, None] + half[:, None] * _PROBES
+        exact = self._lengths(np.repeat(left, _PROBES.size), probes.ravel()).reshape(probes.shape)
+        gap = np.abs(_clenshaw(rise, np.broadcast_to(_PROBES, probes.shape)) - exact)
+        return speed @ _TO_SPEED.T, rise, np.asarray((gap <= 1e-15 * self.length).all(axis=1))
+
+    def _solve_by_quadrature(self, left: Array, right: Array, wanted: Array, start: Array) -> Array:
+        """Return the same where no series holds: where the curve nearly stands still."""
+        u, lengths = start.ravel(), wanted.ravel()
+        for _ in range(12):
+            step = (self._lengths(left, u) - lengths) / np.maximum(self._speed(u), 1e-300)
             u = np.clip(u - step, left, right)
             if np.abs(step).max(initial=0.0) <= 4e-16 * max(abs(self.first), abs(self.last)):
                 break
-        return np.asarray(u)
+        return np.asarray(u.reshape(wanted.shape))
 
     @cached_property
     def _inverse(self) -> tuple[Array, Array]:
         """Chebyshev coefficients of the parameter over arc length, on pieces halved until they hold to 1e-14 of the length."""
-        left, right = self._marks[:-1], self._marks[1:]
         starts: list[Array] = []
         held: list[Array] = []
-        probe = np.array([-0.93, -0.61, 0.07, 0.52, 0.96])
+        for first in range(0, len(self._marks) - 1, _CHUNK):
+            marks = self._marks[first : first + _CHUNK + 1]
+            self._invert(marks[:-1], marks[1:], starts, held)
+        begin, rows = np.concatenate(starts), np.concatenate(held)
+        order = np.argsort(begin)
+        return np.append(begin[order], self.length), rows[order]
+
+    def _invert(self, left: Array, right: Array, starts: list[Array], held: list[Array]) -> None:
+        """Add the pieces of the inverse on pieces of the arc length, each within one knot interval."""
         # Parameters far from 0 are themselves rounded.
         rounding = 16.0 * np.finfo(float).eps * max(abs(self.first), abs(self.last))
+        at = np.concatenate([_CHEBYSHEV, _PROBES])
         for _ in range(30):
             middle, half = 0.5 * (left + right), 0.5 * (right - left)
-            nodes = self._solve((middle[:, None] + half[:, None] * _CHEBYSHEV).ravel()).reshape(-1, _TERMS)
-            coefficients = nodes @ _TO_CHEBYSHEV.T
-            exact = self._solve((middle[:, None] + half[:, None] * probe).ravel()).reshape(-1, probe.size)
-            fit = coefficients @ np.cos(np.arange(_TERMS)[:, None] * np.arccos(probe))
-            gap, speed = np.abs(fit - exact), self._speed(exact)
+            i = np.clip(np.searchsorted(self._marks, middle, side="right") - 1, 0, len(self._marks) - 2)
+            found = self._solve(i, middle[:, None] + half[:, None] * at - self._marks[i, None])
+            coefficients, exact = found[:, :_TERMS] @ _TO_CHEBYSHEV.T, found[:, _TERMS:]
+            gap = np.abs(_clenshaw(coefficients, np.broadcast_to(_PROBES, exact.shape)) - exact)
+            speed = self._speed(exact)
             good = (gap * speed <= np.maximum(1e-14 * self.length, rounding * speed)).all(axis=1) | (half <= 1e-9 * self.length)
             starts.append(left[good])
             held.append(coefficients[good])
@@ -130,9 +183,6 @@ class Parametric(Curve):
             left, right = np.concatenate([left[bad], middle[bad]]), np.concatenate([middle[bad], right[bad]])
             if left.size == 0:
                 break
-        begin, rows = np.concatenate(starts), np.concatenate(held)
-        order = np.argsort(begin)
-        return np.append(begin[order], self.length), rows[order]
 
     def parameter(self, s: ArrayLike) -> Array:
         """Return the parameters (n,) of arc lengths (n,), good to 1e-13 of the length."""
@@ -144,12 +194,7 @@ class Parametric(Curve):
         i = np.clip(np.searchsorted(begin, along, side="right") - 1, 0, len(rows) - 1)
         low, high = begin[i], begin[i + 1]
         x = np.clip((2.0 * along - low - high) / (high - low), -1.0, 1.0)
-        # Clenshaw's recursion, all samples at a time.
-        c = rows[i]
-        b1, b2 = np.zeros_like(x), np.zeros_like(x)
-        for k in range(_TERMS - 1, 0, -1):
-            b1, b2 = 2.0 * x * b1 - b2 + c[:, k], b1
-        return np.asarray(np.clip(x * b1 - b2 + c[:, 0], self.first, self.last))
+        return np.asarray(np.clip(_clenshaw(rows[i], x[:, None])[:, 0], self.first, self.last))
 
     def smallest_radius(self) -> float:
         # The stretches are short where the curve turns sharply; samples evenly spread would step over a cusp-like tail.
