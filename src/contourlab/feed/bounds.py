@@ -20,6 +20,7 @@ and the functions below take the largest values that do. How much of each limit 
 
 from __future__ import annotations
 
+from itertools import pairwise
 from typing import NamedTuple
 
 import numpy as np
@@ -60,6 +61,7 @@ class Bounds(NamedTuple):
     taper: Array
 
 
+CHUNK = 32_768  # samples looked at together
 SHARES = tuple(
     Share(turning, speeding, turning_jerk, mixed)
     for turning, speeding in ((0.97, 0.9), (0.9, 0.8), (0.8, 0.7), (0.6, 0.8))
@@ -175,11 +177,27 @@ def piece_bounds(samples: Samples, starts: NDArray[np.intp], length: Array, stop
     Bounds
     """
     straight = ~np.any(samples.second != 0.0, axis=1) & ~np.any(samples.third != 0.0, axis=1)
-    if bool(np.all(straight)):
-        return _bounds(samples, starts, limits, Share(1.0, 1.0, 1.0, 1.0))
-    best = _bounds(samples, starts, limits, SHARES[0])
+    shares = (Share(1.0, 1.0, 1.0, 1.0),) if bool(np.all(straight)) else SHARES
+    # Each piece is by itself: some thousands of samples at a time keep the working memory small.
+    groups = np.unique(np.searchsorted(starts, np.arange(0, samples.feedrate.size, CHUNK)))
+    ends = np.append(starts[1:], samples.feedrate.size)
+    found = []
+    for first, after in pairwise(np.append(groups[groups < starts.size], starts.size).tolist()):
+        rows, some = slice(int(starts[first]), int(ends[after - 1])), slice(first, after)
+        part = Samples(*(column[rows] for column in samples))
+        found.append(_best(part, starts[some] - starts[first], length[some], stops[some], limits, shares))
+    return Bounds(*(np.concatenate(column) for column in zip(*found, strict=True)))
+
+
+def _best(
+    samples: Samples, starts: NDArray[np.intp], length: Array, stops: NDArray[np.bool_], limits: AxisLimits, shares: tuple[Share, ...]
+) -> Bounds:
+    """Return the bounds of those shares with which each piece takes the least time."""
+    best = _bounds(samples, starts, limits, shares[0])
+    if len(shares) == 1:
+        return best
     best_time = _time(best, length, stops)
-    for share in SHARES[1:]:
+    for share in shares[1:]:
         trial = _bounds(samples, starts, limits, share)
         time = _time(trial, length, stops)
         better = time < best_time

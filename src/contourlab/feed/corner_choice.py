@@ -22,6 +22,7 @@ Array = NDArray[np.float64]
 Index = NDArray[np.int64]
 
 _GRID = np.linspace(0.0, 1.0, 17)
+_CHUNK = 1024  # corners looked at together
 _WHOLE = Share(1.0, 1.0, 1.0, 1.0)
 _BLEND = Share(1.0, 1.0, 0.8, 1.0)
 """Part of the limits that the planner spends on turning in a blend: the rest of the jerk goes into braking before it and speeding up."""
@@ -47,7 +48,8 @@ def quicker_blended(route: Route, before: Index, after: Index, reach: Array, poi
     ndarray (n,) of bool
     """
     feedrate = np.minimum(route.feedrate[before], route.feedrate[after])
-    blend, ends = _passed(points, feedrate, limits)
+    parts = [_passed(points[i : i + _CHUNK], feedrate[i : i + _CHUNK], limits) for i in range(0, max(len(points), 1), _CHUNK)]
+    blend, *ends = (np.concatenate(column) for column in zip(*parts, strict=True))
     stop = np.zeros_like(reach)
     span = np.diff(route.path.breaks)
     for curve, at, speed in ((before, span[before], ends[0]), (after, np.zeros_like(reach), ends[1])):
@@ -79,7 +81,7 @@ class _Side:
             return 2.0 * (ramp.rise_time + ramp.hold_time + ramp.taper_time) + np.where(cruise > 0.0, cruise / peak, 0.0)
 
 
-def _passed(points: Array, feedrate: Array, limits: AxisLimits) -> tuple[Array, tuple[Array, Array]]:
+def _passed(points: Array, feedrate: Array, limits: AxisLimits) -> tuple[Array, Array, Array]:
     """Return the time that each blend takes, and the speeds at its ends.
 
     Away from its slowest place a blend is driven as fast as it bends there, as acceleration permits, v^2 + 2 A d, and as the jerk
@@ -100,4 +102,4 @@ def _passed(points: Array, feedrate: Array, limits: AxisLimits) -> tuple[Array, 
         by_jerk = least + np.where(away > 0.0, 0.05 * float(np.min(limits.jerk)) * (away / least) ** 2, 0.0)
     speed = np.minimum(local, np.minimum(by_acceleration, by_jerk))
     time = np.sum(2.0 * step / (speed[:, 1:] + speed[:, :-1]), axis=1)
-    return np.asarray(time), (speed[:, 0], speed[:, -1])
+    return np.asarray(time), speed[:, 0], speed[:, -1]

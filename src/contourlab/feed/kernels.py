@@ -10,8 +10,9 @@ from __future__ import annotations
 
 import math
 
-__all__ = ["flatten", "reach", "spread"]
+__all__ = ["LOWERED", "MOVED", "flatten", "lower", "reach", "spread"]
 
+LIMITED, BEHIND, LOWERED, MOVED = 1, 2, 4, 8  # flags of a sample; see `reach`
 TINY = 1e-9  # of a tangent: an axis that moves less has no say in the acceleration
 N_NEWTON = 60
 
@@ -44,18 +45,17 @@ def _tightest(x, i, double, sign, tangent, second, third, turning, speeding, ref
     return best, slope
 
 
-def _note(turning, speeding, reference, ceiling, known, flags):
-    """Flag with 1 the intervals whose limits are others than in `known`, and note the new ones there."""
-    n = turning.size
-    for i in range(n):
-        flags[i] = 0
-        if turning[i] != known[0, i]:
-            flags[i] = 1
+def _note(reference, ceiling, known_reference, known_ceiling, flags):
+    """Flag as LIMITED the intervals whose limits have changed, and note the new ones."""
+    for i in range(reference.size):
+        flags[i] &= LOWERED
+        if flags[i] != 0:
+            flags[i] |= LIMITED
             if i > 0:  # the interval before ends here
-                flags[i - 1] = 1
-        if speeding[i] != known[1, i] or reference[i] != known[2, i] or ceiling[i] != known[3, i]:
-            flags[i] = 1
-        known[0, i], known[1, i], known[2, i], known[3, i] = turning[i], speeding[i], reference[i], ceiling[i]
+                flags[i - 1] |= LIMITED
+        if reference[i] != known_reference[i] or ceiling[i] != known_ceiling[i]:
+            flags[i] |= LIMITED
+        known_reference[i], known_ceiling[i] = reference[i], ceiling[i]
 
 
 def _controllable(i, double, following, x, tangent, second, third, turning, speeding, reference, acceleration, jerk, period):
@@ -79,8 +79,9 @@ def _controllable(i, double, following, x, tangent, second, third, turning, spee
 
 
 def reach(
-    arc_length, tangent, second, third, turning, speeding, reference, ceiling, acceleration, jerk, period, known, flags, behind, square
-):
+    arc_length, tangent, second, third, turning, speeding, reference, ceiling, acceleration, jerk, period, known_reference, known_ceiling,
+    behind, square, flags
+):  # fmt: skip
     """Find the fastest v^2 from rest to rest: backward the speeds from which the rest can be driven, forward the greatest of them.
 
     Called again with other limits, it works out anew only what they change.
@@ -97,16 +98,19 @@ def reach(
     acceleration, jerk (n_axis,)
     period [s]
         In which the tangential acceleration may rise to its full; 0: the jerk does not count.
-    known (4, n), flags (n,), behind (n,), square (n,)
-        Of the call before, nan in `known` for the first; then filled: the limits, what has changed, the greatest v^2 from which the rest
-        can be driven, and the result v^2 [m^2/s^2].
+    known_reference, known_ceiling, behind, square (n,)
+        Of the call before, all nan for the first; then filled: the limits (one array will do where `reference` and `ceiling` are one),
+        the greatest v^2 from which the rest can be driven, and the result v^2 [m^2/s^2].
+    flags (n,)
+        LOWERED where `turning` or `speeding` have changed since the call before, which is left as it is. Filled with MOVED where the
+        result has changed; the others are working memory.
     """
     n = arc_length.size
-    _note(turning, speeding, reference, ceiling, known, flags)
+    _note(reference, ceiling, known_reference, known_ceiling, flags)
     moved = True
     for i in range(n - 1, -1, -1):
         # A change of what follows reaches the interval that ends there.
-        if flags[i] == 0 and not moved:
+        if flags[i] & (LIMITED | BEHIND) == 0 and not moved:
             continue
         x = ceiling[i] * ceiling[i]
         if i < n - 1:
@@ -120,10 +124,10 @@ def reach(
         moved = x != behind[i]
         behind[i] = x
         if moved:
-            flags[i] |= 2
+            flags[i] |= BEHIND
     moved = True
     for i in range(n):
-        if i > 0 and flags[i - 1] == 0 and flags[i] == 0 and not moved:
+        if i > 0 and (flags[i - 1] | flags[i]) & (LIMITED | BEHIND) == 0 and not moved:
             continue
         x = behind[i]
         if i > 0:
@@ -135,11 +139,57 @@ def reach(
                 start = max(start + double * high, 0.0)
             x = min(x, start)
         moved = x != square[i]
+        if moved:
+            flags[i] |= MOVED
         square[i] = x
 
 
-def spread(arc_length, value, width, result, queue):
-    """Find at each place the least of the values that reach it: sample i reaches from s[i] - width[i] to s[i] + width[i].
+def lower(arc_length, faults, factors, half, haste, low, parts, flags):
+    """Lower parts of the limits around faults.
+
+    Parameters
+    ----------
+    arc_length (n,)
+    faults (m, 7)
+        As filled by `looking.demand`.
+    factors (3, m)
+        By which each part is to be lowered.
+    half [s]
+        What a motion takes in on either side of a place.
+    haste
+        Power to which the factors are taken.
+    low (n,)
+        Working memory, full of ones.
+    parts (3, n)
+        Lowered: of the acceleration, of the jerk, of the speed.
+    flags (n,)
+        LOWERED is set where one of the first two is.
+    """
+    n = arc_length.size
+    for part in range(3):
+        for again in range(2):
+            for fault in range(faults.shape[0]):
+                place, width = faults[fault, 1], faults[fault, 2] * half
+                first = last = int(faults[fault, 0])
+                # An interval takes its limits from its first sample; where curves meet, there are two at one place.
+                while first > 0 and arc_length[first] >= place - width:
+                    first -= 1
+                if first > 0 and arc_length[first - 1] == arc_length[first]:
+                    first -= 1
+                while last < n - 1 and arc_length[last] <= place + width:
+                    last += 1
+                for i in range(first, last + 1):
+                    if again == 0:
+                        low[i] = min(low[i], factors[part, fault])
+                    elif low[i] != 1.0:
+                        parts[part, i] *= max(low[i] ** haste, 0.5)
+                        low[i] = 1.0
+                        if part < 2:
+                            flags[i] |= LOWERED
+
+
+def spread(arc_length, value, half, result, queue):
+    """Find at each place the least of the speeds that reach it: that of sample i reaches as far as it gets in the time `half`.
 
     Where a lesser value comes by, what reaches further than it is forgotten.
     """
@@ -154,7 +204,7 @@ def spread(arc_length, value, width, result, queue):
                 tail -= 1
             queue[tail] = i
             tail += 1
-            while abs(arc_length[i] - arc_length[queue[head]]) > width[queue[head]]:
+            while abs(arc_length[i] - arc_length[queue[head]]) > value[queue[head]] * half:
                 head += 1
                 if head == tail - 1:
                     break

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import math
 
-__all__ = ["clock", "demand", "lower", "steps"]
+__all__ = ["clock", "demand", "steps"]
 
 
 def clock(arc_length, square, first, last, free, period, time, lasting, count):
@@ -85,46 +85,6 @@ def steps(arc_length, square, time, first, last, lasting, begin, count, period, 
                 place = min(max(place, reached), whole)
             mean[begin[block] + k - 1] = (place - reached) / period
             reached = place
-
-
-def lower(arc_length, faults, factors, half, haste, low, parts):
-    """Lower parts of the limits around faults.
-
-    Parameters
-    ----------
-    arc_length (n,)
-    faults (m, 7)
-        As filled by `demand`.
-    factors (3, m)
-        By which each part is to be lowered.
-    half [s]
-        What a motion takes in on either side of a place.
-    haste
-        Power to which the factors are taken.
-    low (3, n)
-        Working memory, full of ones.
-    parts (3, n)
-        Lowered.
-    """
-    n = arc_length.size
-    for again in range(2):
-        for fault in range(faults.shape[0]):
-            place, width = faults[fault, 1], faults[fault, 2] * half
-            first = last = int(faults[fault, 0])
-            # An interval takes its limits from its first sample; where curves meet, there are two at one place.
-            while first > 0 and arc_length[first] >= place - width:
-                first -= 1
-            if first > 0 and arc_length[first - 1] == arc_length[first]:
-                first -= 1
-            while last < n - 1 and arc_length[last] <= place + width:
-                last += 1
-            for part in range(3):
-                for i in range(first, last + 1):
-                    if again == 0:
-                        low[part, i] = min(low[part, i], factors[part, fault])
-                    else:
-                        parts[part, i] *= max(low[part, i] ** haste, 0.5)
-                        low[part, i] = 1.0
 
 
 def _over(tangent, second, third, row, v, a, j, velocity, acceleration, jerk, worst):

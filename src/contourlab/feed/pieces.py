@@ -20,7 +20,7 @@ from contourlab.feed.route import Route
 from contourlab.geometry import Arc, Curve, Line
 from contourlab.geometry.blend import Blend
 
-__all__ = ["Nodes", "Pieces", "Survey", "chosen_nodes", "cut", "joint_speed", "look", "survey"]
+__all__ = ["Nodes", "Pieces", "Survey", "chosen_nodes", "cut", "joint_speed", "look", "nodes_of", "survey"]
 
 Array = NDArray[np.float64]
 Flags = NDArray[np.bool_]
@@ -88,23 +88,21 @@ def _kind(curve: Curve) -> int:
     return 0 if isinstance(curve, Line) else 1 if isinstance(curve, Arc) else 3 if isinstance(curve, Blend) else 2
 
 
-def _first_nodes(route: Route) -> tuple[Nodes, NDArray[np.int8]]:
-    """Sample every curve; kind 0 is a line, 1 an arc or helix, 3 a blend, 2 any other."""
-    kind = np.array([_kind(curve) for curve in route.path.curves], dtype=np.int8)
-    middle = look(route, np.arange(route.n_curve), np.full(route.n_curve, 0.5))
-    sweep = np.linalg.norm(middle.second, axis=1) * np.diff(route.path.breaks)
+def _first_nodes(route: Route, kind: NDArray[np.int8], curves: Index) -> Nodes:
+    """Sample curves before any refinement."""
+    middle = look(route, curves, np.full(curves.size, 0.5))
+    sweep = np.linalg.norm(middle.second, axis=1) * (route.path.breaks[curves + 1] - route.path.breaks[curves])
     of_arc = np.maximum(6, 2 + np.ceil(NODES_ARC * sweep / (2.0 * np.pi)))
-    count = np.choose(kind, [np.full_like(of_arc, 2), of_arc, np.full_like(of_arc, NODES_FIRST), np.full_like(of_arc, NODES_BLEND)])
-    count = count.astype(np.intp)
-    curve = np.repeat(np.arange(route.n_curve), count)
+    counts = [np.full_like(of_arc, 2), of_arc, np.full_like(of_arc, NODES_FIRST), np.full_like(of_arc, NODES_BLEND)]
+    count = np.choose(kind[curves], counts).astype(np.intp)
     first = np.repeat(np.cumsum(count) - count, count)
-    place = (np.arange(curve.size) - first) / (count[curve] - 1.0)
-    return look(route, curve, place), kind
+    place = (np.arange(first.size) - first) / np.repeat(count - 1.0, count)
+    return look(route, np.repeat(curves, count), place)
 
 
 def _refined(route: Route, nodes: Nodes, kind: NDArray[np.int8], limits: AxisLimits) -> Nodes:
     """Halve the intervals of general curves until neighbours are alike."""
-    for _ in range(DEPTH):
+    for _ in range(DEPTH if np.any(kind[nodes.curve] == 2) else 0):
         permitted = speed_limit(_samples(route, nodes), limits, SHARES[0])
         high, low = np.maximum(permitted[1:], permitted[:-1]), np.minimum(permitted[1:], permitted[:-1])
         turn = np.linalg.norm(np.diff(nodes.tangent, axis=0), axis=1)
@@ -116,6 +114,27 @@ def _refined(route: Route, nodes: Nodes, kind: NDArray[np.int8], limits: AxisLim
         new = look(route, nodes.curve[where], 0.5 * (nodes.place[where] + nodes.place[where + 1]))
         nodes = Nodes(*(np.insert(old, where + 1, more, axis=0) for old, more in zip(nodes, new, strict=True)))
     return nodes
+
+
+def nodes_of(route: Route, kind: NDArray[np.int8], limits: AxisLimits, curves: Index) -> Nodes:
+    """Sample curves, each more densely where it turns more; what one curve gets does not depend on the others.
+
+    Parameters
+    ----------
+    route : Route
+    kind : ndarray (n_curve,)
+        As in `Survey`.
+    limits : AxisLimits
+        For the path's number of axes.
+    curves : ndarray of int
+        Which curves, rising.
+
+    Returns
+    -------
+    Nodes
+        In the order of travel; both ends of every curve are among them.
+    """
+    return _refined(route, _first_nodes(route, kind, curves), kind, limits)
 
 
 def _samples(route: Route, nodes: Nodes) -> Samples:
@@ -164,12 +183,16 @@ def joint_speed(meet: Joints, limits: AxisLimits, curvature_step: float) -> Arra
 
 
 class Survey(NamedTuple):
-    """What a route is like: its joints, its samples, and by curve the kind and the ceiling of speed at its end."""
+    """What a route is like: its joints, and by curve the kind and the ceiling of speed at its end."""
 
     meet: Joints
-    nodes: Nodes
     kind: NDArray[np.int8]  # 0 line, 1 arc or helix, 2 any other, 3 blend of a corner
     joint_speed: Array
+
+    @property
+    def stop(self) -> Flags:
+        """Whether the motion stops at the end of each curve (n_curve,); where a closed path closes, it does so after the last lap."""
+        return np.asarray(self.meet.stop | (self.joint_speed == 0.0))
 
 
 def survey(route: Route, limits: AxisLimits, curvature_step: float) -> Survey:
@@ -188,12 +211,12 @@ def survey(route: Route, limits: AxisLimits, curvature_step: float) -> Survey:
     Survey
     """
     meet = joints(route)
-    nodes, kind = _first_nodes(route)
+    kind = np.array([_kind(curve) for curve in route.path.curves], dtype=np.int8)
     ceiling = joint_speed(meet, limits, curvature_step)
     # To slow down for a kink and not to stop there gains nothing.
     slow = np.any(meet.kink != 0.0, axis=1) & (ceiling < WORTH * np.minimum(route.feedrate, np.roll(route.feedrate, -1)))
     meet = meet._replace(stop=meet.stop | slow, kink=np.where(slow[:, None], 0.0, meet.kink))
-    return Survey(meet, _refined(route, nodes, kind, limits), kind, ceiling)
+    return Survey(meet, kind, ceiling)
 
 
 def cut(route: Route, seen: Survey, limits: AxisLimits, wanted: Flags) -> Pieces:
@@ -213,9 +236,7 @@ def cut(route: Route, seen: Survey, limits: AxisLimits, wanted: Flags) -> Pieces
     Pieces
     """
     meet, kind = seen.meet, seen.kind
-    nodes = seen.nodes
-    if not np.all(wanted):
-        nodes = chosen_nodes(nodes, wanted[nodes.curve])
+    nodes = nodes_of(route, kind, limits, np.flatnonzero(wanted))
     samples = _samples(route, nodes)
     straight_on = kind == 0
     smooth_line = ~meet.stop & ~np.any(meet.kink != 0.0, axis=1) & straight_on & np.roll(straight_on, -1)

@@ -130,6 +130,7 @@ def _motions(route: Route, seen: Survey, limits: AxisLimits, laps: int) -> Array
             of_stretch = np.repeat(np.arange(bent.size), np.diff(found.begin))
             keep = found.good[of_stretch]
             moves.append(_Moves(found.spans[keep], bent[of_stretch[keep]]))
+        del samples
     # The closed form is exact on straight stretches; elsewhere it may win where there is little to look ahead to.
     missing = np.ones(parts.first.size, dtype=bool)
     for way in moves:

@@ -17,6 +17,7 @@ Only a stretch that has passed step 3 is handed back. Every step is linear in th
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable
 from functools import cache
 from typing import NamedTuple
@@ -24,6 +25,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from contourlab.feed.kernels import LOWERED, MOVED
 from contourlab.feed.limits import AxisLimits
 from contourlab.feed.stretches import Samples
 from contourlab.geometry import Path
@@ -45,7 +47,7 @@ PER_SPAN = 4  # places looked at in each span, besides the samples ...
 PER_SPAN_MOST = 24  # ... or at which the path is asked, where there are many samples in each
 MOST_SPANS = (8, 10_000)  # a sample, and besides: where the jerk is plentiful, T is no shorter than this asks for
 MANY = (5_000, 200_000)  # samples above which only the two, and the one, most likely periods are tried
-CHUNK = 200_000  # places at which the path is asked at once
+CHUNK = 32_768  # places looked at together
 
 
 class Shaped(NamedTuple):
@@ -69,25 +71,6 @@ class Shaped(NamedTuple):
         return np.asarray(np.add.reduceat(self.spans[:, 0], self.begin[:-1]))
 
 
-def _ceiling(samples: Samples, limits: AxisLimits, shaped: bool) -> Array:
-    """Return the highest speed at each sample; zero where the stretches end.
-
-    A motion that is to be averaged must be able to hold it: without acceleration, turning alone is within the limits.
-    """
-    with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
-        lowest = np.fmin.reduce(limits.velocity / np.abs(samples.tangent), axis=1)
-        if shaped:
-            lowest = np.fmin(lowest, np.sqrt(np.fmin.reduce(limits.acceleration / np.abs(samples.second), axis=1)))
-            lowest = np.fmin(lowest, np.cbrt(np.fmin.reduce(limits.jerk / np.abs(samples.third), axis=1)))
-        else:
-            # An axis that does not move along the path has no acceleration along it: its share of turning is a limit of speed.
-            still = np.where(np.abs(samples.tangent) < 1e-6, np.abs(samples.second), 0.0)
-            lowest = np.fmin(lowest, np.sqrt(np.fmin.reduce(limits.acceleration / still, axis=1)))
-    ceiling = np.minimum(samples.ceiling, lowest)
-    ceiling[samples.ends] = 0.0
-    return np.asarray(ceiling)
-
-
 class _Kernels(NamedTuple):
     """The compiled recursions of `kernels`."""
 
@@ -107,13 +90,13 @@ def _kernels() -> _Kernels:
 
     f, m, i = "f8[:]", "f8[:,:]", "i8[:]"
     return _Kernels(
-        kernel(kernels.reach, " ".join([f, m, m, m, f, f, f, f, f, f, "f8", m, i, f, f])),
-        kernel(kernels.spread, " ".join([f, f, f, f, i])),
+        kernel(kernels.reach, " ".join([f, m, m, m, f, f, f, f, f, f, "f8", f, f, f, f, i])),
+        kernel(kernels.spread, " ".join([f, f, "f8", f, i])),
         kernel(kernels.flatten, " ".join([f, f, "f8", f])),
         kernel(looking.demand, " ".join([f, m, m, m, f, i, m, i, f, f, f, "i8", "f8", i, "f8[:,:,:]", f, f, m, i])),
         kernel(looking.clock, " ".join([f, f, i, i, i, "f8", f, f, i])),
         kernel(looking.steps, " ".join([f, f, f, i, i, f, i, i, "f8", f])),
-        kernel(looking.lower, " ".join([f, m, m, "f8", "f8", m, m])),
+        kernel(kernels.lower, " ".join([f, m, m, "f8", "f8", f, m, i])),
     )
 
 
@@ -125,23 +108,40 @@ class _Blocks(NamedTuple):
     free: NDArray[np.int64]
 
 
-class _Memory(NamedTuple):
-    """What the kernel `reach` keeps from call to call."""
+class _Grid(NamedTuple):
+    """Steps in time: time at the samples (n,); of each block (n_block,) the time, how many steps, the first; first step of each stretch."""
 
-    known: Array
-    flags: NDArray[np.int64]
+    time: Array
+    lasting: Array
+    steps: NDArray[np.int64]
+    leading: NDArray[np.int64]
+    begin: Index
+
+    @property
+    def n_step(self) -> int:
+        return int(self.begin[-1])
+
+
+class _Memory(NamedTuple):
+    """What the kernel `reach` keeps from call to call; arrays (n,)."""
+
+    reference: Array
+    ceiling: Array
     behind: Array
     square: Array
 
 
-def _memory(n: int) -> _Memory:
-    return _Memory(np.full((4, n), np.nan), np.zeros(n, dtype=np.int64), np.full(n, np.nan), np.full(n, np.nan))
+def _memory(n: int, *, apart: bool) -> _Memory:
+    """Return the memory of a first call; `apart` where the ceiling is not the reference as well."""
+    reference = np.full(n, np.nan)
+    return _Memory(reference, np.full(n, np.nan) if apart else reference, np.full(n, np.nan), np.full(n, np.nan))
 
 
 class _Planner:
     """Arrays that the rounds of one period share; `parts` are those of the limits that may be used at each sample:
 
-    of the acceleration, of the jerk for changes of the tangential acceleration, of the speed.
+    of the acceleration, of the jerk for changes of the tangential acceleration, of the speed. There are tens of samples to a line of a
+    program: these arrays decide how long a program can be, so each has its reason, and what is worked out from them goes as soon as it can.
     """
 
     def __init__(self, path: Path, samples: Samples, limits: AxisLimits, period: float) -> None:
@@ -151,32 +151,38 @@ class _Planner:
         self.velocity, self.acceleration, self.jerk = (np.array(part) for part in (limits.velocity, limits.acceleration, limits.jerk))
         self.inverse = tuple(1.0 / part for part in (self.velocity, self.acceleration, self.jerk))
         self.place = tuple(np.ascontiguousarray(part) for part in (samples.arc_length, samples.tangent, samples.second, samples.third))
-        self.base = _ceiling(samples, limits, period > 0.0)
+        self.base = samples.speed_ceiling(limits, held=period > 0.0)
         self.begin = samples.begin.astype(np.int64)
-        self.queue = np.empty(n, dtype=np.int64)
+        self.flags = np.zeros(n, dtype=np.int64)
         self.half = 0.5 * period * (STEPS + 2) / STEPS  # what the average takes in on either side
-        self.parts, self.low = np.ones((3, n)), np.ones((3, n))
-        self.first, self.second = _memory(n), _memory(n)
-        self.before = np.full(n, np.nan)
+        self.parts = np.ones((3, n))
+        self.first = _memory(n, apart=False)
+        self.second = _memory(n, apart=True) if period > 0.0 else self.first
         first, last = self.begin[:-1], self.begin[1:] - 1
         self.blocks = _Blocks(first, last, np.ones_like(first))  # whole stretches, until `divide`
         self.divided = False
 
     def square(self) -> Array:
         """Return v^2 at the samples."""
-        ceiling, wide = self.base * self.parts[2], np.empty_like(self.base)
-        limits = self.acceleration, self.jerk, self.period
+        ceiling = self.base * self.parts[2]
         if self.period == 0.0:
-            self.run.reach(*self.place, self.parts[0], self.parts[1], ceiling, ceiling, *limits, *self.first)
-            return self.first.square
-        self.run.spread(self.place[0], ceiling, ceiling * self.half, wide, self.queue)
-        self.run.reach(*self.place, self.parts[0], self.parts[1], wide, wide, *limits, *self.first)
-        speed = np.sqrt(self.first.square)
-        self.run.flatten(self.place[0], speed, self.period * (STEPS + 1) / STEPS, wide)
-        # The second time the shares of the jerk are reckoned at nearly the speed that is driven.
-        reference = np.minimum(wide, 1.05 * speed + 1e-9)
-        self.run.reach(*self.place, self.parts[0], self.parts[1], reference, wide, *limits, *self.second)
+            self._reach(ceiling, ceiling, self.first)
+        else:
+            wide = np.empty_like(ceiling)
+            self.run.spread(self.place[0], ceiling, self.half, wide, np.empty(ceiling.size, dtype=np.int64))
+            self._reach(wide, wide, self.first)
+            speed = np.sqrt(self.first.square, out=ceiling)
+            self.run.flatten(self.place[0], speed, self.period * (STEPS + 1) / STEPS, wide)
+            # The second time the shares of the jerk are reckoned at nearly the speed that is driven.
+            speed *= 1.05
+            speed += 1e-9
+            self._reach(np.minimum(wide, speed, out=speed), wide, self.second)
+        self.flags &= ~LOWERED
         return self.second.square
+
+    def _reach(self, reference: Array, ceiling: Array, memory: _Memory) -> None:
+        limits = self.acceleration, self.jerk, self.period
+        self.run.reach(*self.place, self.parts[0], self.parts[1], reference, ceiling, *limits, *memory, self.flags)
 
     def look(self, spans: Array, begin: Index, watched: NDArray[np.int64]) -> tuple[Array, Array]:
         """Return the greatest demand of each stretch as a part of the limits, and the faults, as the kernel `demand` does."""
@@ -187,20 +193,19 @@ class _Planner:
         self.run.demand(*where, *self.inverse, PER_SPAN, 1.0 + ROUNDING, watched, here, worst, peak, faults, count)
         return peak, faults[: int(count[0])]
 
-    def changed(self, square: Array, faults: Array) -> NDArray[np.int64]:
+    def changed(self, faults: Array) -> NDArray[np.int64]:
         """Return at which samples a motion is to be looked at: in blocks that have changed or had faults, and in their neighbours."""
-        different = square != self.before
+        different = self.flags & MOVED != 0
         different[faults[:, 0].astype(np.intp)] = True
-        self.before[:] = square
         # A block's last sample is the next one's first; each block is looked at with the one before and the one behind it.
-        edges = np.append(self.blocks.first, square.size)
+        edges = np.append(self.blocks.first, different.size)
         blocks = np.add.reduceat(different, edges[:-1]) > 0
         ends = different[self.blocks.last]
         blocks |= ends
-        near = blocks.copy()
+        near = blocks.astype(np.int64)
         near[1:] |= blocks[:-1]
         near[:-1] |= blocks[1:]
-        return np.repeat(near, np.diff(edges)).astype(np.int64)
+        return np.repeat(near, np.diff(edges))
 
     def lower(self, faults: Array, haste: float) -> None:
         """Lower the limits of the samples that the average at each fault takes in."""
@@ -213,22 +218,26 @@ class _Planner:
             np.where(of_jerk > 1.0, ease, 1.0),
             np.minimum(np.where(of_speed > 1.0, 0.999 / of_speed, 1.0), np.where(of_jerk > 1.0, slower, 1.0)),
         )
-        self.run.lower(self.place[0], np.ascontiguousarray(faults), np.stack(factors), self.half, haste, self.low, self.parts)
+        low = np.ones_like(self.base)
+        self.run.lower(self.place[0], np.ascontiguousarray(faults), np.stack(factors), self.half, haste, low, self.parts, self.flags)
 
     def divide(self, square: Array) -> None:
         """Divide the stretches into blocks of about `BLOCK` periods, each of a whole number of steps.
 
         So what is corrected in one of them leaves the time grid of all others where it was, and they need not be looked at again.
         """
-        first, last, speed = self.blocks.first, self.blocks.last, np.sqrt(square)
+        first, last = self.blocks.first, self.blocks.last
         time, lasting, _ = self._clock(square, self.blocks)
-        of_stretch = np.repeat(np.arange(first.size), np.diff(self.begin))
-        size = max(BLOCK * self.period, np.sqrt(BEND * float(speed.max()) * self.period / STEPS / float(self.acceleration.min())))
-        number = np.floor(time / size)
+        fastest = math.sqrt(float(square.max()))
+        size = max(BLOCK * self.period, np.sqrt(BEND * fastest * self.period / STEPS / float(self.acceleration.min())))
+        number = np.floor(np.divide(time, size, out=time), out=time)
         # The last block of a stretch is a long one, not a short one; its time is not that of its last sample.
-        number = np.minimum(number, np.maximum(np.floor(lasting / size) - 1.0, 0.0)[of_stretch])
+        most = np.maximum(np.floor(lasting / size) - 1.0, 0.0)
+        np.minimum(number, np.repeat(most, np.diff(self.begin)), out=number)
         number[last] = number[np.maximum(last - 1, 0)]
-        border = np.flatnonzero((np.diff(number) > 0.0) & (of_stretch[1:] == of_stretch[:-1])) + 1
+        further = number[1:] > number[:-1]
+        further[last[:-1]] = False  # there another stretch begins
+        border = np.flatnonzero(further) + 1
         starts = np.sort(np.concatenate([first, border]))
         ends = np.append(starts[1:], self.begin[-1])
         free = np.isin(ends, self.begin[1:])
@@ -242,9 +251,12 @@ class _Planner:
 
     def spans(self, square: Array) -> tuple[Array, Index]:
         """Turn v^2 at the samples into spans; return them and the first of each stretch."""
-        if self.period > 0.0 and not self.divided:
-            self.divide(square)
         return self._averaged(square) if self.period > 0.0 else self._plain(square)
+
+    def duration(self) -> float:
+        """Return the time that all the motions take before any correction [s]."""
+        square = self.square()
+        return self._grid(square).n_step * self.period / STEPS if self.period > 0.0 else float(self._plain(square)[0][:, 0].sum())
 
     def _plain(self, square: Array) -> tuple[Array, Index]:
         """Return spans of constant acceleration, one for each interval."""
@@ -257,17 +269,25 @@ class _Planner:
         spans = np.stack([lasting, self.place[0][:-1][moves], speed[:-1][moves], acceleration, none], axis=-1)
         return spans, np.append(0, np.cumsum(moves))[np.append(self.begin[:-1], moves.size)]
 
-    def _averaged(self, square: Array) -> tuple[Array, Index]:
-        """Return spans of constant jerk, each a part of the period long."""
-        h, arc_length, blocks = self.period / STEPS, self.place[0], self.blocks
-        first, last = self.begin[:-1], self.begin[1:] - 1
-        time, lasting, count = self._clock(square, blocks)
-        leading = np.searchsorted(blocks.first, first)
+    def _grid(self, square: Array) -> _Grid:
+        """Lay the time grid of steps over the blocks of all stretches."""
+        if not self.divided:
+            self.divide(square)
+        time, lasting, count = self._clock(square, self.blocks)
+        leading = np.searchsorted(self.blocks.first, self.begin[:-1])
         # Steps of each stretch, and behind them zeros enough that no average reaches into the next.
         begin = np.append(0, np.cumsum(np.add.reduceat(count, leading) + STEPS + 1))
-        shift = np.repeat((STEPS + 1) * np.arange(first.size), np.diff(np.append(leading, count.size)))
-        mean = np.zeros(int(begin[-1]))
-        self.run.steps(arc_length, square, time, blocks.first, blocks.last, lasting, np.cumsum(count) - count + shift, count, h, mean)
+        shift = np.repeat((STEPS + 1) * np.arange(leading.size), np.diff(np.append(leading, count.size)))
+        return _Grid(time, lasting, count, np.cumsum(count) - count + shift, begin)
+
+    def _averaged(self, square: Array) -> tuple[Array, Index]:
+        """Return spans of constant jerk, each a part of the period long."""
+        grid = self._grid(square)
+        h, arc_length, blocks = self.period / STEPS, self.place[0], self.blocks
+        first, last, begin = self.begin[:-1], self.begin[1:] - 1, grid.begin
+        mean = np.zeros(grid.n_step)
+        self.run.steps(arc_length, square, grid.time, blocks.first, blocks.last, grid.lasting, grid.leading, grid.steps, h, mean)
+        del grid
         padded = np.concatenate([np.zeros(STEPS + 1), mean])
         box = padded[2 : 2 + mean.size].copy()
         for k in range(1, STEPS):
@@ -317,16 +337,22 @@ def _corrected(planner: _Planner) -> Shaped:
     for round_ in range(ROUNDS):
         square = planner.square()
         spans, begin = planner.spans(square)
-        peak, faults = planner.look(spans, begin, planner.changed(square, faults))
+        peak, faults = planner.look(spans, begin, planner.changed(faults))
         if len(faults) == 0 or round_ == ROUNDS - 1:
             # Good by the samples, which are cheap to ask; the path itself has the last word.
-            peak, faults = planner.look(spans, begin, np.ones_like(planner.queue))
+            peak, faults = planner.look(spans, begin, np.ones_like(planner.flags))
             by_path, more = _by_path(planner, spans, begin)
             peak, faults = np.maximum(peak, by_path), np.concatenate([faults, more])
             if len(faults) == 0:
                 break
         planner.lower(faults, 1.0 + round_ / HASTE)
     return Shaped(spans, begin, peak <= 1.0 + CLOSE)
+
+
+def _least_time(samples: Samples, limits: AxisLimits) -> float:
+    """Return a time that no motion can beat [s]."""
+    fastest = np.maximum(np.minimum(samples.ceiling, float(np.linalg.norm(limits.velocity))), 1e-12)
+    return float(np.sum(np.diff(samples.arc_length) / np.minimum(fastest[1:], fastest[:-1])))
 
 
 def shaped(path: Path, samples: Samples, limits: AxisLimits) -> list[Shaped]:
@@ -347,15 +373,12 @@ def shaped(path: Path, samples: Samples, limits: AxisLimits) -> list[Shaped]:
     if not np.all(np.isfinite(limits.acceleration)):
         return []
     unit = float(np.max(limits.acceleration / limits.jerk))
-    fastest = np.maximum(np.minimum(samples.ceiling, float(np.linalg.norm(limits.velocity))), 1e-12)
-    least = float(np.sum(np.diff(samples.arc_length) / np.minimum(fastest[1:], fastest[:-1])))
-    shortest = STEPS * least / (MOST_SPANS[0] * samples.arc_length.size + MOST_SPANS[1])
+    shortest = STEPS * _least_time(samples, limits) / (MOST_SPANS[0] * samples.arc_length.size + MOST_SPANS[1])
     # Without a limit of the jerk, a short average still wins where the plain motion would have to be corrected.
     periods = sorted({max(part * unit, shortest) for part in PERIODS}) if unit > 0.0 else [0.0, shortest]
     n_tried = 3 - int(np.searchsorted(MANY, samples.arc_length.size))
     if n_tried < 3 and len(periods) > n_tried:
         # What a motion takes before its corrections tells well enough which periods are worth them.
-        planners = (_Planner(path, samples, limits, period) for period in periods)
-        trials = [float(planner.spans(planner.square())[0][:, 0].sum()) for planner in planners]
+        trials = [_Planner(path, samples, limits, period).duration() for period in periods]
         periods = [periods[k] for k in np.argsort(trials)[:n_tried]]
     return [_corrected(_Planner(path, samples, limits, period)) for period in periods]

@@ -70,9 +70,7 @@ class Arc(Curve):
         if self.sweep == 0.0 or not math.isfinite(self.sweep):
             raise GeometryError(f"sweep = {sweep!r}: must be finite and not zero")
         frame = np.array([self.u, self.v])
-        if not np.allclose(frame @ frame.T, np.eye(2), rtol=0.0, atol=1e-9) or np.abs(frame @ self.rise).max() > 1e-9 * max(
-            1.0, self.radius
-        ):
+        if not np.abs(frame @ frame.T - np.eye(2)).max() <= 1e-9 or np.abs(frame @ self.rise).max() > 1e-9 * max(1.0, self.radius):
             raise GeometryError("u and v must be orthonormal, and rise at right angles to both")
         self.length = math.hypot(self.radius * self.sweep, float(np.linalg.norm(self.rise)))
         self.rate = self.sweep / self.length

@@ -25,8 +25,11 @@ def run_reach(run, place, parts, ceiling, memory=None, period=0.0):
     n = place[0].size
     ceiling = ceiling.copy()
     ceiling[[0, -1]] = 0.0
-    memory = memory or (np.full((4, n), np.nan), np.zeros(n, np.int64), np.full(n, np.nan), np.full(n, np.nan))
+    memory = memory or (*(np.full(n, np.nan) for _ in range(4)), np.zeros(n, np.int64))
+    before = memory[3].copy()
     run(*place, *parts, np.full(n, 0.3), ceiling, LIMIT, JERK, period, *memory)
+    *_, square, flags = memory
+    np.testing.assert_array_equal(flags & kernels.MOVED != 0, square != before)
     return memory
 
 
@@ -34,7 +37,7 @@ def test_a_line_is_driven_by_the_law_of_constant_acceleration() -> None:
     s = np.sort(np.append(np.random.default_rng(1).uniform(0.0, 0.3, 80), [0.0, 0.15, 0.3]))
     tangent = np.tile([1.0, 0.0], (s.size, 1))
     none, one = np.zeros_like(tangent), np.ones_like(s)
-    *_, square = run_reach(_kernels().reach, (s, tangent, none, none), (one, one), np.full(s.size, 0.7))
+    *_, square, _ = run_reach(_kernels().reach, (s, tangent, none, none), (one, one), np.full(s.size, 0.7))
     np.testing.assert_allclose(square, np.minimum(np.minimum(4.0 * s, 4.0 * (0.3 - s)), 0.49), atol=1e-12)
 
 
@@ -45,7 +48,7 @@ def test_the_limits_hold_and_a_linear_program_finds_nothing_faster() -> None:
     # Where an axis stands still, its acceleration in turning is a limit of speed, which belongs into the ceiling.
     still = np.where(np.abs(t) < 1e-6, np.abs(k), 1e-9)
     ceiling = np.minimum(0.35, np.sqrt((LIMIT / still).min(axis=1)))
-    *_, square = run_reach(_kernels().reach, place, (np.ones(n), np.ones(n)), ceiling)
+    *_, square, _ = run_reach(_kernels().reach, place, (np.ones(n), np.ones(n)), ceiling)
     rows, bounds = [], []
     for i in range(n - 1):
         for at in (i, i + 1):
@@ -75,9 +78,12 @@ def test_a_change_of_limits_gives_what_a_fresh_start_gives(period: float) -> Non
         at = generator.integers(0, n - 9)
         turning[at : at + 5] *= 0.8
         speeding[at + 2 : at + 8] *= 0.7
+        memory[4][at : at + 8] |= kernels.LOWERED
         ceiling[generator.integers(0, n)] *= 0.5
         run_reach(run, place, (turning, speeding), ceiling, memory, period)
-        *_, fresh = run_reach(run, place, (turning, speeding), ceiling, period=period)
+        assert np.all(memory[4][at : at + 8] & kernels.LOWERED)
+        memory[4][:] = 0
+        *_, fresh, _ = run_reach(run, place, (turning, speeding), ceiling, period=period)
         np.testing.assert_array_equal(memory[3], fresh)
 
 
@@ -92,8 +98,20 @@ def test_spread_takes_the_least_in_reach() -> None:
     generator = np.random.default_rng(2)
     s, value = np.sort(generator.uniform(0.0, 1.0, 300)), generator.uniform(0.1, 1.0, 300)
     found = np.empty_like(s)
-    _kernels().spread(s, value, np.full_like(s, 0.05), found, np.empty(300, np.int64))
-    np.testing.assert_array_equal(found, [value[np.abs(s - x) <= 0.05].min() for x in s])
+    _kernels().spread(s, value, 0.05, found, np.empty(300, np.int64))
+
+    def least(at: int) -> float:
+        lowest = value[at]
+        for way in (range(at - 1, -1, -1), range(at + 1, 300)):
+            passed = value[at]
+            for i in way:  # what lies behind a lesser value is forgotten
+                if value[i] < passed and abs(s[i] - s[at]) <= 0.05 * value[i]:
+                    lowest = min(lowest, value[i])
+                passed = min(passed, value[i])
+        return float(lowest)
+
+    np.testing.assert_array_equal(found, [least(i) for i in range(300)])
+    assert np.count_nonzero(found < value) > 200
 
 
 def test_a_summit_is_cut_where_it_lasts_as_long_as_asked() -> None:
@@ -103,6 +121,20 @@ def test_a_summit_is_cut_where_it_lasts_as_long_as_asked() -> None:
     _kernels().flatten(s, 1.0 - np.abs(s - 1.0), 0.5, ceiling)
     assert ceiling.min() == pytest.approx(0.8, rel=1e-9)
     np.testing.assert_allclose(s[ceiling < 5.0][[0, -1]], [0.8, 1.2], atol=0.011)
+
+
+def test_limits_are_lowered_once_around_faults_that_overlap() -> None:
+    s = np.linspace(0.0, 1.0, 11)
+    faults = np.zeros((2, 7))
+    faults[:, :3] = [[4, 0.46, 0.1], [6, 0.66, 0.1]]  # sample, place, speed
+    factors = np.array([[1.0, 0.8], [0.9, 0.9], [1.0, 1.0]])
+    low, parts, flags = np.ones(11), np.ones((3, 11)), np.zeros(11, np.int64)
+    _kernels().lower(s, faults, factors, 1.5, 2.0, low, parts, flags)
+    np.testing.assert_allclose(parts[0], [1, 1, 1, 1, 1, 0.64, 0.64, 0.64, 0.64, 0.64, 1])
+    np.testing.assert_allclose(parts[1], [1, 1, 1, 0.81, 0.81, 0.81, 0.81, 0.81, 0.81, 0.81, 1])
+    np.testing.assert_array_equal(parts[2], np.ones(11))
+    np.testing.assert_array_equal(flags & kernels.LOWERED != 0, (parts[:2] < 1.0).any(axis=0))
+    np.testing.assert_array_equal(low, np.ones(11))
 
 
 def test_derivatives_between_samples_are_those_of_a_cubic() -> None:

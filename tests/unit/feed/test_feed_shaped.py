@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import dataclasses
 import time
+import tracemalloc
 from collections.abc import Callable
 from itertools import pairwise
 
@@ -11,6 +12,7 @@ import numpy as np
 import pytest
 
 from contourlab.feed import AxisLimits, Reference, Route, blended, limit_report, plan, route_from_path
+from contourlab.feed.planner import plan_profile
 from contourlab.geometry import Arc, Line, Path, contour
 
 Demand = Callable[..., tuple[float, float, float]]
@@ -154,3 +156,21 @@ def test_the_work_grows_with_the_number_of_lines() -> None:
         plan(route, limits, 1e-3)
         times.append(time.process_time() - started)
     assert times[1] < 12.0 * times[0]
+
+
+def planning_memory(n_line: int) -> int:
+    """Return the most memory [bytes] that planning a route of short lines with rounded corners takes, besides the route."""
+    route, limits = lines_with_blends(n_line), AxisLimits([0.5] * 3, 2.0, 40.0)
+    tracemalloc.start()
+    try:
+        plan_profile(route, limits)
+        return tracemalloc.get_traced_memory()[1]
+    finally:
+        tracemalloc.stop()
+
+
+@pytest.mark.slow
+def test_a_long_program_takes_a_few_kilobytes_a_line() -> None:
+    # Some 22 samples to a line, with some 200 bytes each: three derivatives by three axes, limits, and the state of the recursions.
+    planning_memory(200)  # what is loaded and compiled at the first time
+    assert planning_memory(6000) - planning_memory(2000) < 4000 * 7000
