@@ -30,6 +30,9 @@ from contourlab.primitives import clip, cos, floor, normal, rint, select, sin
 
 __all__ = ["QuadratureEncoder"]
 
+MOST_COUNTS = 1e9
+"""Most counts in a quarter of a period."""
+
 TURN = 2.0 * math.pi
 
 
@@ -169,14 +172,14 @@ class QuadratureEncoder(Component):
     def __init__(self, **values: Any) -> None:
         super().__init__(**values)
         order = self.pitch / (4.0 * self.resolution)
-        if order < 0.75 or abs(order - round(order)) > 1e-6:
+        if not 0.75 <= order <= MOST_COUNTS or abs(order - round(order)) > 1e-6:
             shown = f"{self.resolution:g}"
             raise ParameterError("resolution", shown, f"the pitch, {self.pitch:g} m, over four times a whole number", "m")
         least = LEAST_COVARIANCE * (1.0 - self.forgetting)
         if self.correction == "adaptive" and self.initial_covariance < least:
             raise ParameterError("initial_covariance", f"{self.initial_covariance:g}", f">= {least:g} with this forgetting")
-        start = self.block(1.0)
         inside = max(abs(self.known_offset_1), abs(self.known_offset_2)) <= FURTHEST * self.amplitude
+        start = self.block(1.0) if inside else {}
         if not (inside and all(LEAST <= start[name] <= 1.0 / LEAST for name in DERIVED[:2])):
             shown = f"{self.known_offset_1:g} and {self.known_offset_2:g}"
             raise ParameterError("known offsets", shown, "well inside the amplitudes of the signals", "V")
