@@ -10,6 +10,7 @@ import pytest
 from typed_commands import Finished, Run, contents, invoke
 
 import contourlab as package
+from contourlab.components.contract import FAMILIES
 
 ANSWERS = """\
 name = "Bench mill"
@@ -71,9 +72,7 @@ def test_components_lists_each_family_and_tells_all_of_one(contourlab: Run) -> N
     said = contourlab("components", "--json")
     assert (said.code, said.err) == (0, "")
     kinds = {(entry["family"], entry["kind"]): entry for entry in json.loads(said.out)}
-    assert {"plant", "friction", "drive", "sensor", "velocity", "disturbance", "observer", "controller", "estimator", "coupling"} == {
-        family for family, _ in kinds
-    }
+    assert {family for family, _ in kinds} == set(FAMILIES)
     said = contourlab("components", "lugre")
     assert (said.code, said.err) == (0, "")
     for parameter in kinds["friction", "lugre"]["parameters"]:

@@ -80,7 +80,8 @@ def quarter_turn(closed: Closed, servo_period: float, lead: float = 0.0) -> floa
     if not wrong.size:
         return top
     i = int(wrong[0])
-    return float(w[0] if i == 0 else brentq(lambda x: float(real(np.array([x]))[0]), w[i - 1], w[i]))
+    # With all frequencies below it: a T that is pieced together by its phase is known by where the phase has come from.
+    return float(w[0] if i == 0 else brentq(lambda x: float(real(np.append(w[:i], x))[-1]), w[i - 1], w[i]))
 
 
 def largest_gain(closed: Closed, average: Callable[[Array], Complex], top: float) -> float:

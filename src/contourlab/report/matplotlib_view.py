@@ -88,6 +88,8 @@ def _panel(place: Axes, panel: Panel) -> None:
         place.plot(curve.x, curve.y, label=_plain(curve.name), **_look(curve))
     if panel.log_x:
         place.set_xscale("log")
+        if _decades(panel) < 2.0:
+            _plain_numbers(place.xaxis)
     else:
         place.margins(x=0)
     if panel.log_y:
@@ -116,12 +118,23 @@ def _panel(place: Axes, panel: Panel) -> None:
 
 def _logarithmic(place: Axes) -> None:
     """Give a panel a logarithmic y axis with numbers as people write them."""
+    place.set_yscale("log")
+    _plain_numbers(place.yaxis)
+
+
+def _plain_numbers(axis: Any) -> None:
     from matplotlib.ticker import LogLocator, NullFormatter, StrMethodFormatter
 
-    place.set_yscale("log")
-    place.yaxis.set_major_locator(LogLocator(subs=(1.0, 2.0, 5.0)))
-    place.yaxis.set_major_formatter(StrMethodFormatter("{x:g}"))
-    place.yaxis.set_minor_formatter(NullFormatter())
+    axis.set_major_locator(LogLocator(subs=(1.0, 2.0, 5.0)))
+    axis.set_major_formatter(StrMethodFormatter("{x:g}"))
+    axis.set_minor_formatter(NullFormatter())
+
+
+def _decades(panel: Panel) -> float:
+    """Return over how many decades of x the curves go."""
+    x = np.concatenate([curve.x for curve in panel.curves])
+    x = x[np.isfinite(x) & (x > 0.0)]
+    return float(np.log10(x.max() / x.min())) if x.size else 0.0
 
 
 def _ticks(place: Axes, panel: Panel) -> None:

@@ -26,6 +26,8 @@ if TYPE_CHECKING:
 
 __all__ = ["Analysed", "analyse_scenario"]
 
+SLOW = 1e-4
+"""Growth per trial that takes ten thousand trials to be seen."""
 LONGEST = 4000
 """Samples times axes up to which a whole trial is looked at: beyond, seconds become minutes."""
 
@@ -54,7 +56,12 @@ class _Found:
     def good(self) -> bool:
         loops = all(margins.stable for margins in self.margins.values())
         inside = self.stability is None or self.stability.stable
-        return loops and inside and (self.learning is None or self.learning.converges)
+        return loops and inside and (self.learning is None or self.learning.converges or _slow(self.learning))
+
+
+def _slow(learning: LearningAnalysis) -> bool:
+    """Tell whether what grows does so over more trials than are ever run."""
+    return learning.lifted is None and learning.worst_factor <= 1.0 + SLOW
 
 
 def analyse_scenario(
@@ -128,8 +135,12 @@ def _lines(found: _Found) -> list[str]:
             lines.append(f"  coupling, over all directions: gain margin {_decibel(over.gain)}, phase margin {_degrees(over.phase)}")
     if found.learning is not None:
         learning = found.learning
-        rate = f"a trial leaves at most {learning.worst_factor:.4g} of an error, at {learning.worst_frequency / (2.0 * math.pi):.3g} Hz"
-        said = "converges" if learning.converges else "diverges"
+        at = f"at {learning.worst_frequency / (2.0 * math.pi):.3g} Hz"
+        rate = f"a trial leaves at most {learning.worst_factor:.4g} of an error, {at}"
+        said = "converges"
+        if not learning.converges:
+            growth = 100.0 * (learning.worst_factor - 1.0)
+            said, rate = ("grows slowly" if _slow(learning) else "diverges"), f"an error grows by {growth:.2g} % per trial, {at}"
         lines.append(f"  learning: {said}{', each trial better than the last' if learning.monotone else ''}; {rate}")
         lines += [f"  learning: {warning}" for warning in learning.warnings]
     return lines + [f"  not analysed: {reason}" for reason in found.unknown]

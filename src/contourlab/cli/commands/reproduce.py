@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from pathlib import Path
 from typing import Annotated, Any
 
 import typer
@@ -11,25 +12,42 @@ from contourlab.cli.output import emit_json, show
 
 __all__ = ["reproduce"]
 
+Json = Annotated[bool, typer.Option("--json", help="Print JSON alone on standard output.")]
 reproduce = typer.Typer(no_args_is_help=True, help="Compute a paper's figures again and compare.")
 
 
 @reproduce.command()
-def ghaffari(as_json: Annotated[bool, typer.Option("--json", help="Print JSON alone on standard output.")] = False) -> int:
+def ghaffari(as_json: Json = False) -> int:
     """Ghaffari and Ulsoy: component swapping modularity for distributed precision contouring."""
     from contourlab.studies.reproduce.ghaffari import reproduce as rows_of
 
+    return _told(rows_of(), as_json)
+
+
+@reproduce.command()
+def gecer_ulu(
+    as_json: Json = False,
+    plots: Annotated[list[str] | None, typer.Option(help="Also draw Figs 9 and 10 as png, svg or pdf; may be given again.")] = None,
+    out: Annotated[Path, typer.Option(help="Folder of the pictures.")] = Path("results"),
+) -> int:
+    """Gecer Ulu, Ulu and Cakmakci: modular learning based cross-coupled control for multi-axis precision positioning systems."""
+    from contourlab.studies.reproduce.gecer_ulu import reproduce as rows_of
+
     rows = rows_of()
+    if plots:
+        from contourlab.session.reproduce import write_gecer_ulu
+
+        write_gecer_ulu(rows, out, tuple(plots))
+    return _told(rows, as_json)
+
+
+def _told(rows: Sequence[Mapping[str, Any]], as_json: bool) -> int:
+    """Print the rows; return 1 where one fails."""
     if as_json:
         emit_json(rows)
     else:
         _print_rows(rows)
     return 1 if any(row["pass"] is False for row in rows) else 0
-
-
-@reproduce.callback()
-def _papers() -> None:
-    """Keep `ghaffari` a name of its own while it is the only paper."""
 
 
 def _print_rows(rows: Sequence[Mapping[str, Any]]) -> None:

@@ -11,6 +11,8 @@ from contourlab.studies.learn.trial import TrialFigures
 
 __all__ = ["Stopping", "Verdict", "best_of", "verdict"]
 
+EXPLAINED_GAIN = 0.05
+"""Part of the error beyond which an improvement is none of chance, however much the trials differ."""
 RESOLUTION = 1e-12
 """Error [m] below which better and worse are a matter of rounding."""
 
@@ -92,11 +94,13 @@ def verdict(figures: list[TrialFigures], stopping: Stopping, explained: bool) ->
     gain = before - min(merits[-stopping.patience :])
     best = merits.index(min(merits))
     rising = f"; it has risen by {100.0 * (merits[-1] / merits[best] - 1.0):.2g} % since trial {best}" if best + 1 < len(merits) else ""
+    if gain <= stopping.improvement * before and best == 0 and merits[-1] > (1.0 + stopping.growth_margin) * merits[0]:
+        return Verdict("diverged", f"no trial was better than the first{rising}")
     if gain <= stopping.improvement * before:
         return Verdict(
             "converged", f"the last {stopping.patience} trials took {100.0 * max(gain, 0.0) / before:.2g} % off the error{rising}"
         )
-    if stopping.explained and explained:
+    if stopping.explained and explained and gain <= EXPLAINED_GAIN * before:
         return Verdict("converged", f"chance explains how the errors changed over the last {stopping.patience} trials")
     return None
 

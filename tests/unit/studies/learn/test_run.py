@@ -55,9 +55,18 @@ def test_learning_has_converged_when_nothing_is_gained() -> None:
 
 
 def test_chance_that_explains_the_changes_ends_learning() -> None:
-    merits = [0.98**i for i in range(12)]
+    merits = [0.996**i for i in range(12)]
     assert word(course(merits), Stopping(), explained=True) == "converged"
     assert word(course(merits), Stopping(explained=False), explained=True) == ""
+    # However much the trials differ, an error that falls by a fifth is not there by chance.
+    assert word(course([0.98**i for i in range(12)]), Stopping(), explained=True) == ""
+
+
+def test_trials_that_are_never_better_than_the_first_are_not_called_converged() -> None:
+    rising = [1.0, *[1.0 + 0.9 * (1.0 - 0.5**i) for i in range(1, 12)]]
+    settled = [math.nan, *[0.5**i for i in range(1, 12)]]
+    assert word(course(rising, changes=settled), Stopping()) == "diverged"
+    assert word(course([1.0, *[1.01] * 11], changes=settled), Stopping()) == "converged"
 
 
 def test_a_slow_rise_and_a_quick_one_are_divergence() -> None:

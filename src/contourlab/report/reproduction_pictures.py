@@ -1,0 +1,40 @@
+"""Figures of the papers drawn again: convergence over trials, a turn from close by, a figure over a parameter."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+
+import numpy as np
+from numpy.typing import NDArray
+
+from contourlab.report.charts import Chart, Curve, Level, Panel
+from contourlab.report.style import REFERENCE, scheme_style
+
+__all__ = ["course_chart", "sweep_chart", "turn_chart"]
+
+Array = NDArray[np.float64]
+
+
+def course_chart(key: str, title: str, courses: Mapping[str, Array]) -> Chart:
+    """Return the contour rms [m] of each trial, for some settings."""
+    count = len(courses)
+    curves = tuple(
+        Curve(np.arange(len(rms), dtype=float), rms * 1e9, name, *scheme_style(i, count)) for i, (name, rms) in enumerate(courses.items())
+    )
+    return Chart(key, title, "Trial 0 has learned nothing.", (Panel("trial", "contour rms [nm]", curves, log_y=True),))
+
+
+def turn_chart(key: str, title: str, time: Array, errors: Mapping[str, Array]) -> Chart:
+    """Return contour errors [m] around a turn at time 0 [s]."""
+    count = len(errors)
+    curves = tuple(Curve(time, error * 1e9, name, *scheme_style(i, count)) for i, (name, error) in enumerate(errors.items()))
+    panel = Panel("time from the turn [s]", "contour error [nm]", curves, (Level(0.0, ""),))
+    return Chart(key, title, "Positive to the left of the direction of travel.", (panel,))
+
+
+def sweep_chart(key: str, title: str, label: str, values: Sequence[float], curves: Mapping[str, Sequence[float]], paper: float) -> Chart:
+    """Return figures over a parameter, with the paper's as a level."""
+    x, count = np.array(values), len(curves)
+    drawn = tuple(Curve(x, np.array(y), name, *scheme_style(i, max(count, 2))) for i, (name, y) in enumerate(curves.items()))
+    level = Curve(x[[0, -1]], np.full(2, paper), f"paper: {paper:.3g}", REFERENCE, "dot")
+    return Chart(key, title, "", (Panel(label, "ratio", (*drawn, level), log_x=True),))
