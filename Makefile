@@ -11,7 +11,7 @@ BIN := $(VENV)/bin
 STAMP := $(VENV)/.installed
 
 .DEFAULT_GOAL := help
-.PHONY: help install demo programs test check lint types imports docs bench clean
+.PHONY: help install demo programs learning test check lint types imports docs bench clean
 
 help:
 	@echo "make demo     run the demonstration; results in results/demo"
@@ -20,6 +20,7 @@ help:
 	@echo "make check    ruff, mypy --strict, import contracts, documents"
 	@echo "make bench    measure the speed of the engine on this machine"
 	@echo "make programs run every part program of a folder; make programs PROGRAMS=my/folder"
+	@echo "make learning measure what learning and cross-coupling cost and bring; reports in results/learning"
 	@echo "make install  only make $(VENV); with another Python: make install PYTHON=python3.12"
 	@echo "make clean    remove $(VENV) and everything that was generated"
 
@@ -63,6 +64,9 @@ bench: $(STAMP)
 
 programs: $(STAMP)
 	$(BIN)/python benchmarks/programs.py $(PROGRAMS) $(ARGS)
+
+learning: $(STAMP)
+	$(BIN)/python benchmarks/learning.py $(ARGS)
 
 clean:
 	rm -rf $(VENV) results benchmarks/out build dist .mypy_cache .ruff_cache .pytest_cache .import_linter_cache .hypothesis

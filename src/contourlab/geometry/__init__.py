@@ -2,7 +2,7 @@
 
 from contourlab.geometry.arc import Arc
 from contourlab.geometry.blend import Blend
-from contourlab.geometry.conics import Ellipse, EllipticalArc, Lemniscate, Spiral, Star
+from contourlab.geometry.conics import Ellipse, EllipticalArc, Lemniscate, Lissajous, Spiral, Star
 from contourlab.geometry.curve import Curve
 from contourlab.geometry.foot import FootPoint
 from contourlab.geometry.library import contour, contour_names, contour_parameters
@@ -22,6 +22,7 @@ __all__ = [
     "FootPoint",
     "Lemniscate",
     "Line",
+    "Lissajous",
     "Nurbs",
     "Path",
     "PathTable",

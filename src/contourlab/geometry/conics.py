@@ -1,4 +1,4 @@
-"""Curves in closed form: ellipse, elliptical arc, lemniscate, spiral, star."""
+"""Curves in closed form: ellipse, elliptical arc, lemniscate, Lissajous figure, spiral, star."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from contourlab.errors import GeometryError
 from contourlab.geometry.curve import vector
 from contourlab.geometry.parametric import Parametric
 
-__all__ = ["Ellipse", "EllipticalArc", "Lemniscate", "Spiral", "Star"]
+__all__ = ["Ellipse", "EllipticalArc", "Lemniscate", "Lissajous", "Spiral", "Star"]
 
 Array = NDArray[np.float64]
 
@@ -125,6 +125,60 @@ class Lemniscate(Parametric):
 
     def describe(self) -> tuple[object, ...]:
         return ("lemniscate", self.a)
+
+
+class Lissajous(Parametric):
+    """A sine in each axis, x_j = A sin((k + j) u + j phase), j = 0, 1, ...: once round, in any number of axes.
+
+    All axes stand still at once, and the curve has a cusp, only if k phase is a quarter turn, or half a turn more or less than that.
+
+    Parameters
+    ----------
+    axes : int, 2 to 9
+    amplitude : float [m], > 0
+        Of each axis, A.
+    lowest : int, 1 to 20
+        How often the first axis goes to and fro in a lap, k; each further axis does so once more than the one before.
+    phase : float [rad]
+        Between one axis and the next.
+
+    Raises
+    ------
+    GeometryError
+        If a number is out of range, or the phase comes within six degrees of one that makes a cusp.
+
+    References
+    ----------
+    Any text on vibrations; as contours of two axes Lissajous figures are usual, in more axes the form is ours.
+    """
+
+    def __init__(self, axes: float, amplitude: float, lowest: float, phase: float) -> None:
+        for name, value, low, high in (("axes", axes, 2, 9), ("lowest", lowest, 1, 20)):
+            if not (low <= value <= high and float(value).is_integer()):
+                raise GeometryError(f"{name} = {value!r}: a whole number from {low} to {high} is wanted")
+        self.n_axis, self.amplitude, self.lowest, self.phase = int(axes), _positive("amplitude", amplitude), int(lowest), float(phase)
+        if not math.isfinite(self.phase):
+            raise GeometryError(f"phase = {phase!r} rad: must be finite")
+        if abs(math.cos(self.lowest * self.phase)) < 0.1:
+            raise GeometryError(
+                f"phase = {phase!r} rad: with lowest = {self.lowest} all axes turn at once and the figure has a cusp; "
+                "lowest times phase must stay clear of 90 and of 270 degrees by six degrees"
+            )
+        self._turns = float(self.lowest) + np.arange(self.n_axis)
+        self.first, self.last = 0.0, 2.0 * math.pi
+        self.measure()
+
+    def joints(self) -> Array:
+        return np.linspace(self.first, self.last, 4 * int(self._turns[-1]) + 1)
+
+    def raw(self, u: Array, order: int) -> Array:
+        k = self._turns
+        angle = u[:, None] * k + self.phase * np.arange(self.n_axis)
+        s, c = self.amplitude * np.sin(angle), self.amplitude * np.cos(angle)
+        return np.array([s, k * c, -(k**2) * s, -(k**3) * c][: order + 1])
+
+    def describe(self) -> tuple[object, ...]:
+        return ("lissajous", self.n_axis, self.amplitude, self.lowest, self.phase)
 
 
 class Star(Parametric):

@@ -12,7 +12,7 @@ import numpy as np
 from contourlab.errors import GeometryError
 from contourlab.geometry import butterfly as butterfly_data
 from contourlab.geometry.arc import Arc
-from contourlab.geometry.conics import Ellipse, Lemniscate, Spiral, Star
+from contourlab.geometry.conics import Ellipse, Lemniscate, Lissajous, Spiral, Star
 from contourlab.geometry.curve import Curve
 from contourlab.geometry.line import Line
 from contourlab.geometry.nurbs import Nurbs
@@ -146,6 +146,11 @@ def helix(radius: float = 0.02, pitch: float = 0.005, turns: float = 3) -> Path:
     return Path([Arc((0.0, 0.0, 0.0), radius, 0.0, 2.0 * math.pi * turns, rise=(0.0, 0.0, pitch * turns))])
 
 
+def lissajous(axes: float = 3, amplitude: float = 0.02, lowest: float = 1, phase: float = math.pi / 3.0) -> Path:
+    """Lissajous figure of 2 to 9 axes: axis j = 0, 1, ... is A sin((lowest + j) u + j phase), once round; 60 degrees suit any `lowest`."""
+    return Path([Lissajous(axes, amplitude, lowest, phase)], closed=True)
+
+
 _MAKERS: dict[str, Callable[..., Path]] = {
     "circle": circle,
     "ellipse": ellipse,
@@ -160,9 +165,10 @@ _MAKERS: dict[str, Callable[..., Path]] = {
     "polygon": polygon,
     "spiral": spiral,
     "helix": helix,
+    "lissajous": lissajous,
 }
-_LENGTHS = ("radius", "a", "b", "side", "width", "height", "corner_radius", "length", "inner_radius", "pitch")
-_UNITS = {**dict.fromkeys(_LENGTHS, "m"), "start_angle": "rad"}
+_LENGTHS = ("radius", "a", "b", "side", "width", "height", "corner_radius", "length", "inner_radius", "pitch", "amplitude")
+_UNITS = {**dict.fromkeys(_LENGTHS, "m"), "start_angle": "rad", "phase": "rad"}
 
 
 def contour_names() -> tuple[str, ...]:

@@ -24,12 +24,12 @@ def area(name: str, **parameters: float) -> float:
 
 def test_all_names_are_there_with_defaults_and_units() -> None:
     old = ("circle", "ellipse", "lemniscate", "diamond", "star", "butterfly", "line-line-circle")
-    assert contour_names() == (*old, "square", "rectangle", "racetrack", "polygon", "spiral", "helix")
+    assert contour_names() == (*old, "square", "rectangle", "racetrack", "polygon", "spiral", "helix", "lissajous")
     for name in contour_names():
         defaults = {key: value for key, (value, _) in contour_parameters(name).items()}
         assert contour(name, **defaults).digest == contour(name).digest
         assert contour(name).closed == (name not in ("line-line-circle", "spiral", "helix"))
-        assert contour(name).is_planar == (name != "helix")
+        assert contour(name).is_planar == (name not in ("helix", "lissajous"))
     assert contour_parameters("circle") == {"radius": (0.02, "m"), "start_angle": (0.0, "rad"), "clockwise": (0.0, "")}
     assert contour_parameters("star") == {"radius": (0.03, "m"), "lobes": (5.0, ""), "depth": (0.3, "")}
 
@@ -143,6 +143,13 @@ def test_a_wrong_name_is_told_the_right_ones() -> None:
         ("spiral", {"inner_radius": -1e-3}, "inner_radius = -0.001: must be >= 0"),
         ("spiral", {"turns": 1e9}, "turns = .*at most 1000"),
         ("helix", {"pitch": math.inf}, "pitch = inf m: must be finite"),
+        ("lissajous", {"axes": 1}, "axes = 1: a whole number from 2 to 9"),
+        ("lissajous", {"axes": 2.5}, "axes = 2.5: a whole number"),
+        ("lissajous", {"lowest": 0}, "lowest = 0: a whole number from 1 to 20"),
+        ("lissajous", {"amplitude": 0.0}, "amplitude = 0.0: must be > 0"),
+        ("lissajous", {"phase": math.inf}, "phase = inf rad: must be finite"),
+        ("lissajous", {"phase": 0.5 * math.pi}, "all axes turn at once and the figure has a cusp"),
+        ("lissajous", {"lowest": 3, "phase": math.pi / 6}, "with lowest = 3 all axes turn at once"),
         ("star", {"lobes": 5.5}, "5.5 lobes.*whole number"),
         ("star", {"lobes": 1}, "whole number >= 2"),
         ("star", {"depth": 1.0}, "depth from 0 to below 1"),
