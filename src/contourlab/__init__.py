@@ -16,6 +16,7 @@ from typing import Any
 __version__ = "0.1.0"
 
 _HOMES = {
+    "contourlab.analysis": ("contour_margins", "internal_stability", "learning_analysis"),
     "contourlab.components.conformance": ("check_component",),
     "contourlab.components.contract": ("Component", "Port", "param", "text_param"),
     "contourlab.components.registry": ("component", "load_plugin"),
@@ -38,6 +39,7 @@ _HOMES = {
         "AxisError",
         "BatchResult",
         "Controller",
+        "Learned",
         "Limits",
         "Machine",
         "parameter_names",
@@ -48,6 +50,7 @@ _HOMES = {
     "contourlab.program": ("Program", "parse_program", "read_program"),
     "contourlab.result": ("Result", "Signal", "Status"),
     "contourlab.scenario": ("load_scenario",),
+    "contourlab.studies.learn": ("LearnedTable", "learn"),
     "contourlab.studies.record": ("simulate_to_file",),
     "contourlab.studies.verdict": ("verdict",),
 }

@@ -11,6 +11,7 @@ import numpy as np
 import pytest
 
 import contourlab as cl
+from contourlab.scenario import parse_scenario
 
 ROOT = Path(__file__).parents[2]
 FENCE = re.compile(r"^```(\w+)\n(.*?)^```", re.MULTILINE | re.DOTALL)
@@ -31,7 +32,7 @@ def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
 
 
 def test_the_files_of_the_manual_make_a_scenario(folder: Path) -> None:
-    scenario, machine, axis, controller, program, _ = blocks("docs/scenario-files.md", "toml")
+    scenario, machine, axis, controller, _, _, program, _ = blocks("docs/scenario-files.md", "toml")
     for name, text in (("scenario", scenario), ("machine", machine), ("axis1", axis), ("controller", controller)):
         (folder / f"{name}.toml").write_text(text, encoding="utf-8")
     found = cl.load_scenario("scenario.toml")
@@ -42,6 +43,21 @@ def test_the_files_of_the_manual_make_a_scenario(folder: Path) -> None:
     # The last block stands for `program = "part.ngc"`.
     (folder / "other.toml").write_text(scenario.replace('program = "part.ngc"', "").split("[schemes")[0] + program.replace('"z"', '"y"'))
     assert cl.load_scenario("other.toml").base.reference().n_sample == found.base.reference().n_sample
+
+
+def test_further_slots_of_the_manual_and_its_learning() -> None:
+    further, learning = blocks("docs/scenario-files.md", "toml")[4:6]
+    motor = '{kind = "second-order-integrator", dc_gain = "40 mm/s/V", damping_ratio = 1.1, natural_frequency = "150 rad/s"}'
+    machine = f'[machine]\nname = "stage"\nservo_period = "1 ms"\naxes = ["x", "y"]\n[axes."*"]\nplant = {motor}\n'
+    drive = '[axes.y.drive]\nkind = "delayed-saturation"\ndelay = "2 ms"\n'
+    rest = '[contour]\nname = "circle"\n[feed]\nlaw = "uniform"\nfrequency = "0.5 Hz"\n'
+    case = parse_scenario(machine + drive + further + rest + learning).base
+    parts = case.controller.axes
+    assert parts["x"].predictor is None and parts["y"].predictor is not None
+    assert parts["x"].feedforward is not None and parts["x"].feedforward.kind == "zpetc"
+    assert case.controller.coupling is not None and case.controller.coupling.kind == "cross-coupled"
+    assert case.learning is not None and (case.learning.law.kind, case.learning.trials) == ("zero-phase", 20)
+    assert cl.simulate(case.machine, case.controller, case.reference()).status.ok
 
 
 def test_the_drawing_of_the_manual_makes_a_scenario(folder: Path) -> None:
@@ -80,7 +96,7 @@ def test_every_contour_is_in_the_manual_with_its_parameters() -> None:
 def test_the_tutorial_gives_the_figures_that_it_prints(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
     from contourlab.cli.main import main
 
-    answers, compare = blocks("docs/tutorial.md", "toml")
+    answers, compare, _ = blocks("docs/tutorial.md", "toml")
     (python,) = blocks("docs/tutorial.md", "python")
     text = (ROOT / "docs/tutorial.md").read_text(encoding="utf-8")
     (part,) = re.findall(r"^```\n; part.ngc\n(.*?)^```", text, re.MULTILINE | re.DOTALL)
@@ -94,8 +110,31 @@ def test_the_tutorial_gives_the_figures_that_it_prints(folder: Path, capsys: pyt
     assert verdict and verdict[0] in text
     assert main(commands[2][1:]) == 1
     summary = json.loads((folder / "results" / "summary.json").read_text(encoding="utf-8"))
-    for scheme, worst in re.findall(r"^\| ([^|]+?) \| ([\d.]+) um \|", text, re.MULTILINE):
+    for scheme, worst in re.findall(r"^\| ([^|`]+?) \| ([\d.]+) um \|", text, re.MULTILINE):
         assert f"{summary['schemes'][scheme]['metrics']['part_error']['max'] * 1e6:.3g}" == worst, scheme
     scope: dict[str, Any] = {}
     exec(compile(python, "tutorial.md", "exec"), scope)
     assert f"{scope['batch'].figures['contour_error_max'][-1] * 1e6:.1f} um at 40 kg" in text
+
+
+@pytest.mark.slow
+def test_the_tutorial_learns_as_it_says(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    from contourlab.cli.main import main
+
+    answers, _, learn = blocks("docs/tutorial.md", "toml")
+    text = (ROOT / "docs/tutorial.md").read_text(encoding="utf-8")
+    (part,) = re.findall(r"^```\n; part.ngc\n(.*?)^```", text, re.MULTILINE | re.DOTALL)
+    for name, content in (("answers.toml", answers), ("learn.toml", learn), ("part.ngc", "; part.ngc\n" + part)):
+        (folder / name).write_text(content, encoding="utf-8")
+    commands = [line.partition("#")[0].split() for block in blocks("docs/tutorial.md", "sh") for line in block.splitlines()]
+    main(commands[0][1:])
+    analyse, compare = (command[1:] for command in commands if command[1] in ("analyse", "compare"))
+    main(analyse)
+    assert "114.5 Hz" in capsys.readouterr().out.replace("115 Hz", "114.5 Hz")
+    assert main(compare) == 0
+    schemes = json.loads((folder / "results" / "summary.json").read_text(encoding="utf-8"))["schemes"]
+    rows = re.findall(r"^\| `([^`]+)`[^|]* \| ([\d.]+) um \| ([\d.]+) um \|", text, re.MULTILINE)
+    assert [scheme for scheme, *_ in rows] == list(schemes)
+    for scheme, worst, rms in rows:
+        metrics = schemes[scheme]["metrics"]["part_error"]
+        assert (f"{metrics['max'] * 1e6:.3g}", f"{metrics['rms'] * 1e6:.3g}") == (worst, rms), scheme

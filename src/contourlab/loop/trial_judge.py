@@ -18,13 +18,12 @@ from contourlab.feed import Reference
 from contourlab.geometry.view import PathView
 from contourlab.loop.batch import judge_node
 from contourlab.loop.machine import Machine
-from contourlab.metrics.streaming import SUMS
 
 __all__ = ["TrialJudge"]
 
 Array = NDArray[np.float64]
 STRETCHES = 8
-"""Always as many, so that the sums are the same on any number of processors."""
+"""Always as many, so that the foot points are the same on any number of processors."""
 FEWEST = 1000
 """Samples of a stretch: a new start costs more than the samples of a shorter one."""
 
@@ -73,7 +72,7 @@ class TrialJudge:
         schedule = Schedule(tuple(nodes), ports, machine.servo_period, len(nodes))
         self._external = np.empty((3 * n + 1, n_sample))
         self._external[2 * n : 3 * n], self._external[3 * n] = position.T, arc_length
-        self._rows = [schedule.row("judge.contour_error")]
+        self._rows = [schedule.row("judge.contour_error"), schedule.row("judge.doubt")]
         self._rows += [schedule.row(f"vector.error_vector[{j}]") for j in range(n)] if vector else []
         self._log = np.empty((n_sample, len(self._rows), 1))
         count = max(min(STRETCHES, n_sample // FEWEST), 1)
@@ -88,41 +87,35 @@ class TrialJudge:
         # The machine code runs without the interpreter's lock; plain Python would only wait for it.
         self._workers = min(os.cpu_count() or 1, count) if compiled else 1
 
-    def __call__(self, position: Array, measured: Array) -> tuple[Array, Array | None, dict[str, float]]:
+    def __call__(self, position: Array, measured: Array) -> tuple[Array, NDArray[np.intp], Array | None]:
         """Judge a trial.
 
         Parameters
         ----------
         position, measured : ndarray (n_sample, n_axis) [m]
-            Of the axes, and what their encoders say.
+            Of the tool, and what the encoders say.
 
         Returns
         -------
         contour_error : ndarray (n_sample,) [m]
+        doubtful : ndarray of int
+            Samples at which it may not be exact.
         vector : ndarray (n_sample, n_axis) [m] or None
             From the measured position to the path.
-        sums : dict
-            The sums of `contourlab.metrics.streaming`.
         """
         n = position.shape[1]
         self._external[:n], self._external[n : 2 * n] = position.T, measured.T
         if self._workers > 1:
             with ThreadPoolExecutor(self._workers) as pool:
-                parts = list(pool.map(self._stretch, range(len(self._groups))))
+                list(pool.map(self._stretch, range(len(self._groups))))
         else:
-            parts = [self._stretch(i) for i in range(len(self._groups))]
-        sums = np.array(parts)
-        total = dict(zip(SUMS, sums.sum(axis=0).tolist(), strict=True))
-        worst = int(np.argmax(sums[:, SUMS.index("largest")]))
-        for name in ("largest", "largest_at"):
-            total[name] = float(sums[worst, SUMS.index(name)])
-        total["largest_tracking"] = float(sums[:, SUMS.index("largest_tracking")].max())
+            for i in range(len(self._groups)):
+                self._stretch(i)
         rows = self._log[:, :, 0].T.copy()  # the next trial writes over the log
-        return rows[0], (rows[1:].T if len(rows) > 1 else None), total
+        return rows[0], np.flatnonzero(rows[1]), (rows[2:].T if len(rows) > 2 else None)
 
-    def _stretch(self, i: int) -> Array:
+    def _stretch(self, i: int) -> None:
         group, fresh = self._groups[i]
         group.restore(fresh)
         cut = slice(self._borders[i], self._borders[i + 1])
         group.run(self._external.T[cut], self._rows, self._log[cut])
-        return group.state_of("judge")[1:, 0].copy()

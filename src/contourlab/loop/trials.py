@@ -33,6 +33,8 @@ from contourlab.result import Status
 __all__ = ["Trial", "Trials", "feedforward_command"]
 
 Array = NDArray[np.float64]
+MOST_DOUBTFUL = 0.002
+"""Part of the samples in doubt beyond which a trial is judged again as a whole."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -224,16 +226,16 @@ class Trials:
     def _judged(
         self, trial: int, position: Array, measured: Array, velocity: Array
     ) -> tuple[Array, Array | None, Array, tuple[float, float, float]]:
-        """Return tool position, error vector, contour error and its rms, maximum and mean, again and by the slow way where need be."""
-        contour, vector, sums = self._judge(position, measured)
+        """Return tool position, error vector, contour error and its rms, maximum and mean; doubtful samples are judged the slow way."""
         made = ToolPosition(self.machine, self.seed, trial)
-        if made.exact and not sums["unsure"]:
-            count = max(sums["count"], 1.0)
-            return position, vector, contour, (float(np.sqrt(sums["sum_square"] / count)), sums["largest"], sums["sum_magnitude"] / count)
         tool = position if made.exact else made.of(position, velocity)
-        path = self.reference.path
-        found = path.foot_point(tool, self.arc_length, reach(path, self.position - tool))
-        contour = found.signed if path.is_planar else found.distance
+        contour, doubtful, vector = self._judge(tool, measured)
+        if doubtful.size:
+            path = self.reference.path
+            if doubtful.size > MOST_DOUBTFUL * len(tool):  # the tool is so far off that nearer places may be overlooked without a doubt
+                doubtful = np.arange(len(tool))
+            found = path.foot_point(tool[doubtful], self.arc_length[doubtful], reach(path, self.position - tool))
+            contour[doubtful] = found.signed if path.is_planar else found.distance
         size = np.abs(contour[slice(*self.window)])
         return tool, vector, contour, (float(np.sqrt(np.mean(size**2))), float(size.max()), float(size.mean()))
 

@@ -68,8 +68,10 @@ def judge_step(view: PathView, n_axis: int, corners: bool = False) -> Step:
     Three Newton steps from the foot point of the tick before, and three from the reference's place; the nearer one counts. The distance is
     projected on the normal, so it is exact to the square of what is left of the foot error. Where a corner, or an end, is nearer than that
     place, it is the foot point. Ticks at which the last Newton step was still
-    longer than 1e-9 of the window, or the foot point lies at the window's end, are counted as ``unsure``; a caller judges such a variant
-    again, exactly. The steps are those of the controller's Newton estimator, with more of them: what is independent of it is the exact foot
+    longer than 1e-9 of the window, or the foot point lies at the window's end, are in ``doubt`` and counted as ``unsure``; a caller judges
+    them again, exactly.
+
+    The steps are those of the controller's Newton estimator, with more of them: what is independent of it is the exact foot
     point that tests hold this one against, on tables and arcs.
     """
     parameters = ("window", "first", "last", *view.parameters, *(CORNER_PARAMETERS if corners else ()))
@@ -83,7 +85,7 @@ def judge_step(view: PathView, n_axis: int, corners: bool = False) -> Step:
         "",
         states,
         inputs,
-        (Port("contour_error"),),
+        (Port("contour_error"), Port("doubt")),
     )
 
 
@@ -141,7 +143,7 @@ def _make(evaluate: Any, n_axis: int, corners: bool) -> Any:
         tracking = counts * dot(behind, behind)
         record = magnitude > x.largest
         cut_off = fabs(s - centre) >= par.window
-        doubt = select(moved > 1e-9 * par.window, counts, select(cut_off, counts, 0.0))
+        doubt = select(moved > 1e-9 * par.window, 1.0, select(cut_off, 1.0, 0.0))
         return (
             s,
             x.count + counts,
@@ -152,7 +154,7 @@ def _make(evaluate: Any, n_axis: int, corners: bool) -> Any:
             select(record, clock.k, x.largest_at),
             x.sum_tracking + tracking,
             maximum(x.largest_tracking, tracking),
-            x.unsure + doubt,
-        ), (signed,)
+            x.unsure + counts * doubt,
+        ), (signed, doubt)
 
     return step

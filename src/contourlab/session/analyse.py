@@ -26,10 +26,8 @@ if TYPE_CHECKING:
 
 __all__ = ["Analysed", "analyse_scenario"]
 
-SLOW = 1e-4
-"""Growth per trial that takes ten thousand trials to be seen."""
-LONGEST = 4000
-"""Samples times axes up to which a whole trial is looked at: beyond, seconds become minutes."""
+SLOW = 1e-3
+"""Growth per trial that takes a thousand trials to be seen."""
 
 
 @dataclass(frozen=True)
@@ -71,6 +69,7 @@ def analyse_scenario(
     plugins: Sequence[str | Path] = (),
     plots: Sequence[str] = (),
     out: str | Path = "results",
+    whole: bool = False,
 ) -> Analysed:
     """Analyse the schemes of a scenario: margins of each axis, of the coupling in all directions of the path, convergence of learning.
 
@@ -86,11 +85,13 @@ def analyse_scenario(
         Formats of the pictures: png, svg, pdf; none by default.
     out : str or Path
         Folder of the pictures.
+    whole : bool
+        Whether laps and trials are looked at as a whole as well, on the very path: that takes up to minutes.
     """
     from contourlab.session.schemes import loaded
 
     scenario = loaded(file, schemes, plugins)
-    found = [_of(case) for case in scenario.cases()]
+    found = [_of(case, whole) for case in scenario.cases()]
     text = "\n\n".join("\n".join(_lines(one)) for one in found)
     if plots:
         from contourlab.report.plots import write_charts
@@ -101,7 +102,7 @@ def analyse_scenario(
     return Analysed(all(one.good for one in found), summary, text)
 
 
-def _of(case: Case) -> _Found:
+def _of(case: Case, whole: bool) -> _Found:
     machine, controller, found = case.machine, case.controller, _Found(case.name)
     for axis in machine.axes:
         try:
@@ -111,14 +112,13 @@ def _of(case: Case) -> _Found:
             found.unknown.append(str(error))
     if found.unknown:
         return found
-    reference = case.reference()
-    short = reference.n_sample * reference.n_axis <= LONGEST
+    reference = case.reference() if whole else None
     try:
         if controller.coupling is not None:
             found.transfer = contour_transfer(machine, controller)
-            found.stability = internal_stability(machine, controller, reference if reference.laps and short else None)
+            found.stability = internal_stability(machine, controller, reference if reference is not None and reference.laps else None)
         if case.learning is not None:
-            found.learning = learning_analysis(machine, controller, case.learning.law, reference if short else None)
+            found.learning = learning_analysis(machine, controller, case.learning.law, reference)
     except ComponentError as error:
         found.unknown.append(str(error))
     return found

@@ -3,6 +3,9 @@
 from __future__ import annotations
 
 from pathlib import Path
+from typing import Annotated
+
+import typer
 
 from contourlab.cli.output import emit_json, say
 from contourlab.cli.scheme_options import Json, Out, Plots, Plugins, ScenarioFile, Schemes, listed
@@ -17,11 +20,14 @@ def analyse(
     as_json: Json = False,
     plots: Plots = None,
     plugin: Plugins = None,
+    whole: Annotated[
+        bool, typer.Option("--whole", help="Look at laps and trials as a whole too, on the very path: up to minutes.")
+    ] = False,
 ) -> int:
     """Say before anything runs how far each loop and the coupling are from instability, and whether learning converges."""
     from contourlab.session.analyse import analyse_scenario
 
-    found = analyse_scenario(file, schemes=listed(schemes), plugins=tuple(plugin or ()), plots=tuple(plots or ()), out=out)
+    found = analyse_scenario(file, schemes=listed(schemes), plugins=tuple(plugin or ()), plots=tuple(plots or ()), out=out, whole=whole)
     if as_json:
         emit_json(found.summary)
     else:

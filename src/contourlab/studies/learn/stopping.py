@@ -112,7 +112,8 @@ def _grows(figures: list[TrialFigures], merits: list[float], stopping: Stopping)
     if last.tracking <= min(trial.tracking for trial in figures) or not _swells(figures, stopping):
         return None
     saturated = f"; the drives saturate at {last.saturated} samples" if last.saturated > figures[0].saturated else ""
-    if merits[-1] > stopping.divergence * best:
+    # One bad trial may be chance, as where an axis stuck once; two are not.
+    if len(merits) > 1 and min(merits[-2:]) > stopping.divergence * best:
         return Verdict("diverged", f"trial {last.trial} is {merits[-1] / best:.3g} times as bad as the best{saturated}")
     run = merits[-stopping.growth - 1 :]
     rises = len(run) > stopping.growth and all(b > a for a, b in pairwise(run))

@@ -73,8 +73,9 @@ def test_a_slow_rise_and_a_quick_one_are_divergence() -> None:
     slow = [1.0, 0.1, *[0.1 * 1.02**i for i in range(1, 6)]]
     assert word(course(slow), Stopping(growth=5)) == "diverged"
     assert word(course(slow[:-2]), Stopping(growth=5)) == ""
-    assert word(course([1.0, 0.1, 0.25]), Stopping(divergence=2.0)) == "diverged"
-    assert word(course([1.0, 0.1, 0.19]), Stopping(divergence=2.0)) == ""
+    assert word(course([1.0, 0.1, 0.25, 0.3]), Stopping(divergence=2.0)) == "diverged"
+    assert word(course([1.0, 0.1, 0.25]), Stopping(divergence=2.0)) == ""  # a single one may be chance
+    assert word(course([1.0, 0.1, 0.19, 0.19]), Stopping(divergence=2.0)) == ""
 
 
 def test_what_falls_in_tracking_or_comes_to_a_limit_is_no_divergence() -> None:
