@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Protocol
+from typing import Any, Protocol
 
 from contourlab.analysis import AxisResponse, LearningAnalysis, Margins, learning_analysis, sampled_loop
 from contourlab.components.learning.law import LearningLaw
@@ -181,46 +181,50 @@ def run_case(
         if progress is not None:
             progress(done, reference.n_sample * (1 if case.learning is None else case.learning.trials + 1))
 
-    expected = None
-    if case.learning is None:
-        learned = None
-        begin(f"simulating {case.name}")
-        result = simulate(case.machine, case.controller, reference, scheme=case.name, seed=case.seed, progress=told)
-    else:
-        if foretell:
-            begin(f"analysing how {case.name} learns")
-            expected = _foretold(case, case.learning)
+    expected = learned = None
+    if case.learning is not None and foretell:
+        begin(f"analysing how {case.name} learns")
+        expected = _foretold(case, case.learning)
+    if case.learning is not None:
         begin(f"learning, {case.name}")
         learned = _learned(case, case.learning, reference, told)
-        begin(f"simulating {case.name}, trial {learned.best}")
-        table = learned.table.learned
-        result = simulate(case.machine, case.controller, reference, scheme=case.name, seed=case.seed, learned=table, trial=learned.best)
+    begin(f"simulating {case.name}" + ("" if learned is None else f", trial {learned.best}"))
+    result = _simulated(case, reference, learned, told)
     begin(f"judging {case.name}")
     judged = judge(result, reference)
     figures = summarise(judged, reference)
-    found = None
-    if case.tolerance is not None:
-        explain = explain and figures.part_error.max > case.tolerance and learned is None
-        if explain:
-            begin(f"looking for the causes of the error of {case.name}")
-        found = verdict(
-            case.machine,
-            case.controller,
-            reference,
-            judged,
-            case.tolerance,
-            lines=case.lines,
-            slower=case.reference,
-            closer=case.closer,
-            explain=explain,
-            seed=case.seed,
-        )
-    circles = circles_of(judged, reference)
-    spikes = reversal_spikes(judged, (max(figures.window[0] - 5, 0), figures.window[1]))
-    bode = bode_of(case.machine, case.controller)
-    limits = limits_of(case, reference)
-    tick = tick_cost(case.machine, case.controller, reference) if costs else None
-    return Outcome(case.name, case, reference, judged, figures, found, circles, spikes, bode, limits, learned, expected, tick)
+    explain = explain and case.tolerance is not None and figures.part_error.max > case.tolerance and learned is None
+    if explain:
+        begin(f"looking for the causes of the error of {case.name}")
+    return Outcome(
+        name=case.name,
+        case=case,
+        reference=reference,
+        result=judged,
+        metrics=figures,
+        verdict=_verdict(case, reference, judged, explain),
+        circles=circles_of(judged, reference),
+        spikes=reversal_spikes(judged, (max(figures.window[0] - 5, 0), figures.window[1])),
+        bode=bode_of(case.machine, case.controller),
+        limits=limits_of(case, reference),
+        learning=learned,
+        foretold=expected,
+        tick=tick_cost(case.machine, case.controller, reference) if costs else None,
+    )
+
+
+def _simulated(case: Case, reference: Reference, learned: LearningRun | None, told: Callable[[int], None]) -> Result:
+    """Run a case with what was learned, as its best trial ran."""
+    table, trial = (None, 0) if learned is None else (learned.table.learned, learned.best)
+    given: dict[str, Any] = {"scheme": case.name, "seed": case.seed, "learned": table, "trial": trial}
+    return simulate(case.machine, case.controller, reference, **given, progress=told if learned is None else None)
+
+
+def _verdict(case: Case, reference: Reference, judged: Result, explain: bool) -> Verdict | None:
+    if case.tolerance is None:
+        return None
+    given: dict[str, Any] = {"lines": case.lines, "slower": case.reference, "closer": case.closer, "explain": explain, "seed": case.seed}
+    return verdict(case.machine, case.controller, reference, judged, case.tolerance, **given)
 
 
 def _start(case: Case, file: Path, reference: Reference) -> LearnedTable:
