@@ -231,6 +231,8 @@ class Component:
         Parameters that may be any finite number, said on purpose.
     without_effect : tuple of str
         Parameters that act outside the step, said on purpose.
+    wishes : dict of str to Parameter
+        What its gains can be worked out from, by `designed`: ``gains = {...}`` in files.
     """
 
     family: ClassVar[str] = ""
@@ -245,6 +247,7 @@ class Component:
     example: ClassVar[dict[str, Any]] = {}
     unbounded: ClassVar[tuple[str, ...]] = ()
     without_effect: ClassVar[tuple[str, ...]] = ()
+    wishes: ClassVar[dict[str, Any]] = {}
     parameters: ClassVar[dict[str, Parameter]] = {}
 
     def __init_subclass__(cls, **kwargs: Any) -> None:
@@ -325,6 +328,11 @@ class Component:
     def ahead(self, dt: float) -> int:
         """Return how many ticks its port ``reference_ahead`` runs before the reference."""
         return 0
+
+    @staticmethod
+    def designed(wishes: Mapping[str, float], model_gain: float, model_damping: float) -> dict[str, float]:
+        """Return the parameters that fulfil wishes on the axis v' = model_gain u - model_damping v, all in SI."""
+        raise NotImplementedError
 
     def at_rest(self, position: float) -> tuple[dict[str, float], dict[str, float]]:
         """Return the states, and the outputs before the first tick, of an axis that stands at `position` [m]; zero where not given."""

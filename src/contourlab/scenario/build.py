@@ -11,7 +11,7 @@ import numpy as np
 
 from contourlab.components.contract import Component
 from contourlab.loop import Axis, AxisController, AxisError, Controller, Limits, Machine
-from contourlab.scenario.components import find_kind, located, read_component, read_values
+from contourlab.scenario.components import find_kind, located, read_component, read_values, read_wishes
 from contourlab.scenario.files import EVERY
 from contourlab.scenario.quantities import read_number
 from contourlab.scenario.tables import (
@@ -19,17 +19,14 @@ from contourlab.scenario.tables import (
     AxisTable,
     ControllerTable,
     ErrorTable,
-    GainsTable,
     LimitsTable,
     MachineTable,
     ZeroPhaseTable,
     read_table,
 )
-from contourlab.scenario.tree import Leaf, Table, hint
+from contourlab.scenario.tree import DESIGNED, Leaf, Table, hint
 
 __all__ = ["build_axis", "build_controller", "build_machine"]
-
-GAINS = ("velocity_gain", "position_gain", "integral_gain")
 
 
 def build_axis(table: Table, name: str) -> Axis:
@@ -225,21 +222,20 @@ def _position(table: Table, units: tuple[str, str], model: _Model) -> Any:
     if isinstance(node, Leaf) or "gains" not in node.entries:
         return read_component(node, "controller", units)
     kind = find_kind(node, "controller")
-    place = getattr(kind, "place", None)
-    if place is None:
-        raise node.error(f"{kind.kind} offers no pole placement: give its gains themselves", "gains")
+    if not kind.wishes:
+        raise node.error(f"{kind.kind} works out no gains: give them themselves", "gains")
     gains = node.table("gains")
-    both = [name for name in GAINS if name in node.entries and _same_place(node.entries[name], gains)]
+    both = [name for name in DESIGNED if name in node.entries and _same_place(node.entries[name], gains)]
     if both:
         raise node.error("is given beside gains = {...}, which works it out: leave one of the two out", both[0])
-    wanted = read_table(GainsTable, gains)
+    wanted = read_wishes(kind, gains, units)
     rest = node.without("gains")
     base = _Model(
         _given(rest, "model_gain", units, kind, model.gain),
         _given(rest, "model_damping", units, kind, model.damping),
     )
     with located(gains):
-        placed = place(wanted.natural_frequency, wanted.damping, wanted.pole, base.gain, base.damping)
+        placed = kind.designed(wanted, base.gain, base.damping)
     return read_component(rest, "controller", units, given=placed)
 
 

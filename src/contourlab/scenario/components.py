@@ -13,7 +13,7 @@ from contourlab.errors import ComponentError, ContourlabError, ParameterError, S
 from contourlab.scenario.quantities import read_list, read_number, show_bound
 from contourlab.scenario.tree import Leaf, Node, Table, hint
 
-__all__ = ["located", "parameters_of", "read_component", "read_values"]
+__all__ = ["located", "parameters_of", "read_component", "read_values", "read_wishes"]
 
 
 @contextmanager
@@ -111,11 +111,30 @@ def read_values(kind: type[Component], table: Table, units: tuple[str, str]) -> 
     ScenarioError
         If one is unknown, has the wrong unit, or is out of range.
     """
-    declared = parameters_of(kind, units)
+    return _read_declared(kind.kind, parameters_of(kind, units), table)
+
+
+def read_wishes(kind: type[Component], table: Table, units: tuple[str, str]) -> dict[str, float]:
+    """Read ``gains = {...}``, from which a component works out its parameters: all that it asks for, in SI.
+
+    Raises
+    ------
+    ScenarioError
+        If one is missing, unknown, has the wrong unit, or is out of range.
+    """
+    declared = {name: replace(parameter, name=name).for_plant(*units) for name, parameter in kind.wishes.items()}
+    given = _read_declared(f"gains of {kind.kind}", declared, table)
+    missing = [f"{name}{_wanted(p)}" for name, p in declared.items() if p.default is None and name not in given]
+    if missing:
+        raise table.error(f"gains of {kind.kind} {'key is' if len(missing) == 1 else 'keys are'} missing: {', '.join(missing)}")
+    return {name: given.get(name, parameter.default) for name, parameter in declared.items()}
+
+
+def _read_declared(what: str, declared: Mapping[str, Parameter], table: Table) -> dict[str, Any]:
     values: dict[str, Any] = {}
     for name, node in table.entries.items():
         if name not in declared:
-            raise table.error(f"{kind.kind} has no parameter {name!r}: {hint(name, declared)}", name)
+            raise table.error(f"{what} has no parameter {name!r}: {hint(name, declared)}", name)
         try:
             values[name] = _value(declared[name], node.plain())
         except (UnitError, ParameterError) as error:

@@ -18,7 +18,6 @@ __all__ = [
     "ControllerTable",
     "ErrorTable",
     "FeedTable",
-    "GainsTable",
     "LearningTable",
     "LimitsTable",
     "MachineTable",
@@ -67,7 +66,6 @@ Mass = Annotated[float, _number("kg", minimum=0.0)]
 Cosine = Annotated[float, _number("", minimum=-1.0, maximum=1.0)]
 Angle = Annotated[float, _number("rad", "deg", minimum=0.0, maximum=math.pi, exclusive=True)]
 Frequency = Annotated[float, _number("Hz", minimum=0.0, exclusive=True)]
-Corner = Annotated[float, _number("rad/s", minimum=0.0, exclusive=True)]
 Ratio = Annotated[float, _number("", minimum=0.0, exclusive=True)]
 Part = Annotated[float, _number("", minimum=0.0, maximum=1.0)]
 Override = Annotated[float, _number("", minimum=0.0, maximum=2.0, exclusive=True)]
@@ -155,14 +153,6 @@ class AxisControllerTable(_Strict):
     predictor: Any = None
     feedforward: Any = None
     local: list[str] = []
-
-
-class GainsTable(_Strict):
-    """``gains = {...}`` of a position controller: the poles to be placed."""
-
-    natural_frequency: Corner
-    damping: Ratio
-    pole: Corner
 
 
 class ZeroPhaseTable(_Strict):

@@ -22,6 +22,9 @@ __all__ = ["DEFAULT", "Leaf", "Node", "Table", "dotted", "from_mapping", "hint",
 DEFAULT = "default"
 """What a file writes to take back a value that it inherits."""
 
+DESIGNED = ("velocity_gain", "position_gain", "integral_gain", "integral_time", "gain", "lead_time", "lag_time")
+"""What gains = {...} work out: given anew, they take back what was inherited of these."""
+
 MAX_DEPTH = 12
 _BARE = re.compile(r"[A-Za-z0-9_-]+\Z")
 _TEXTS = ("name", "file")
@@ -205,7 +208,7 @@ def merge(base: Table, over: Table) -> Table:
     """
     entries = dict(base.entries)
     if "gains" in over.entries:
-        for name in ("velocity_gain", "position_gain", "integral_gain"):
+        for name in DESIGNED:
             entries.pop(name, None)
     for name, node in over.entries.items():
         entries[name] = _joined(name, entries[name], node) if name in entries else node

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
 
@@ -75,6 +76,7 @@ def describe(kind: type[Component]) -> dict[str, Any]:
         "inputs": [port.name for port in kind.inputs],
         "outputs": [port.name for port in kind.outputs],
         "parameters": [_parameter(parameter) for parameter in kind.parameters.values()],
+        "gains": [_parameter(replace(parameter, name=name)) for name, parameter in kind.wishes.items()],
     }
 
 
@@ -131,7 +133,12 @@ def _details(kind: type[Component]) -> list[RenderableType]:
     for parameter in kind.parameters.values():
         bounds, default = _range(parameter), _default(parameter)
         table.add_row(*(_text(word) for word in (parameter.name, _unit(parameter), bounds, default, parameter.doc, parameter.source)))
-    return [head, table, ""]
+    if not kind.wishes:
+        return [head, table, ""]
+    wishes = Table("gains = {...}", "unit", "bounds", "default", "what they are worked out from")
+    for name, parameter in kind.wishes.items():
+        wishes.add_row(*(_text(word) for word in (name, _unit(parameter), _range(parameter), _default(parameter), parameter.doc)))
+    return [head, table, wishes, ""]
 
 
 def _text(words: str) -> RenderableType:

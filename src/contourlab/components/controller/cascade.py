@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Mapping
 from functools import cache
 from typing import Any
 
@@ -93,6 +94,17 @@ class Cascade(Component):
 
     def step_function(self) -> Any:
         return _make(self.anti_windup)
+
+    wishes = {
+        "bandwidth": param(unit="rad/s", minimum=0.0, exclusive=True, doc="of the velocity loop"),
+        "damping": param(default=1.0, minimum=0.0, exclusive=True, doc="of the velocity loop"),
+        "position_gain": param(default=math.inf, unit="1/s", minimum=0.0, exclusive=True, doc="K_v; a fifth of the bandwidth by default"),
+    }
+
+    @staticmethod
+    def designed(wishes: Mapping[str, float], model_gain: float, model_damping: float) -> dict[str, float]:
+        kv = wishes["position_gain"]
+        return Cascade.tune(wishes["bandwidth"], wishes["damping"], model_gain, model_damping, kv if math.isfinite(kv) else None)
 
     @staticmethod
     def tune(

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import cmath
 import math
+from collections.abc import Mapping
 from functools import cache
 from typing import Any
 
@@ -68,6 +69,19 @@ class LeadLag(Component):
 
     def step_function(self) -> Any:
         return _make(self.anti_windup)
+
+    wishes = {
+        "phase_margin": param(unit="rad", minimum=0.0, exclusive=True, maximum=math.pi / 2.0, display="deg", doc="of the whole loop"),
+        "crossover": param(unit="rad/s", minimum=0.0, exclusive=True, doc="where the loop gain is 1"),
+        "integral_rate": param(default=math.inf, unit="rad/s", minimum=0.0, doc="k_i; a tenth of the crossover by default"),
+        "delay": param(default=0.0, unit="s", minimum=0.0, display="ms", doc="all that the loop is late by, half a servo period included"),
+    }
+
+    @staticmethod
+    def designed(wishes: Mapping[str, float], model_gain: float, model_damping: float) -> dict[str, float]:
+        ki = wishes["integral_rate"] if math.isfinite(wishes["integral_rate"]) else None
+        margin, crossover = wishes["phase_margin"], wishes["crossover"]
+        return LeadLag.design(margin, crossover, model_gain, model_damping, integral_rate=ki, delay=wishes["delay"])
 
     @staticmethod
     def design(

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Mapping
 from functools import cache
 from typing import Any
 
@@ -97,6 +98,16 @@ class PositionController(Component):
         # Without its integral this structure never looks at the reference.
         if self.structure == "ipv" and self.integral_gain == 0.0 and self.position_gain > 0.0:
             raise ParameterError("integral_gain", "0", '> 0 with structure = "ipv", which moves by its integral only', "1/s")
+
+    wishes = {
+        "natural_frequency": param(unit="rad/s", minimum=0.0, exclusive=True, doc="of two poles"),
+        "damping": param(minimum=0.0, exclusive=True, doc="of these"),
+        "pole": param(unit="rad/s", minimum=0.0, exclusive=True, doc="a third, real one"),
+    }
+
+    @staticmethod
+    def designed(wishes: Mapping[str, float], model_gain: float, model_damping: float) -> dict[str, float]:
+        return PositionController.place(**wishes, model_gain=model_gain, model_damping=model_damping)
 
     def derive(self, par: Any, dt: float) -> tuple[Any, ...]:
         return par.position_gain * par.integral_gain, 1.0 / par.model_gain, par.model_damping / par.model_gain

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
+import cmath
 import math
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from functools import cache
 from typing import Any
 
@@ -121,6 +122,21 @@ class StateFeedback(Component):
 
     def step_function(self) -> Any:
         return _make(self.anti_windup, self.following == "model")
+
+    wishes = {
+        "natural_frequency": param(unit="rad/s", minimum=0.0, exclusive=True, doc="of two poles"),
+        "damping": param(default=0.7, minimum=0.0, exclusive=True, doc="of these"),
+        "pole": param(
+            default=math.inf, unit="rad/s", minimum=0.0, exclusive=True, doc="a third, real one, for the integral; inf for none"
+        ),
+    }
+
+    @staticmethod
+    def designed(wishes: Mapping[str, float], model_gain: float, model_damping: float) -> dict[str, float]:
+        w, zeta = wishes["natural_frequency"], wishes["damping"]
+        root = cmath.sqrt(zeta * zeta - 1.0)
+        poles = [-w * (zeta - root), -w * (zeta + root), *([-wishes["pole"]] if math.isfinite(wishes["pole"]) else [])]
+        return StateFeedback.place_rigid(poles, model_gain, model_damping)
 
     @staticmethod
     def place_rigid(poles: Sequence[complex], model_gain: float, model_damping: float = 0.0) -> dict[str, float]:
