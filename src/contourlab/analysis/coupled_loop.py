@@ -279,6 +279,8 @@ class _CouplingProbe:
             "error_vector": (0.0, -across),
             "contour_error_estimate": across,
             "tangent": (1.0, 0.0),
+            "command": (0.0, 0.0),
+            "accepted": (0.0, 0.0),
         }
         inp = self.input_type(*(offered[port.name] for port in self.step.inputs))
         x = self.state_type(*unpack(self.step.states, state.tolist()))

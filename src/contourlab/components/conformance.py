@@ -54,7 +54,7 @@ SLOTS: dict[str, tuple[tuple[str, ...], tuple[str, ...]]] = {
     ),
     "estimator": (("position", "arc_length"), ("foot_position", "error_vector", "contour_error_estimate", "tangent")),
     "coupling": (
-        ("reference", "position", "foot_position", "error_vector", "contour_error_estimate", "tangent"),
+        ("reference", "position", "foot_position", "error_vector", "contour_error_estimate", "tangent", "command", "accepted"),
         ("modified_reference", "correction"),
     ),
     "learning": ((), ()),

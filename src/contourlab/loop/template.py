@@ -172,6 +172,8 @@ class _Builder:
         if coupling is not None:
             offered = {"reference": "in.reference", "position": positions}
             offered |= {port.name: f"estimator.{port.name}" for port in step.outputs}
+            offered["command"] = tuple(Late(f"{name}.controller.command") for name in self.names)
+            offered["accepted"] = tuple(self.accepted(name) for name in self.names)
             self.add("coupling", coupling, "controller.coupling", {port.name: offered[port.name] for port in coupling.inputs})
 
     def coupled(self, output: str) -> bool:

@@ -13,6 +13,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from contourlab.components.contract import Component
 from contourlab.components.drive.saturation import Saturation
 from contourlab.components.sensor.ideal import IdealSensor
 from contourlab.components.velocity.true import TrueVelocity
@@ -139,7 +140,7 @@ class Trials:
         self._noisy = any("stream" in node.step.parameters for node in loop.schedule.nodes)
         self._column = self._wanted()
         self._log = np.empty((n, len(self._column), 1))
-        self._limit = np.array([float(getattr(axis.drive, "limit", np.inf)) for axis in machine.axes])
+        self._limit = np.array([_least_limit(axis.drive, controller.axes[axis.name].controller) for axis in machine.axes])
         seen = view or view_of(reference.path)
         self._judge = TrialJudge(machine, reference, seen, self.position, self.arc_length, self.window, vector, compiled)
         self.engine_seconds = self.judge_seconds = 0.0
@@ -216,7 +217,7 @@ class Trials:
             return Trial(
                 status, position, measured, position, command, np.zeros_like(command), estimate, None, unknown, np.nan, np.nan, np.nan
             )
-        excess = command - np.clip(command, -self._limit, self._limit)
+        excess = _excess(command, self._limit)
         velocity = signal(self._signals["axis_velocity"]) if self._signals["axis_velocity"][0] in self._column else position
         began = time.perf_counter()
         tool, vector, contour, figures = self._judged(trial, position, measured, velocity)
@@ -238,6 +239,19 @@ class Trials:
             contour[doubtful] = found.signed if path.is_planar else found.distance
         size = np.abs(contour[slice(*self.window)])
         return tool, vector, contour, (float(np.sqrt(np.mean(size**2))), float(size.max()), float(size.mean()))
+
+
+def _least_limit(drive: Component, controller: Component) -> float:
+    """Return the largest command that gets through the controller's own limit and the drive's."""
+    return min(float(getattr(drive, "limit", np.inf)), float(getattr(controller, "command_limit", np.inf)))
+
+
+def _excess(command: Array, limit: Array) -> Array:
+    """Return what of commands lies beyond a limit; of one that the controller has cut off itself, at the limit, the direction alone."""
+    beyond = np.abs(command) - limit
+    with np.errstate(invalid="ignore"):
+        held = np.isfinite(limit) & (beyond >= -1e-12 * limit)
+    return np.where(held, np.copysign(np.maximum(beyond, np.finfo(float).tiny), command), 0.0)
 
 
 def feedforward_command(machine: Machine, controller: Controller, reference: Reference, *, jit: bool | None = None) -> Array:

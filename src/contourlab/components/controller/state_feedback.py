@@ -126,9 +126,7 @@ class StateFeedback(Component):
     wishes = {
         "natural_frequency": param(unit="rad/s", minimum=0.0, exclusive=True, doc="of two poles"),
         "damping": param(default=0.7, minimum=0.0, exclusive=True, doc="of these"),
-        "pole": param(
-            default=math.inf, unit="rad/s", minimum=0.0, exclusive=True, doc="a third, real one, for the integral; inf for none"
-        ),
+        "pole": param(default=math.inf, unit="rad/s", minimum=0.0, exclusive=True, doc="a third, real one, for the integral; inf for none"),
     }
 
     @staticmethod

@@ -20,12 +20,12 @@ class CrossCoupled(Component):
     In the plane it is u = n C_cc(eps), eps the error along the normal n: the states are the scalar controller's times the normal of the
     day. In space the normal plane has more than one direction and no direction of its own; there the states are vectors in it, carried
     along by parallel transport (the least rotation from each tangent to the next), which in the plane is the scalar form itself. Where
-    the path turns back on itself, exactly, they stay as they are in space. P and PI control by zeros for the rest.
+    the path turns back on itself, within 1.4 mrad, they stay as they are in space. P and PI control by zeros for the rest.
 
     With an estimator whose error vector is eps times the gain vector C (koren-lo), K alone gives C K eps.
 
-    The integral stands still while the output is at its limit and the error would drive it further. All axes are taken to have commands of
-    the same unit.
+    The integral stands still while the output is at its limit, or drives have not taken the last commands whole, and the error would drive
+    it further. All axes are taken to have commands of the same unit.
 
     References
     ----------
@@ -38,7 +38,7 @@ class CrossCoupled(Component):
     example = {"gain": 3.0, "integral_rate": 20.0, "derivative_time": 5e-3, "derivative_filter": 2e-3, "limit": 2.0}
     reference = "Gecer Ulu, Ulu & Cakmakci, eqs 13-14; Yeh & Hsu 2002"
     states = (Port("integral", -1), Port("filtered", -1), Port("tangent", -1))
-    inputs = (Port("error_vector", -1), Port("tangent", -1))
+    inputs = (Port("error_vector", -1), Port("tangent", -1), Port("command", -1), Port("accepted", -1))
     outputs = (Port("correction", -1),)
     derived = ("integral_step", "filter_weight", "derivative_rate")
 
@@ -69,6 +69,7 @@ class CrossCoupled(Component):
         size = sqrt(dot(raw, raw))
         push = dot(raw, error)
         keep = select(size > par.limit, select(push > 0.0, 0.0, 1.0), 1.0)
+        keep = select(dot(sub(inp.command, inp.accepted), error) > 0.0, 0.0, keep)
         integral = lincomb(1.0, before, keep * par.integral_step, error)
         correction = scale(minimum(1.0, par.limit / maximum(size, 1e-300)), raw)
         return (integral, lincomb(1.0, filtered, par.filter_weight, news), tangent), (correction,)

@@ -41,10 +41,11 @@ class DelayedSaturation(Component):
 
     @staticmethod
     def step(par: Any, x: Any, inp: Any, clock: Any) -> Any:
-        newer = delayed(par.ring, clock, par.whole)
-        older = delayed(par.ring, clock, par.whole + 1.0)
+        # The limit comes before the delay: the mean is that of what was taken.
+        newer = clip(delayed(par.ring, clock, par.whole), -par.limit, par.limit)
+        older = clip(delayed(par.ring, clock, par.whole + 1.0), -par.limit, par.limit)
         late = newer + par.fraction * (older - newer)
-        return (), (clip(late, -par.limit, par.limit), clip(inp.command, -par.limit, par.limit))
+        return (), (late, clip(inp.command, -par.limit, par.limit))
 
     def ring_length(self, dt: float) -> int:
         return math.floor(self.delay / dt + 1e-9) + 2

@@ -60,12 +60,14 @@ class Newton(Component):
         """Return the step on a given path."""
         states, inputs, outputs = self.ports(n_axis)
         parameters = (*self.numeric(), *view.parameters)
-        function = _make(view.evaluate, n_axis, int(self.iterations), self.start == "both")
+        # On an open path, which a table says of itself, no foot point lies beyond the ends.
+        ends = view.parameters.get("path_wrap") == 0.0
+        function = _make(view.evaluate, n_axis, int(self.iterations), self.start == "both", ends)
         return Step("estimator/newton", function, parameters, tuple(view.tables), "", states, inputs, outputs)
 
 
 @cache
-def _make(evaluate: Any, n_axis: int, iterations: int, both: bool) -> Any:
+def _make(evaluate: Any, n_axis: int, iterations: int, both: bool, ends: bool) -> Any:
     planar = n_axis == 2
 
     def improve(par: Any, s: float, position: Any, centre: float) -> float:
@@ -73,7 +75,8 @@ def _make(evaluate: Any, n_axis: int, iterations: int, both: bool) -> Any:
         gap = sub(q, position)
         square = dot(q1, q1)
         slope = maximum(square + dot(q2, gap), 0.1 * square)
-        return clip(s - dot(q1, gap) / slope, centre - par.window, centre + par.window)
+        found = clip(s - dot(q1, gap) / slope, centre - par.window, centre + par.window)
+        return clip(found, 0.0, par.path_length) if ends else found
 
     def seek(par: Any, s: float, position: Any, centre: float) -> float:
         for _ in range(iterations):

@@ -37,7 +37,7 @@ class LearningRun:
     Attributes
     ----------
     status : str
-        ``"converged"``, ``"trials used up"``, or ``"diverged, rolled back to trial k"``.
+        ``"converged"``, ``"trials used up"``, ``"diverged, rolled back to trial k"``, or ``"diverged, no trial came to its end"``.
     reason : str
         In a sentence.
     trials : tuple of TrialFigures
@@ -79,9 +79,9 @@ class LearningRun:
 
     @property
     def gain(self) -> float:
-        """Error of the first trial over that of the best."""
+        """Error of the first trial over that of the best; NaN where the first did not come to its end."""
         first, best = self.trials[0].merit, self.trials[self.best].merit
-        return first / best if best > 0.0 else float("inf")
+        return float("inf") if best == 0.0 else first / best
 
 
 @dataclass(eq=False)
@@ -226,7 +226,9 @@ def _ended(
     status, reason = "trials used up", f"{len(figures) - 1} trials have been run"
     if found is not None:
         status, reason = found.word, found.reason
-    if status == "diverged":
+    if status == "diverged" and figures[best].failed:
+        status += ", no trial came to its end"
+    elif status == "diverged":
         status += f", rolled back to trial {best}"
         reason += f"; {growth}" if growth is not None else ""
     table = LearnedTable.of(course.best_table.copy(), runner.machine, runner.controller, runner.reference, law, _columns(figures))

@@ -26,7 +26,8 @@ class Stopping:
     Attributes
     ----------
     improvement : float, 0 to 1
-        Converged, when `patience` trials have brought no more than this part of the best before them; 0 goes on to the last trial.
+        Converged, when `patience` trials have taken no more than this part off the best contour error before them, nor off the best
+        tracking error, and do not rise steadily; 0 goes on to the last trial.
     patience : int, >= 2
     explained : bool
         Whether it has converged, too, when chance explains how the errors changed over the last `patience` trials.
@@ -90,19 +91,36 @@ def verdict(figures: list[TrialFigures], stopping: Stopping, explained: bool) ->
     grows = _grows(figures, merits, stopping)
     if grows is not None or stopping.improvement == 0.0 or len(figures) <= stopping.patience:
         return grows
-    before = min(merits[: -stopping.patience])
-    gain = before - min(merits[-stopping.patience :])
-    best = merits.index(min(merits))
-    rising = f"; it has risen by {100.0 * (merits[-1] / merits[best] - 1.0):.2g} % since trial {best}" if best + 1 < len(merits) else ""
-    if gain <= stopping.improvement * before and best == 0 and merits[-1] > (1.0 + stopping.growth_margin) * merits[0]:
-        return Verdict("diverged", f"no trial was better than the first{rising}")
-    if gain <= stopping.improvement * before:
-        return Verdict(
-            "converged", f"the last {stopping.patience} trials took {100.0 * max(gain, 0.0) / before:.2g} % off the error{rising}"
-        )
-    if stopping.explained and explained and gain <= EXPLAINED_GAIN * before:
+    tracking = [max(trial.tracking, RESOLUTION) for trial in figures]
+    gain = max(_gain(merits, stopping), _gain(tracking, stopping))
+    if gain <= stopping.improvement:
+        return _settled(figures, merits, stopping, explained)
+    if stopping.explained and explained and gain <= EXPLAINED_GAIN:
         return Verdict("converged", f"chance explains how the errors changed over the last {stopping.patience} trials")
     return None
+
+
+def _gain(errors: list[float], stopping: Stopping) -> float:
+    """Return the part of the best error before them that the last trials have taken off."""
+    before = min(errors[: -stopping.patience])
+    return max(before - min(errors[-stopping.patience :]), 0.0) / before
+
+
+def _settled(figures: list[TrialFigures], merits: list[float], stopping: Stopping, explained: bool) -> Verdict | None:
+    """Return what it means that neither contour nor tracking error has become smaller; None where trials are to show it."""
+    best = merits.index(min(merits))
+    risen = merits[-1] / merits[best] - 1.0
+    said = f"the last {stopping.patience} trials made neither contour nor tracking error smaller"
+    if best + 1 < len(merits):
+        said += f"; the last one is {100.0 * risen:.2g} % above trial {best}"
+    if explained:
+        return Verdict("converged", f"{said}, which chance explains")
+    beyond = risen > stopping.growth_margin
+    if beyond and (best == 0 or _swells(figures, stopping)):
+        return Verdict("diverged", f"no trial was better than the first; {said}" if best == 0 else said)
+    if not beyond and _rises(merits, stopping) and _swells(figures, stopping):
+        return None
+    return Verdict("converged", said)
 
 
 def _grows(figures: list[TrialFigures], merits: list[float], stopping: Stopping) -> Verdict | None:
@@ -115,11 +133,15 @@ def _grows(figures: list[TrialFigures], merits: list[float], stopping: Stopping)
     # One bad trial may be chance, as where an axis stuck once; two are not.
     if len(merits) > 1 and min(merits[-2:]) > stopping.divergence * best:
         return Verdict("diverged", f"trial {last.trial} is {merits[-1] / best:.3g} times as bad as the best{saturated}")
-    run = merits[-stopping.growth - 1 :]
-    rises = len(run) > stopping.growth and all(b > a for a, b in pairwise(run))
-    if rises and merits[-1] > (1.0 + stopping.growth_margin) * best:
+    if _rises(merits, stopping) and merits[-1] > (1.0 + stopping.growth_margin) * best:
         return Verdict("diverged", f"the last {stopping.growth} trials were each worse than the one before{saturated}")
     return None
+
+
+def _rises(merits: list[float], stopping: Stopping) -> bool:
+    """Tell whether each of the last trials was worse than the one before."""
+    run = merits[-stopping.growth - 1 :]
+    return len(run) > stopping.growth and all(b > a for a, b in pairwise(run))
 
 
 def _swells(figures: list[TrialFigures], stopping: Stopping) -> bool:

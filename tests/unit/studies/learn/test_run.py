@@ -69,6 +69,22 @@ def test_trials_that_are_never_better_than_the_first_are_not_called_converged() 
     assert word(course([1.0, *[1.01] * 11], changes=settled), Stopping()) == "converged"
 
 
+def test_a_contour_error_that_rises_while_the_axes_follow_better_is_not_the_end() -> None:
+    merits = [27.0, 14.6, 5.2, 4.8, 9.5, 12.9, 14.0, 14.8, 15.2, 15.1, 14.8, 14.4, 13.9, 13.2]
+    falls = [1159.0 * 0.8**i for i in range(14)]
+    assert word(course(merits, tracking=falls), Stopping()) == ""
+    assert word(course(merits, tracking=[*falls[:3], *[falls[3]] * 11]), Stopping()) != ""
+
+
+def test_growth_of_a_fifth_of_a_percent_is_not_called_converged() -> None:
+    def grown(n: int) -> str:
+        merits = [1.0, 0.1, *[0.1 * 1.002**i for i in range(1, n)]]
+        return word(course(merits, changes=[math.nan, 1.0, *[1e-4 * 1.002**i for i in range(1, n)]]), Stopping())
+
+    assert grown(15) == "" and grown(24) == ""
+    assert grown(27) == "diverged"
+
+
 def test_a_slow_rise_and_a_quick_one_are_divergence() -> None:
     slow = [1.0, 0.1, *[0.1 * 1.02**i for i in range(1, 6)]]
     assert word(course(slow), Stopping(growth=5)) == "diverged"
