@@ -3,10 +3,13 @@
 from __future__ import annotations
 
 import json
+import signal
+import subprocess
+import time
 from pathlib import Path
 
 import pytest
-from typed_commands import Run
+from typed_commands import COMMAND, Run
 
 LEARNING = """\
 name = "again and again"
@@ -112,3 +115,28 @@ def test_a_part_that_the_scenario_does_not_hold(contourlab: Run, tmp_path: Path)
         assert said.code == 2
         assert wanted in said.err
     assert contourlab("compare", "s.toml", "--schemes", "fb,mr,me").code == 0
+
+
+def test_tables_of_other_schemes_are_kept(contourlab: Run, tmp_path: Path) -> None:
+    file = write(tmp_path)
+    contourlab("learn", file, "--schemes", "ilc", "--trials", "1")
+    before = (tmp_path / "results" / "learned" / "ilc.nc").read_bytes()
+    contourlab("learn", file, "--schemes", "ccc+ilc", "--trials", "1")
+    assert contourlab("compare", file, "--schemes", "fb,ccc").code == 0
+    assert sorted(path.name for path in (tmp_path / "results" / "learned").iterdir()) == ["ccc-ilc.nc", "ilc.nc"]
+    assert (tmp_path / "results" / "learned" / "ilc.nc").read_bytes() == before
+    assert sorted(path.name for path in (tmp_path / "results" / "signals").iterdir()) == ["ccc.nc", "fb.nc"]
+
+
+@pytest.mark.slow
+def test_an_interrupt_keeps_what_was_learned(tmp_path: Path) -> None:
+    write(tmp_path, gain=0.2, half_width=274)
+    words = [COMMAND, "learn", "s.toml", "--schemes", "ilc", "--trials", "100000"]
+    (tmp_path / "s.toml").write_text((tmp_path / "s.toml").read_text().replace("trials = 4", "improvement = 0").replace("274}", "274, passes = 2}"))
+    process = subprocess.Popen(words, cwd=tmp_path, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+    time.sleep(12.0)
+    process.send_signal(signal.SIGINT)
+    _, err = process.communicate(timeout=60.0)
+    assert process.returncode == 130
+    assert "What was learned until then is kept" in err
+    assert (tmp_path / "results" / "learned" / "ilc.nc").exists()

@@ -68,7 +68,9 @@ def margins(loop: LoopGain, frequency: ArrayLike, *, stable: bool) -> Margins:
 
 def _phases(loop: LoopGain, w: Array, gain: Complex) -> Iterator[tuple[float, float]]:
     """Find where the gain is 1, and the angle from there to -1."""
-    for at in _zeros(lambda x: math.log(abs(_value(loop, x))), w, np.log(np.abs(gain))):
+    with np.errstate(divide="ignore"):  # a loop without gain is nowhere 1
+        size = np.log(np.abs(gain))
+    for at in _zeros(lambda x: math.log(abs(_value(loop, x))), w, size):
         yield at, float(np.angle(-_value(loop, at)))
 
 

@@ -156,6 +156,10 @@ def build_controller(table: Table, machine: Machine) -> Controller:
         slot: read_component(table.entries[slot], slot, units, optional=True) if slot in table.entries else None
         for slot in ("estimator", "coupling")
     }
+    check = getattr(parts["estimator"], "check_axes", None)
+    if check is not None:
+        with located(table, "estimator"):
+            check(len(machine.axes))
     with located(table, "coupling"):
         return Controller(built, **parts)
 
@@ -173,7 +177,8 @@ def _axis_controller(table: Table, machine: Machine, name: str) -> AxisControlle
     if "feedforward" in table.entries:
         parts["feedforward"] = _feedforward(table, units, parts, machine, axis)
     local = _local(plain.local, parts, table)
-    return AxisController(local=local, **parts)
+    with located(table):
+        return AxisController(local=local, **parts)
 
 
 def _feedforward(table: Table, units: tuple[str, str], parts: Mapping[str, Any], machine: Machine, axis: Axis) -> Component | None:

@@ -26,6 +26,8 @@ if TYPE_CHECKING:
 
 __all__ = ["Analysed", "analyse_scenario"]
 
+NOTHING = 1e-6
+"""So much of an error has to go in a trial for anything to be learned."""
 SLOW = 1e-3
 """Growth per trial that takes a thousand trials to be seen."""
 
@@ -54,12 +56,14 @@ class _Found:
     def good(self) -> bool:
         loops = all(margins.stable for margins in self.margins.values())
         inside = self.stability is None or self.stability.stable
-        return loops and inside and (self.learning is None or self.learning.converges or _slow(self.learning))
+        idle = self.learning is not None and self.learning.response.radius.min() >= 1.0 - NOTHING
+        return loops and inside and not idle and (self.learning is None or self.learning.converges or _slow(self.learning))
 
 
 def _slow(learning: LearningAnalysis) -> bool:
     """Tell whether what grows does so over more trials than are ever run."""
-    return learning.lifted is None and learning.worst_factor <= 1.0 + SLOW
+    whole = 0.0 if learning.lifted is None else learning.lifted.radius
+    return max(learning.worst_factor, whole) <= 1.0 + SLOW
 
 
 def analyse_scenario(
@@ -138,10 +142,15 @@ def _lines(found: _Found) -> list[str]:
         at = f"at {learning.worst_frequency / (2.0 * math.pi):.3g} Hz"
         rate = f"a trial leaves at most {learning.worst_factor:.4g} of an error, {at}"
         said = "converges"
-        if not learning.converges:
+        if learning.response.radius.min() >= 1.0 - NOTHING:
+            said, rate = "learns nothing", "no frequency becomes smaller: gain, window and lead are to be looked at"
+        elif not learning.converges:
             growth = 100.0 * (learning.worst_factor - 1.0)
             said, rate = ("grows slowly" if _slow(learning) else "diverges"), f"an error grows by {growth:.2g} % per trial, {at}"
         lines.append(f"  learning: {said}{', each trial better than the last' if learning.monotone else ''}; {rate}")
+        if learning.lifted is not None:
+            worst = f", at most {learning.lifted.norm:.6g} of it in any one trial" if math.isfinite(learning.lifted.norm) else ""
+            lines.append(f"  learning, on this very path: a trial leaves {learning.lifted.radius:.6g} of an error in the end{worst}")
         lines += [f"  learning: {warning}" for warning in learning.warnings]
     return lines + [f"  not analysed: {reason}" for reason in found.unknown]
 
@@ -176,6 +185,8 @@ def _summary(found: _Found) -> dict[str, Any]:
             "monotone": learning.monotone,
             "worst_factor": learning.worst_factor,
             "worst_frequency": learning.worst_frequency / (2.0 * math.pi),
+            "path_radius": None if learning.lifted is None else learning.lifted.radius,
+            "path_norm": None if learning.lifted is None else learning.lifted.norm,
             "warnings": list(learning.warnings),
         },
         "not_analysed": found.unknown,

@@ -15,7 +15,9 @@ from contourlab.errors import OutputError
 
 __all__ = ["staged"]
 
-OURS = ("report.html", "signals/*.nc", "learned/*.nc", "plots/*.png", "plots/*.svg", "plots/*.pdf", "summary.json")
+KEPT = "learned/*.nc"
+"""What is no report but a product: each replaces an older one of its own name only."""
+OURS = ("report.html", "signals/*.nc", KEPT, "plots/*.png", "plots/*.svg", "plots/*.pdf", "summary.json")
 """What a run writes; the summary comes last, so that where it is the rest is complete."""
 
 
@@ -51,7 +53,7 @@ def staged(out: str | Path) -> Iterator[Path]:
 def _exchange(stage: Path, folder: Path) -> None:
     """Move older results into the stage, which is thrown away, and newer ones out of it: renames on one disk, a matter of milliseconds."""
     new = [path for pattern in OURS for path in sorted(stage.glob(pattern))]
-    old = [path for pattern in OURS for path in sorted(folder.glob(pattern))]
+    old = [path for pattern in OURS if pattern != KEPT for path in sorted(folder.glob(pattern))]
     try:
         for number, path in enumerate(old):
             path.replace(stage / f"old-{number}")

@@ -10,9 +10,26 @@ from contourlab.report.charts import Chart
 from contourlab.report.plots import write_charts
 from contourlab.report.reproduction_pictures import course_chart, sweep_chart, turn_chart
 
-__all__ = ["write_gecer_ulu"]
+__all__ = ["check_choice", "write_gecer_ulu"]
 
 RATIO = "contour rms of FB CCC ILC over FB ILC, over kappa"
+
+
+def check_choice(folder: str | Path, formats: Sequence[str]) -> None:
+    """See that pictures can be written.
+
+    Raises
+    ------
+    ParameterError
+        If a format is unknown.
+    OutputError
+        If the folder cannot be made or written to.
+    """
+    from contourlab.session.folder import staged
+
+    write_charts((), folder, formats)
+    with staged(folder):
+        pass
 
 
 def write_gecer_ulu(rows: Sequence[dict[str, Any]], folder: str | Path, formats: Sequence[str]) -> tuple[Path, ...]:

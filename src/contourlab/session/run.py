@@ -231,6 +231,10 @@ def run_session(
             write_text_atomic(folder / "summary.json", json.dumps(summary, indent=2, allow_nan=False) + "\n")
             stages.begin("writing the report")
             table = _write_report(scenario, outcomes, folder, command, plots)
+    if any(_interrupted(outcome) for outcome in outcomes):
+        stopped = KeyboardInterrupt()
+        stopped.add_note(f"What was learned until then is kept: {Path(out) / 'report.html'}, {Path(out) / 'learned'}")
+        raise stopped
     return RunOutcome(summary["passed"] is not False, summary, f"{table}\nreport: {Path(out) / 'report.html'}", first)
 
 
@@ -247,6 +251,12 @@ def _run_each(
             outcomes.append(run_case(case, progress=stages.advance, stage=stages.begin, costs=costs, foretell=foretell))
         except DivergenceError as error:
             runaways[case.name] = error
+        if outcomes and _interrupted(outcomes[-1]):
+            return
+
+
+def _interrupted(outcome: Outcome) -> bool:
+    return outcome.learning is not None and outcome.learning.status.startswith("interrupted")
 
 
 def _check_choices(plots: Sequence[str], signals: Sequence[str]) -> None:

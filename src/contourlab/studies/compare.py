@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, Protocol
 
-from contourlab.analysis import AxisResponse, LearningAnalysis, Margins, learning_analysis, sampled_loop
+from contourlab.analysis import AxisResponse, LearningAnalysis, Margins, internal_stability, learning_analysis, sampled_loop
 from contourlab.components.learning.law import LearningLaw
 from contourlab.errors import ComponentError, ResultError
 from contourlab.feed import AxisLimits, LimitReport, Reference, Route, limit_report
@@ -119,7 +119,8 @@ class Outcome:
     """A judged case: of a case that learns, its best trial.
 
     `limits` is None where the motion was not planned within limits, `learning` where nothing was learned. `foretold` is what an
-    analysis said of learning beforehand, `tick` [s] is what a tick of the servo loop costs, where it was asked for.
+    analysis said of learning beforehand, `unstable` what it says of an unstable coupling; `tick` [s] is what a tick of the servo loop
+    costs, where it was asked for.
     """
 
     name: str
@@ -135,11 +136,12 @@ class Outcome:
     learning: LearningRun | None = None
     foretold: LearningAnalysis | None = None
     tick: float | None = None
+    unstable: str = ""
 
     @property
     def warnings(self) -> tuple[str, ...]:
-        """What the analysis of learning warned of."""
-        return () if self.foretold is None else self.foretold.warnings
+        """What analysis warns of: an unstable coupling, and learning that grows."""
+        return (*filter(None, (self.unstable,)), *(() if self.foretold is None else self.foretold.warnings))
 
 
 def run_case(
@@ -210,7 +212,19 @@ def run_case(
         learning=learned,
         foretold=expected,
         tick=tick_cost(case.machine, case.controller, reference) if costs else None,
+        unstable=_unstable(case) if costs or foretell else "",
     )
+
+
+def _unstable(case: Case) -> str:
+    """Return in words that the coupling is unstable; empty where it is not, where there is none, or none that is linear."""
+    if case.controller.coupling is None:
+        return ""
+    try:
+        found = internal_stability(case.machine, case.controller)
+    except ComponentError:
+        return ""
+    return "" if found.stable else found.verdict
 
 
 def _simulated(case: Case, reference: Reference, learned: LearningRun | None, told: Callable[[int], None]) -> Result:

@@ -13,7 +13,8 @@ from contourlab.loop.template import build
 
 __all__ = ["tick_cost"]
 
-TICKS, REPEATS = 20_000, 7
+TICKS, SECONDS, FEWEST = 20_000, 0.3, 7
+"""Ticks of a run at most; how long runs are timed, and how many of them at least."""
 
 
 def tick_cost(machine: Machine, controller: Controller, reference: Reference) -> float:
@@ -28,8 +29,9 @@ def tick_cost(machine: Machine, controller: Controller, reference: Reference) ->
     first, fed = feed.block(0, min(TICKS, reference.n_sample))
     loop = build(machine, controller, reference.path, first.position[0], float(first.arc_length[0]), fed=feed.names)
     group = make_group(loop.schedule, 1, slice(0, 1), True)
-    start, times = group.snapshot(), []
-    for _ in range(REPEATS):
+    start = group.snapshot()
+    times: list[float] = []
+    while len(times) < FEWEST or sum(times) * len(fed) < SECONDS:
         group.restore(start)
         begun = perf_counter()
         group.run(fed, [])

@@ -33,10 +33,12 @@ def gecer_ulu(
     """Gecer Ulu, Ulu and Cakmakci: modular learning based cross-coupled control for multi-axis precision positioning systems."""
     from contourlab.studies.reproduce.gecer_ulu import reproduce as rows_of
 
+    if plots:
+        from contourlab.session.reproduce import check_choice, write_gecer_ulu
+
+        check_choice(out, tuple(plots))  # ahead of what takes a minute
     rows = rows_of()
     if plots:
-        from contourlab.session.reproduce import write_gecer_ulu
-
         write_gecer_ulu(rows, out, tuple(plots))
     return _told(rows, as_json)
 

@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 import math
+from typing import Any
 
 from contourlab.components.contract import param
 from contourlab.components.learning.filters import advanced, q_filter
 from contourlab.components.learning.law import Array, LearningLaw, LearningProblem, TrialRecord
+from contourlab.errors import ParameterError
 
 __all__ = ["ErrorLaw", "FilteredLaw"]
 
@@ -28,13 +30,18 @@ class ErrorLaw(FilteredLaw):
 
     lead: float = param(default=0.0, unit="s", minimum=0.0, display="ms", doc="by which the errors are advanced, in whole servo periods")
     stiffness: float = param(
-        default=1.0,
+        default=math.inf,
         unit="{command}/m",
         minimum=0.0,
         exclusive=True,
         display="{command}/mm",
-        doc='with target = "reference", the command that a metre of reference stands for: the gains are divided by it',
+        doc='wanted with target = "reference": the command that a metre of reference stands for; the gains are divided by it',
     )
+
+    def __init__(self, **values: Any) -> None:
+        super().__init__(**values)
+        if self.target == "reference" and math.isinf(self.stiffness):
+            raise ParameterError("stiffness", "not given", 'given with target = "reference": the gains, commands for an error, are over it')
 
     def addition(self, trial: TrialRecord, problem: LearningProblem) -> Array:
         """Return what is learned from a trial (n_sample, n_axis) [command unit], lead and filter left out."""

@@ -174,7 +174,7 @@ class QuadratureEncoder(Component):
         order = self.pitch / (4.0 * self.resolution)
         if not 0.75 <= order <= MOST_COUNTS or abs(order - round(order)) > 1e-6:
             shown = f"{self.resolution:g}"
-            raise ParameterError("resolution", shown, f"the pitch, {self.pitch:g} m, over four times a whole number", "m")
+            raise ParameterError("resolution", shown, f"the pitch, {self.pitch:g} m, over four times a whole number")
         least = LEAST_COVARIANCE * (1.0 - self.forgetting)
         if self.correction == "adaptive" and self.initial_covariance < least:
             raise ParameterError("initial_covariance", f"{self.initial_covariance:g}", f">= {least:g} with this forgetting")

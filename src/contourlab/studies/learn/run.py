@@ -37,7 +37,8 @@ class LearningRun:
     Attributes
     ----------
     status : str
-        ``"converged"``, ``"trials used up"``, ``"diverged, rolled back to trial k"``, or ``"diverged, no trial came to its end"``.
+        ``"converged"``, ``"trials used up"``, ``"diverged, rolled back to trial k"``, ``"diverged, no trial came to its end"``, or
+        ``"interrupted, trial k kept"``: Ctrl-C ends learning, and what has been learned until then stands.
     reason : str
         In a sentence.
     trials : tuple of TrialFigures
@@ -153,6 +154,7 @@ def learn(
     if trials < 0:
         raise ParameterError("trials", f"{trials}", "0 or more")
     _check_start(start, law, machine, controller, reference)
+    _check_reach(law, reference)
     began = time.perf_counter()
     settings = stopping or Stopping()
     given = {"target": law.target, "vector": law.needs_contour_error, "seed": seed, "window": window, "jit": jit, "view": view}
@@ -160,22 +162,30 @@ def learn(
     problem = learning_problem(machine, controller, reference, law.target, runner.arc_length)
     beforehand = feedforward_command(machine, controller, reference, jit=jit)
     nothing = np.zeros((reference.n_sample, reference.n_axis))
-    table = nothing if start is None else start.values
     course = _Course(Memory(settings.patience))
-    found: Verdict | None = None
-    for i in range(trials + 1):
-        run = runner.run(table, i, None if progress is None else _counted(progress, i * reference.n_sample))
-        record = record_of(run, runner, table if law.target == "command" else nothing, beforehand)
-        _note(course, run, runner, i, table, part, reference)
-        if run.status.ok:
-            course.figures[-1] = course.figures[-1].having(change=course.memory.change(record.tracking_error, runner.window))
-            course.memory.add(record.feedback_command, record.tracking_error, run.contour_error)
-        if on_trial is not None:
-            on_trial(course.figures[-1])
-        found = verdict(course.figures, settings, settings.explained and course.memory.explained())
-        if found is not None or i == trials:
-            break
-        table = law.update(table, record, problem)
+
+    def run_all(table: Array) -> Verdict | None:
+        for i in range(trials + 1):
+            run = runner.run(table, i, None if progress is None else _counted(progress, i * reference.n_sample))
+            record = record_of(run, runner, table if law.target == "command" else nothing, beforehand)
+            _note(course, run, runner, i, table, part, reference)
+            if run.status.ok:
+                course.figures[-1] = course.figures[-1].having(change=course.memory.change(record.tracking_error, runner.window))
+                course.memory.add(record.feedback_command, record.tracking_error, run.contour_error)
+            if on_trial is not None:
+                on_trial(course.figures[-1])
+            found = verdict(course.figures, settings, settings.explained and course.memory.explained())
+            if found is not None or i == trials:
+                return found
+            table = law.update(table, record, problem)
+        return None
+
+    try:
+        found = run_all(nothing if start is None else start.values)
+    except KeyboardInterrupt:
+        if course.best is None:
+            raise
+        found = Verdict("interrupted", f"after trial {len(course.figures) - 1}")
     growth = growth_of(course.memory.tracking, machine.servo_period, machine.axis_names) if found and found.word == "diverged" else None
     split = course.memory.split(law, problem)
     return _ended(course, found, growth, split, runner, law, part, began)
@@ -187,6 +197,15 @@ def _check_start(start: LearnedTable | None, law: LearningLaw, machine: Machine,
     start.check(machine, controller, reference)
     if start.target != law.target:
         raise ResultError(f'the learned table is added to the {start.target}: give the law target = "{start.target}", not "{law.target}"')
+
+
+def _check_reach(law: LearningLaw, reference: Reference) -> None:
+    """Refuse a law that looks further than a trial is long: it would learn next to nothing, and say that it has converged."""
+    known, n, period = law.values(), reference.n_sample, reference.servo_period
+    if 2.0 * known.get("half_width", 0.0) >= n:
+        raise ParameterError("half_width", f"{known['half_width']:g}", f"less than half of the {n} samples of a trial")
+    if known.get("lead", 0.0) >= n * period:
+        raise ParameterError("lead", f"{known['lead']:g}", f"less than the {n * period:.4g} s that a trial takes", "s")
 
 
 def _counted(progress: Callable[[int], None], before: int) -> Callable[[int], None]:
@@ -223,14 +242,18 @@ def _ended(
         for i, (tool, _) in ((0, course.first), (best, course.best)):
             if not figures[i].failed and math.isnan(figures[i].part_max):
                 figures[i] = figures[i].having(part_max=part_error(tool, runner, runner.reference))
-    status, reason = "trials used up", f"{len(figures) - 1} trials have been run"
+    n, held = len(figures) - 1, figures[-1].saturated
+    status, reason = "trials used up", f"{n} trial{'s have' if n != 1 else ' has'} been run"
+    reason += f"; the drives saturate at {held} samples" if held else ""
     if found is not None:
         status, reason = found.word, found.reason
     if status == "diverged" and figures[best].failed:
         status += ", no trial came to its end"
     elif status == "diverged":
         status += f", rolled back to trial {best}"
-        reason += f"; {growth}" if growth is not None else ""
+    elif status == "interrupted":
+        status += f", trial {best} kept"
+    reason += f"; {growth}" if growth is not None else ""
     table = LearnedTable.of(course.best_table.copy(), runner.machine, runner.controller, runner.reference, law, _columns(figures))
     (first, first_contour), (at_best, best_contour) = course.first, course.best
     times = (time.perf_counter() - began, runner.engine_seconds, runner.judge_seconds)

@@ -110,7 +110,7 @@ def _settled(figures: list[TrialFigures], merits: list[float], stopping: Stoppin
     """Return what it means that neither contour nor tracking error has become smaller; None where trials are to show it."""
     best = merits.index(min(merits))
     risen = merits[-1] / merits[best] - 1.0
-    said = f"the last {stopping.patience} trials made neither contour nor tracking error smaller"
+    said = f"the last {stopping.patience} trials made neither contour nor tracking error smaller{_saturation(figures)}"
     if best + 1 < len(merits):
         said += f"; the last one is {100.0 * risen:.2g} % above trial {best}"
     if explained:
@@ -129,13 +129,18 @@ def _grows(figures: list[TrialFigures], merits: list[float], stopping: Stopping)
     # And where trials differ less and less they have a limit, if a worse one than they have passed on the way.
     if last.tracking <= min(trial.tracking for trial in figures) or not _swells(figures, stopping):
         return None
-    saturated = f"; the drives saturate at {last.saturated} samples" if last.saturated > figures[0].saturated else ""
+    saturated = _saturation(figures)
     # One bad trial may be chance, as where an axis stuck once; two are not.
     if len(merits) > 1 and min(merits[-2:]) > stopping.divergence * best:
         return Verdict("diverged", f"trial {last.trial} is {merits[-1] / best:.3g} times as bad as the best{saturated}")
     if _rises(merits, stopping) and merits[-1] > (1.0 + stopping.growth_margin) * best:
         return Verdict("diverged", f"the last {stopping.growth} trials were each worse than the one before{saturated}")
     return None
+
+
+def _saturation(figures: list[TrialFigures]) -> str:
+    """Say at how many samples the drives saturate, which no learning gets beyond."""
+    return f"; the drives saturate at {figures[-1].saturated} samples" if figures[-1].saturated else ""
 
 
 def _rises(merits: list[float], stopping: Stopping) -> bool:

@@ -25,7 +25,7 @@ __all__ = ["LearnedTable"]
 
 Array = NDArray[np.float64]
 FORMAT = "contourlab-learned/1"
-_TEXTS = ("format", "target", "path", "reference", "machine", "controller", "law", "scheme")
+_TEXTS = ("format", "target", "path", "reference", "machine", "controller", "law", "scheme", "content")
 
 
 @dataclass(frozen=True, eq=False)
@@ -85,6 +85,11 @@ class LearnedTable:
     def scheme(self) -> str:
         """Digest of machine, controller and law."""
         return hashlib.sha256("\n".join((self.machine, self.controller, self.law)).encode()).hexdigest()
+
+    @property
+    def content(self) -> str:
+        """Digest of the values."""
+        return hashlib.sha256(np.ascontiguousarray(self.values, dtype="<f8").tobytes()).hexdigest()
 
     @property
     def learned(self) -> Learned:
@@ -172,9 +177,10 @@ class LearnedTable:
                 found = {name.removeprefix("figure_"): np.array(data[name][...]) for name in data if name.startswith("figure_")}
         except (OSError, KeyError, RuntimeError, TypeError, ValueError) as error:
             raise ResultError(f"{file}: cannot be read as a learned table: {error}") from error
-        scheme = texts.pop("scheme")
+        scheme, content = texts.pop("scheme"), texts.pop("content")
         table = cls(values=values, axes=axes, servo_period=period, figures=found, **texts)
-        if table.scheme != scheme or values.ndim != 2 or values.shape[1] != len(axes) or not np.isfinite(values).all():
+        sound = values.ndim == 2 and values.shape[1] == len(axes) and bool(np.isfinite(values).all())
+        if not sound or (table.scheme, table.content) != (scheme, content):
             raise ResultError(f"{file}: is damaged: its contents do not belong together")
         return table
 

@@ -312,3 +312,29 @@ def test_a_law_goes_on_from_what_another_has_learned(learned: LearnedTable, refe
     run = learn(stage(), control(), reference, make("learning", "plant-inversion", bandwidth=80.0), trials=1, start=learned)
     assert run.trials[0].contour_rms < 1.01 * float(learned.figures["contour_rms"].min())
     assert run.trials[1].tracking < run.trials[0].tracking
+
+
+# --- interrupted, and laws that look too far -------------------------------------------------------------------------------------------
+
+
+def test_what_was_learned_until_an_interrupt_stands() -> None:
+    machine, controller = stage(), control()
+    reference = eased(2.0)
+
+    def stop(figures: TrialFigures) -> None:
+        if figures.trial == 3:
+            raise KeyboardInterrupt
+
+    law = make("learning", "zero-phase", gain=0.4, half_width=5, passes=2)
+    run = learn(machine, controller, reference, law, trials=50, stopping=ON, on_trial=stop)
+    whole = learn(machine, controller, reference, law, trials=3, stopping=ON)
+    assert run.status == f"interrupted, trial {whole.best} kept"
+    assert len(run.trials) == 4
+    np.testing.assert_array_equal(run.table.values, whole.table.values)
+
+
+@pytest.mark.parametrize("changes", [{"half_width": 100_000.0}, {"lead": 100.0}])
+def test_a_law_that_looks_beyond_the_trial_is_refused(changes: dict[str, float]) -> None:
+    law = make("learning", "zero-phase", gain=0.4, **{"half_width": 5.0, **changes})
+    with pytest.raises(ParameterError, match=next(iter(changes))):
+        learn(stage(), control(), eased(2.0), law, trials=1)
