@@ -130,13 +130,14 @@ def test_tables_of_other_schemes_are_kept(contourlab: Run, tmp_path: Path) -> No
 
 @pytest.mark.slow
 def test_an_interrupt_keeps_what_was_learned(tmp_path: Path) -> None:
-    write(tmp_path, gain=0.2, half_width=274)
+    text = (tmp_path / write(tmp_path, gain=0.1, half_width=274)).read_text()
+    # Without an end of its own: two passes, and no trial too few.
+    (tmp_path / "s.toml").write_text(text.replace("274}", "274, passes = 2}").replace("trials = 4", "improvement = 0"))
     words = [COMMAND, "learn", "s.toml", "--schemes", "ilc", "--trials", "100000"]
-    (tmp_path / "s.toml").write_text((tmp_path / "s.toml").read_text().replace("trials = 4", "improvement = 0").replace("274}", "274, passes = 2}"))
     process = subprocess.Popen(words, cwd=tmp_path, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
     time.sleep(12.0)
     process.send_signal(signal.SIGINT)
-    _, err = process.communicate(timeout=60.0)
-    assert process.returncode == 130
+    out, err = process.communicate(timeout=60.0)
+    assert process.returncode == 130, out
     assert "What was learned until then is kept" in err
     assert (tmp_path / "results" / "learned" / "ilc.nc").exists()

@@ -14,7 +14,7 @@ __all__ = ["Walker"]
 
 DEEPEST_CALL = 9
 """LinuxCNC has ten levels, the program itself among them."""
-MOST_IDLE = 500_000
+MOST_IDLE = 1_000_000
 """So many lines in loops and subprograms are executed without a move; more are taken for an endless loop."""
 MOST_REPEATS = 1e9
 _ENDS = {"while": "endwhile", "do": "while", "repeat": "endrepeat"}

@@ -51,11 +51,11 @@ def test_a_delayed_ramp_lags_by_the_delay(periods: float, slope: float) -> None:
     assert out[25:] == pytest.approx(slope * (np.arange(25.0, 80.0) - periods), abs=1e-7)
 
 
-def test_the_limit_acts_behind_the_delay() -> None:
+def test_the_limit_acts_before_the_delay() -> None:
     asked = np.array([4.0, 4.0, -4.0, -4.0, 4.0, 4.0])
     out = run_alone(make("drive", "delayed-saturation", delay=0.5 * PERIOD, limit=1.0), {"command": asked})["applied"]
-    # The mean of 4 and -4 is 0; the mean of limited commands would be too, but that of 4 and 0 shows which came first.
-    assert out == pytest.approx([1.0, 1.0, 0.0, -1.0, 0.0, 1.0])
+    # The mean of 4 and 0, limited afterwards, would be 1: that of 1 and 0 shows which came first.
+    assert out == pytest.approx([0.5, 1.0, 0.0, -1.0, 0.0, 1.0])
 
 
 def test_what_was_accepted_is_known_at_once() -> None:

@@ -137,11 +137,20 @@ def test_refusals(text: str, line: int, column: int, message: str) -> None:
      "M98 P1 L999999999\nM2\nO1\nM99", "o1 while [1]\no2 repeat [3]\n#1 = 2\no2 endrepeat\no1 endwhile", "o1 while [1]\nG0 X0\no1 endwhile",
      "o1 while [1]\nG92 X0\no1 continue\no1 endwhile"],
 )  # fmt: skip
-def test_endless_loops_are_stopped_soon(text: str) -> None:
+def test_endless_loops_are_stopped_soon(text: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("contourlab.program.walker.MOST_IDLE", 50_000)
     begun = time.perf_counter()
     with pytest.raises(ProgramError, match=r"endless loop|never ends"):
         parse_program(f"{text}\nM2")
     assert time.perf_counter() - begun < 30.0
+
+
+@pytest.mark.slow
+def test_loops_may_count_to_three_hundred_thousand_and_not_for_ever() -> None:
+    text = "#1 = 0\no1 while [#1 lt {}]\n#1 = [#1 + 1]\no1 endwhile\nG1 F1 X1"
+    assert ends(text.format(300_000)) == [1]
+    with pytest.raises(ProgramError, match="1000000 lines of loops and subprograms without a move"):
+        parse_program(text.format(400_000) + "\nM2")
 
 
 def test_a_label_may_serve_in_a_subprogram_again() -> None:

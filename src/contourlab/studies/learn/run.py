@@ -205,7 +205,7 @@ def _check_reach(law: LearningLaw, reference: Reference) -> None:
     if 2.0 * known.get("half_width", 0.0) >= n:
         raise ParameterError("half_width", f"{known['half_width']:g}", f"less than half of the {n} samples of a trial")
     if known.get("lead", 0.0) >= n * period:
-        raise ParameterError("lead", f"{known['lead']:g}", f"less than the {n * period:.4g} s that a trial takes", "s")
+        raise ParameterError("lead", f"{known['lead']:g} s", f"less than the {n * period:.4g} s that a trial takes")
 
 
 def _counted(progress: Callable[[int], None], before: int) -> Callable[[int], None]:
