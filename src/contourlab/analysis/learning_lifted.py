@@ -33,7 +33,11 @@ LONG = 4000
 """Numbers in a table beyond which the trials themselves, which all converge on the slowest part, tell more than Arnoldi's method."""
 
 
-@dataclass(frozen=True)
+SHORT = 1000
+"""Numbers in a table up to which the whole matrix is formed for its singular values."""
+
+
+@dataclass(frozen=True, eq=False)
 class LiftedLearning:
     """What trials on one path do to what is left to learn.
 
@@ -44,10 +48,13 @@ class LiftedLearning:
     norm : float
         Largest singular value: below 1 every trial leaves less than the one before, whatever is left; nan for a law that learns through a
         model, whose transpose is not known.
+    singular_values : ndarray (n,) or None
+        All of them, falling, of a table of up to `SHORT` numbers; None of a longer one.
     """
 
     radius: float
     norm: float
+    singular_values: Array | None = None
 
 
 class TrialOperator:
@@ -239,4 +246,6 @@ def lifted_learning(loop: CoupledLoop, law: LearningLaw, tangents: ArrayLike) ->
     """
     operator = TrialOperator(loop, law, tangents)
     norm = math.nan if law_model(law, loop) is not None else operator.norm()
-    return LiftedLearning(operator.radius(), norm)
+    short = operator.shape[0] * operator.shape[1] <= SHORT
+    values = np.asarray(np.linalg.svd(operator.matrix(), compute_uv=False), dtype=float) if short else None
+    return LiftedLearning(operator.radius(), norm, values)

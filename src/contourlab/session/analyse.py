@@ -198,7 +198,7 @@ def _charts(found: Sequence[_Found]) -> list[Chart]:
     from dataclasses import replace
 
     from contourlab.report.contour_transfer_picture import contour_transfer_charts
-    from contourlab.report.learning_pictures import learning_charts
+    from contourlab.report.learning_pictures import learning_charts, singular_value_chart
 
     charts: list[Chart] = []
     for one in found:
@@ -206,4 +206,6 @@ def _charts(found: Sequence[_Found]) -> list[Chart]:
             named = contour_transfer_charts(one.transfer)
             charts += [replace(c, key=f"{c.key}-{one.name}", title=f"{c.title}, {one.name}") for c in named]
     learning = {one.name: one.learning for one in found if one.learning is not None}
-    return [*charts, *(learning_charts(learning) if learning else ())]
+    lifted = {name: analysis.lifted.singular_values for name, analysis in learning.items() if analysis.lifted is not None}
+    short = {name: values for name, values in lifted.items() if values is not None}
+    return [*charts, *(learning_charts(learning) if learning else ()), *([singular_value_chart(short)] if short else ())]

@@ -145,6 +145,16 @@ def test_the_operator_and_its_transpose_are_those_of_the_matrix(law: LearningLaw
     assert operator.radius() == pytest.approx(np.abs(np.linalg.eigvals(matrix)).max(), rel=1e-2)
 
 
+def test_a_short_trial_gives_all_its_singular_values() -> None:
+    loop = coupled_loop(*unlike(2, CrossCoupled(gain=900.0)))
+    found, law = lifted_learning(loop, ZeroPhase(half_width=5), circle(60)), ZeroPhase(half_width=5)
+    assert found.singular_values is not None and found.singular_values.size == 120
+    matrix = TrialOperator(loop, law, circle(60)).matrix()
+    assert np.square(found.singular_values).sum() == pytest.approx(np.square(matrix).sum(), rel=1e-12)
+    assert found.singular_values[0] == pytest.approx(found.norm, rel=1e-3)
+    assert lifted_learning(loop, law, circle(600)).singular_values is None
+
+
 def test_a_long_trial_does_what_the_frequencies_say() -> None:
     loop = coupled_loop(*stages(0.1, 15e-3))
     law = ZeroPhase()
