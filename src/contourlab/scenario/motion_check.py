@@ -94,8 +94,9 @@ def _check_speeds(reference: Reference, machine: Machine, fault: Fault) -> None:
         for axis, asked in zip(machine.axes, worst[name], strict=True):
             limit = getattr(axis.limits, name)
             if asked > limit * (1.0 + 1e-9):
+                what = f"{'an' if name[0] == 'a' else 'a'} {name} of {asked * scale:.4g} {unit}"
                 raise fault(
-                    f"axis {axis.name} is asked for a {name} of {asked * scale:.4g} {unit}, its limit is {limit * scale:.4g} {unit}: "
+                    f"axis {axis.name} is asked for {what}, its limit is {limit * scale:.4g} {unit}: "
                     f"take at most {(limit / asked) ** (1.0 / power):.3g} times this frequency",
                     0,
                 )

@@ -87,7 +87,7 @@ def counts_csv(
     """Return the table of counts and positions, with pitch and constants above it."""
     constants = summary["constants"]
     head = [
-        f"# pitch {summary['pitch']!r} m, resolution {summary['resolution']!r} m, fit: {summary['method']}",
+        f"# pitch {summary['pitch']:.12g} m, resolution {summary['resolution']:.12g} m, fit: {summary['method']}",
         "# "
         + ", ".join(f"{name} {value!r}" for name, value in constants.items() if name != "unit")
         + (f" ({constants['unit']})" * bool(constants["unit"])),
