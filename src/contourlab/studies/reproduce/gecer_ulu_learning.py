@@ -35,7 +35,7 @@ from contourlab.studies.reproduce.rows import Row, ours
 __all__ = ["delay_rows", "forecast", "learning_rows", "order_turns", "side_lobe_rows"]
 
 Array = NDArray[np.float64]
-KAPPAS = (0.2, KAPPA, 1.0, 3.0)
+KAPPAS = (0.1, 0.2, KAPPA, 1.0, 3.0)
 SHOWN = (0, 10, TRIALS, 60, 100, LONG)
 TRIALS_OF = {SIMULATION: LONG, EXPERIMENT: LONG, COUNTING: 60, PERIOD_30MS: LONG}
 SLOWER = 15.0
