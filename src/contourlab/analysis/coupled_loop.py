@@ -6,6 +6,7 @@ a learned table) and what moves its reference. The coupling is taken as it runs 
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import Any
@@ -22,10 +23,15 @@ from contourlab.errors import ComponentError, ParameterError
 from contourlab.loop.machine import Controller, Machine
 from contourlab.primitives import Clock
 
-__all__ = ["AxisLink", "CoupledLoop", "CouplingModel", "axis_link", "coupled_loop", "coupling_model", "frozen_matrix", "normal_basis"]
+__all__ = ["AxisLink", "CoupledLoop", "CouplingModel", "axis_link", "coupled_loop", "coupling_model", "impulse_responses", "normal_basis"]
 
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
+
+NEGLIGIBLE = 1e-13
+"""Part of the largest value at which an impulse response has died away."""
+LOOK = 512
+"""Samples over which it has to be that small."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -147,7 +153,21 @@ class CoupledLoop:
 
     def matrix(self, normals: Array) -> Array:
         """Return the matrix of a tick with the normals (n_axis, n_normal) standing still: the axes' states, then the coupling's."""
-        return frozen_matrix(self, normals)
+        sizes = [len(axis.a) for axis in self.axes]
+        first, r, m = np.concatenate([[0], np.cumsum(sizes)]), normals.shape[1], len(self.coupling.f)
+        total = int(first[-1])
+        positions, pushed, referred = np.zeros((len(sizes), total)), np.zeros((total, len(sizes))), np.zeros((total, len(sizes)))
+        a = np.zeros((total + m * r, total + m * r))
+        for i, axis in enumerate(self.axes):
+            rows = slice(first[i], first[i + 1])
+            a[rows, rows], positions[i, rows], pushed[rows, i], referred[rows, i] = axis.a, axis.position, axis.b, axis.r
+        across, along = normals @ normals.T, np.eye(len(sizes)) - normals @ normals.T
+        a[:total, :total] += -self.coupling.d * pushed @ across @ positions + self.coupling.weight * referred @ along @ positions
+        eye = np.eye(r)
+        a[:total, total:] = pushed @ normals @ np.kron(self.coupling.h[None, :], eye)
+        a[total:, :total] = -np.kron(self.coupling.g[:, None], eye) @ normals.T @ positions
+        a[total:, total:] = np.kron(self.coupling.f, eye)
+        return a
 
     def poles(self, normals: Array) -> Complex:
         """Return the poles of the machine with the normals (n_axis, n_normal) standing still."""
@@ -194,6 +214,42 @@ def link_of(loop: SampledLoop) -> AxisLink:
         loop.state[0, kept],
         np.concatenate([through[kept], direct]),
     )
+
+
+def impulse_responses(axes: Sequence[AxisLink], n_sample: int, target: str) -> Array:
+    """Return the positions of axes, each alone, after an impulse of 1 at sample 0 in what is added to their command or reference.
+
+    Parameters
+    ----------
+    axes : sequence of AxisLink
+        The response of one that is not stable lasts to the end.
+    n_sample : int
+        Longest response that is of use.
+    target : {"command", "reference"}
+
+    Returns
+    -------
+    ndarray (m, n_axis) [m per command unit, or m/m]
+        m <= n_sample; what comes later is below 1e-13 of the largest value.
+    """
+    found = [_impulse_response(axis, n_sample, target) for axis in axes]
+    longest = max(len(response) for response in found)
+    return np.column_stack([np.pad(response, (0, longest - len(response))) for response in found])
+
+
+def _impulse_response(axis: AxisLink, n_sample: int, target: str) -> Array:
+    found, state = np.zeros(n_sample), axis.b if target == "command" else axis.r
+    largest = 0.0
+    for k in range(1, n_sample):
+        found[k] = axis.position @ state
+        state = axis.a @ state
+        # Over a stretch, since one sample may happen to pass zero; a long delay comes before anything.
+        if k % LOOK == 0:
+            last = float(np.abs(found[k - LOOK : k + 1]).max())
+            largest = max(largest, last)
+            if largest > 0.0 and last <= NEGLIGIBLE * largest:
+                return found[: k + 1]
+    return found
 
 
 def _live(a: Array, b: Array, c: Array) -> NDArray[np.intp]:
@@ -301,22 +357,3 @@ def normal_basis(tangent: ArrayLike) -> Array:
     if t.size == 2:
         return np.array([[-t[1]], [t[0]]])
     return np.asarray(np.linalg.svd(t[None, :])[2][1:].T)
-
-
-def frozen_matrix(loop: CoupledLoop, normals: Array) -> Array:
-    """Return the matrix of a tick with its normals standing still; see `CoupledLoop.matrix`."""
-    sizes = [len(axis.a) for axis in loop.axes]
-    first, r, m = np.concatenate([[0], np.cumsum(sizes)]), normals.shape[1], len(loop.coupling.f)
-    total = int(first[-1])
-    positions, pushed, referred = np.zeros((len(sizes), total)), np.zeros((total, len(sizes))), np.zeros((total, len(sizes)))
-    a = np.zeros((total + m * r, total + m * r))
-    for i, axis in enumerate(loop.axes):
-        rows = slice(first[i], first[i + 1])
-        a[rows, rows], positions[i, rows], pushed[rows, i], referred[rows, i] = axis.a, axis.position, axis.b, axis.r
-    across, along = normals @ normals.T, np.eye(len(sizes)) - normals @ normals.T
-    a[:total, :total] += -loop.coupling.d * pushed @ across @ positions + loop.coupling.weight * referred @ along @ positions
-    eye = np.eye(r)
-    a[:total, total:] = pushed @ normals @ np.kron(loop.coupling.h[None, :], eye)
-    a[total:, :total] = -np.kron(loop.coupling.g[:, None], eye) @ normals.T @ positions
-    a[total:, total:] = np.kron(loop.coupling.f, eye)
-    return a

@@ -10,13 +10,14 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from contourlab.analysis.coupled_loop import CoupledLoop
+from contourlab.analysis.coupled_loop import CoupledLoop, impulse_responses
+from contourlab.components.learning.filters import q_response
 from contourlab.components.learning.law import LearningLaw, LearningProblem, TrialRecord
 from contourlab.components.learning.norm_optimal import NormOptimal
 from contourlab.components.learning.plant_inversion import PlantInversion
 from contourlab.errors import ComponentError
 
-__all__ = ["LawKernels", "LawModel", "impulse_responses", "law_kernels", "law_model", "lifted_problem"]
+__all__ = ["LawKernels", "LawModel", "law_kernels", "law_model", "lifted_problem"]
 
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
@@ -104,7 +105,7 @@ class LawModel:
         g = _models(self.loop, self.law.target, w)
         none = np.zeros((w.size, *eye.shape), dtype=complex)
         if isinstance(self.law, PlantInversion):
-            q = _butterworth(w, self.law.bandwidth, self.law.order, self.loop.servo_period)
+            q = q_response(w, self.law.bandwidth, self.law.order, self.loop.servo_period)
             inverse = self.law.gain * g.conj() / (np.abs(g) ** 2 + self.law.regularisation * self.largest)
             table, error = q[:, None, None] * eye, q[:, None, None] * inverse[:, :, None] * eye
         else:
@@ -122,14 +123,6 @@ def law_model(law: LearningLaw, loop: CoupledLoop) -> LawModel | None:
         return None
     w = np.unique(np.concatenate([np.geomspace(1e-5 * loop.nyquist, loop.nyquist, 600), np.linspace(1e-5, 1.0, 600) * loop.nyquist]))
     return LawModel(law, loop, (np.abs(_models(loop, law.target, w)) ** 2).max(axis=0))
-
-
-def _butterworth(w: Array, bandwidth: float, order: float, period: float) -> Array:
-    """Return the gain (n,) of the sampled low-pass run both ways; from the Nyquist frequency on there is none."""
-    if bandwidth * period >= math.pi:
-        return np.ones(w.size)
-    ratio = np.tan(np.minimum(0.5 * w * period, 0.5 * math.pi)) / math.tan(0.5 * bandwidth * period)
-    return np.asarray(1.0 / (1.0 + np.minimum(np.abs(ratio), 1e9) ** (2.0 * order)))
 
 
 def _models(loop: CoupledLoop, target: str, w: Array) -> Complex:
@@ -165,25 +158,7 @@ def law_kernels(law: LearningLaw, loop: CoupledLoop) -> LawKernels:
 
 def lifted_problem(law: LearningLaw, loop: CoupledLoop, tangent: Array) -> LearningProblem:
     """Return what a law knows before the first trial: a path with tangents (n_sample, n_axis), and the axes each alone."""
-    return LearningProblem(loop.servo_period, tangent, lambda: impulse_responses(loop, len(tangent), law.target))
-
-
-def impulse_responses(loop: CoupledLoop, n_sample: int, target: str) -> Array:
-    """Return the positions (m, n_axis), m <= n_sample, of the axes after an impulse of 1 at sample 0 in their command or reference."""
-    found = []
-    for axis in loop.axes:
-        state, answer = (axis.b if target == "command" else axis.r).copy(), np.zeros(n_sample)
-        largest = 0.0
-        for k in range(1, n_sample):
-            answer[k] = axis.position @ state
-            state = axis.a @ state
-            largest = max(largest, abs(answer[k]))
-            # By the state, not by one sample that may happen to pass zero.
-            if largest > 0.0 and k % 64 == 0 and np.abs(answer[k - 63 : k + 1]).max() < 1e-13 * largest:
-                break
-        found.append(answer[: k + 1] if n_sample > 1 else answer)
-    length = max(len(answer) for answer in found)
-    return np.column_stack([np.pad(answer, (0, length - len(answer))) for answer in found])
+    return LearningProblem(loop.servo_period, tangent, lambda: impulse_responses(loop.axes, len(tangent), law.target))
 
 
 def _answers(law: LearningLaw, problem: LearningProblem, heard: str) -> Array:

@@ -12,7 +12,9 @@ from typing import TYPE_CHECKING, Any
 if TYPE_CHECKING:
     from rich.console import RenderableType
 
-__all__ = ["emit_json", "plain", "say", "show", "silence", "wants_progress"]
+    from contourlab.session.run import RunOutcome
+
+__all__ = ["conclude", "emit_json", "plain", "say", "show", "silence", "wants_progress"]
 
 PIPE_WIDTH = 200
 """Columns of a table that goes to a file or a pipe, where nothing says how wide the reader is."""
@@ -66,6 +68,23 @@ def plain(value: Any) -> Any:
 def emit_json(value: Any) -> None:
     """Print one JSON document, strict: readers without an extension for nan can read it."""
     say(json.dumps(plain(value), indent=2, allow_nan=False))
+
+
+def conclude(outcome: RunOutcome, as_json: bool) -> int:
+    """Print what a command found, and return its exit code: 0, or 1 where a verdict is not passed.
+
+    Raises
+    ------
+    DivergenceError
+        After the printing, if a scheme ran away.
+    """
+    if as_json:
+        emit_json(outcome.summary)
+    else:
+        say(outcome.table)
+    if outcome.runaway is not None:
+        raise outcome.runaway
+    return 0 if outcome.passed else 1
 
 
 def show(*parts: RenderableType) -> None:

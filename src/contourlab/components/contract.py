@@ -308,6 +308,7 @@ class Component:
     @staticmethod
     def step(par: Any, x: Any, inp: Any, clock: Any) -> tuple[tuple[Any, ...], tuple[Any, ...]]:
         """Advance one tick: ``(x_next, out)``, tuples in the order of `states` and `outputs`."""
+        # A kind without a step of its own is a family, which is never run.
         raise NotImplementedError
 
     def derive(self, par: Any, dt: float) -> tuple[Any, ...]:
@@ -332,6 +333,7 @@ class Component:
     @staticmethod
     def designed(wishes: Mapping[str, float], model_gain: float, model_damping: float) -> dict[str, float]:
         """Return the parameters that fulfil wishes on the axis v' = model_gain u - model_damping v, all in SI."""
+        # Only kinds that have wishes are asked.
         raise NotImplementedError
 
     def at_rest(self, position: float) -> tuple[dict[str, float], dict[str, float]]:

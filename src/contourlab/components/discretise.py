@@ -13,11 +13,12 @@ RULES = ("backward-euler", "pole-matched")
 
 
 def low_pass_weight(bandwidth: Any, dt: float, rule: str) -> Any:
-    """Return the weight for a bandwidth [rad/s] (a number or an array) at a period [s].
+    """Return the weight for a bandwidth [rad/s], > 0 (a number or an array) at a period [s].
 
     Notes
     -----
     With pole matching, 1 - exp(-w dt), the derivative w (u - y) of a ramp comes out too small by w dt e/(1 - e), e = exp(-w dt): at
-    w dt = 2 it is 0.31 of the slope. Backward Euler, w dt/(1 + w dt), gives the slope itself.
+    w dt = 2 it is 0.31 of the slope. Backward Euler, w dt/(1 + w dt), gives the slope itself. An infinite bandwidth has the weight 1.
     """
-    return -np.expm1(-np.multiply(bandwidth, dt)) if rule == "pole-matched" else bandwidth * dt / (1.0 + bandwidth * dt)
+    turn = np.multiply(bandwidth, dt)
+    return -np.expm1(-turn) if rule == "pole-matched" else 1.0 / (1.0 + 1.0 / turn)

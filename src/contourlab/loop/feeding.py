@@ -9,7 +9,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from contourlab.components.contract import Component
-from contourlab.engine.step import Port
 from contourlab.errors import ParameterError
 from contourlab.feed import Reference, ReferenceBlock
 from contourlab.loop.machine import Controller, Machine
@@ -94,11 +93,6 @@ class Feed:
         self.reference, self.learned, self._fill = reference, learned, fill
         self.names = extra_externals(machine, controller, learned)
         self._ahead = ticks_ahead(machine, controller)
-
-    @property
-    def ports(self) -> tuple[Port, ...]:
-        """The ports of what is fed besides the reference."""
-        return tuple(Port(name, self.reference.n_axis) for name in self.names)
 
     def block(self, start: int, stop: int) -> tuple[ReferenceBlock, Array]:
         """Return the samples of the reference, and all that is fed: (n, n_external), each signal one row of memory."""

@@ -7,7 +7,7 @@ from typing import Annotated
 
 import typer
 
-from contourlab.cli.output import emit_json, say, wants_progress
+from contourlab.cli.output import conclude, wants_progress
 
 __all__ = ["demo"]
 
@@ -20,8 +20,4 @@ def demo(
     from contourlab.session.demo import run_demo
 
     outcome = run_demo(out, progress=wants_progress(as_json))
-    if as_json:
-        emit_json(outcome.summary)
-    else:
-        say(outcome.table)
-    return 0 if outcome.passed else 1
+    return conclude(outcome, as_json)

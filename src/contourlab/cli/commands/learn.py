@@ -7,7 +7,7 @@ from typing import Annotated
 
 import typer
 
-from contourlab.cli.output import emit_json, say, wants_progress
+from contourlab.cli.output import conclude, wants_progress
 from contourlab.cli.scheme_options import Json, Out, Plots, Plugins, ScenarioFile, Schemes, Signals, Trials, listed
 
 __all__ = ["learn"]
@@ -38,10 +38,4 @@ def learn(
         signals=tuple(signals or ()),
         progress=wants_progress(as_json),
     )
-    if as_json:
-        emit_json(outcome.summary)
-    else:
-        say(outcome.table)
-    if outcome.runaway is not None:
-        raise outcome.runaway
-    return 0 if outcome.passed else 1
+    return conclude(outcome, as_json)

@@ -7,7 +7,7 @@ from typing import Annotated, Any
 
 import typer
 
-from contourlab.cli.output import emit_json, say, wants_progress
+from contourlab.cli.output import conclude, wants_progress
 
 __all__ = ["run"]
 
@@ -56,10 +56,4 @@ def run(
         signals=tuple(signals or ()),
         progress=wants_progress(as_json),
     )
-    if as_json:
-        emit_json(outcome.summary)
-    else:
-        say(outcome.table)
-    if outcome.runaway is not None:
-        raise outcome.runaway
-    return 0 if outcome.passed else 1
+    return conclude(outcome, as_json)

@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 
 from contourlab.components.contract import Component, LinearModel, Port, param, text_param
+from contourlab.components.discretise import low_pass_weight
 
 __all__ = ["SpeedPID"]
 
@@ -76,8 +77,7 @@ class SpeedPID(Component):
 
     def derive(self, par: Any, dt: float) -> tuple[Any, ...]:
         rate = 1.0 / (par.dc_gain * par.time_constant)
-        # Written so that an infinite bandwidth gives the weight 1.
-        weight = 1.0 / (1.0 + 1.0 / (par.acceleration_bandwidth * dt))
+        weight = low_pass_weight(par.acceleration_bandwidth, dt, "backward-euler")
         return 2.0 * par.damping_ratio * rate / par.natural_frequency, rate, rate / par.natural_frequency**2, weight
 
     def step_function(self) -> Any:

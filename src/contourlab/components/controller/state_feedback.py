@@ -12,6 +12,7 @@ import numpy as np
 
 from contourlab.components.contract import Component, LinearModel, Port, param, text_param
 from contourlab.components.controller.anti_windup import ANTI_WINDUP, integral_rise, recovery_part
+from contourlab.components.discretise import low_pass_weight
 from contourlab.errors import ParameterError
 
 __all__ = ["StateFeedback"]
@@ -117,8 +118,7 @@ class StateFeedback(Component):
     unbounded = ("velocity_gain", "acceleration_gain")
 
     def derive(self, par: Any, dt: float) -> tuple[Any, ...]:
-        # Written so that an infinite bandwidth gives the weight 1.
-        return 1.0 / (1.0 + 1.0 / (par.acceleration_bandwidth * dt)), recovery_part(par.tracking_time, dt)
+        return low_pass_weight(par.acceleration_bandwidth, dt, "backward-euler"), recovery_part(par.tracking_time, dt)
 
     def step_function(self) -> Any:
         return _make(self.anti_windup, self.following == "model")

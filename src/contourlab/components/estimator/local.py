@@ -45,6 +45,7 @@ class LocalEstimator(Component):
 
     def make_function(self, evaluate: Callable[..., Any], n_axis: int) -> Any:
         """Return the step function on a path seen through `evaluate`."""
+        # What tells one local estimator from another.
         raise NotImplementedError
 
     def path_step(self, view: PathView, n_axis: int) -> Step:

@@ -45,6 +45,7 @@ class ErrorLaw(FilteredLaw):
 
     def addition(self, trial: TrialRecord, problem: LearningProblem) -> Array:
         """Return what is learned from a trial (n_sample, n_axis) [command unit], lead and filter left out."""
+        # What tells one law from another.
         raise NotImplementedError
 
     def revised(self, table: Array, trial: TrialRecord, problem: LearningProblem) -> Array:

@@ -11,9 +11,9 @@ from __future__ import annotations
 import math
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
-__all__ = ["advanced", "moving_average", "q_filter"]
+__all__ = ["advanced", "moving_average", "q_filter", "q_response"]
 
 Array = NDArray[np.float64]
 
@@ -47,6 +47,16 @@ def advanced(signal: Array, samples: int) -> Array:
     return later
 
 
+def q_response(frequency: ArrayLike, bandwidth: float, order: float, servo_period: float) -> Array:
+    """Return the gain (n,) of `q_filter` at frequencies (n,) [rad/s], from 0 to the Nyquist frequency."""
+    w = np.asarray(frequency, dtype=float)
+    if bandwidth * servo_period >= math.pi:
+        return np.ones(w.shape)
+    ratio = np.tan(np.minimum(0.5 * w * servo_period, 0.5 * math.pi)) / math.tan(0.5 * bandwidth * servo_period)
+    # At the Nyquist frequency itself rounding decides the sign of the tangent.
+    return np.asarray(1.0 / (1.0 + np.minimum(np.abs(ratio), 1e9) ** (2.0 * order)))
+
+
 def q_filter(signal: Array, bandwidth: float, order: int, servo_period: float) -> Array:
     """Return a signal behind a Butterworth low-pass run forwards and backwards, 1/(1 + (tan(w T_s/2)/tan(w_q T_s/2))^(2 order)).
 
@@ -67,7 +77,6 @@ def q_filter(signal: Array, bandwidth: float, order: int, servo_period: float) -
     from scipy.fft import dct, idct
 
     n = len(signal)
-    ratio = np.tan(0.5 * np.pi * np.arange(n) / n) / math.tan(0.5 * bandwidth * servo_period)
-    gain = 1.0 / (1.0 + np.minimum(ratio, 1e9) ** (2 * order))
+    gain = q_response(np.pi * np.arange(n) / (n * servo_period), bandwidth, order, servo_period)
     # The cosines are what a mirror image at both ends leaves of the frequencies: the filter is this product, without any padding.
     return np.asarray(idct(dct(np.ascontiguousarray(signal.T)) * gain).T)

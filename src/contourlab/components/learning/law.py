@@ -145,6 +145,7 @@ class LearningLaw(Component):
 
     def revised(self, table: Array, trial: TrialRecord, problem: LearningProblem) -> Array:
         """Return the next table as the law has it; arguments and result as of `update`."""
+        # What tells one law from another.
         raise NotImplementedError
 
     def passed(self, signal: Array, servo_period: float) -> Array:

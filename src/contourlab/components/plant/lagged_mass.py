@@ -33,6 +33,7 @@ class LaggedMass(SingleMass):
 
     def rates(self, par: Any) -> tuple[Any, Any, Any, Any, Any]:
         """Return m [m/s^2 per force], d [1/s], r [1/s], g [force per command] and b [force/m]: numbers or arrays (n_variant,)."""
+        # What tells one drive from another.
         raise NotImplementedError
 
     def derive(self, par: Any, dt: float) -> tuple[Any, ...]:
