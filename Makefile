@@ -11,7 +11,7 @@ BIN := $(VENV)/bin
 STAMP := $(VENV)/.installed
 
 .DEFAULT_GOAL := help
-.PHONY: help install demo programs learning test check lint types imports docs bench clean
+.PHONY: help install demo programs learning backlash test check lint types imports docs bench clean
 
 help:
 	@echo "make demo     run the demonstration; results in results/demo"
@@ -21,6 +21,7 @@ help:
 	@echo "make bench    measure the speed of the engine on this machine"
 	@echo "make programs run every part program of a folder; make programs PROGRAMS=my/folder"
 	@echo "make learning measure what learning and cross-coupling cost and bring; reports in results/learning"
+	@echo "make backlash measure what drives with backlash cost, and what helps on a real part"
 	@echo "make install  only make $(VENV); with another Python: make install PYTHON=python3.12"
 	@echo "make clean    remove $(VENV) and everything that was generated"
 
@@ -67,6 +68,9 @@ programs: $(STAMP)
 
 learning: $(STAMP)
 	$(BIN)/python benchmarks/learning.py $(ARGS)
+
+backlash: $(STAMP)
+	$(BIN)/python benchmarks/backlash.py $(ARGS)
 
 clean:
 	rm -rf $(VENV) results benchmarks/out build dist .mypy_cache .ruff_cache .pytest_cache .import_linter_cache .hypothesis

@@ -74,6 +74,8 @@ def axis_response(
 def _continuous(axis: Axis, controller: AxisController, w: Array, carried_mass: float) -> AxisResponse:
     if controller.predictor is not None:
         raise ComponentError(f"predictor {controller.predictor.kind} has no linear model in continuous time: ask for the sampled loop")
+    if axis.plant.two_sided:
+        raise ComponentError(f"plant {axis.plant.kind} has a motor and a load: ask for the sampled loop")
     s = np.asarray(1j * w, dtype=np.complex128)
     plant = axis.plant.loaded(carried_mass)
     moved = transfer(_model(plant), s)

@@ -20,8 +20,6 @@ from contourlab.analysis.margins import Margins, margins
 from contourlab.analysis.response import AxisResponse
 from contourlab.analysis.tick_map import poles_of, tick_map
 from contourlab.components.contract import Component
-from contourlab.components.friction.none import NoFriction
-from contourlab.components.sensor.ideal import IdealSensor
 from contourlab.engine.schedule import Schedule
 from contourlab.engine.step import Port
 from contourlab.errors import ComponentError, ParameterError
@@ -188,7 +186,9 @@ def sampled_loop(axis: Axis, controller: AxisController, servo_period: float, ca
     ahead = controller.feedforward
     # What is fed forward is no part of the loop: of it only what is linear has a place in the response to the reference.
     ahead = ahead if ahead is not None and ahead.linearize() is not None else None
-    made = replace(controller, controller=_without_limits(controller.controller), feedforward=ahead)
+    # Under a supervisor it is the loop of the first controller, which is that for contact.
+    nonlinear = dict.fromkeys(("gap_observer", "compensation", "supervisor"))
+    made = replace(controller, controller=_without_limits(controller.controller).linear(), feedforward=ahead, others=(), **nonlinear)  # type: ignore[arg-type]
     machine = Machine("axis", (_linear(axis, carried_mass),), servo_period)
     path = Path([Line((0.0,), (1.0,))])
     whole = build(machine, Controller({axis.name: made}), path, np.zeros(1)).schedule
@@ -220,7 +220,8 @@ def _linear(axis: Axis, carried_mass: float) -> Axis:
     drive, limit = axis.drive, axis.drive.parameters.get("limit")
     if limit is not None and limit.default == math.inf:
         drive = drive.replace(limit=math.inf)
-    return Axis(axis.name, axis.plant.loaded(carried_mass), NoFriction(), drive, IdealSensor(), limits=axis.limits, substeps=axis.substeps)
+    plant = axis.plant.loaded(carried_mass).linear()
+    return Axis(axis.name, plant, drive=drive, limits=axis.limits, substeps=axis.substeps)
 
 
 def _without_limits(controller: Component) -> Component:

@@ -15,6 +15,7 @@ from typing import Annotated
 import typer
 
 from contourlab.cli.commands.analyse import analyse
+from contourlab.cli.commands.backlash import backlash
 from contourlab.cli.commands.canon import canon
 from contourlab.cli.commands.check import check
 from contourlab.cli.commands.compare import compare
@@ -44,6 +45,7 @@ app.command("run")(run_command)
 app.command("compare")(compare)
 app.command("learn")(learn)
 app.command("analyse")(analyse)
+app.command("backlash")(backlash)
 app.command("check")(check)
 app.command("canon")(canon)
 app.command("interpolate")(interpolate)

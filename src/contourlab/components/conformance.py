@@ -16,6 +16,7 @@ from contourlab.engine.runner import Group, make_group
 from contourlab.engine.schedule import Node, Schedule
 from contourlab.engine.step import Step, rows
 from contourlab.errors import ComponentError, ContourlabError, EngineError
+from contourlab.primitives import Table
 
 __all__ = ["check_component"]
 
@@ -25,6 +26,8 @@ TICKS = 160
 SCALES = (1.0, 1e-3)
 AGREEMENT = 1e-9
 
+ASKED = ("reference", "reference_velocity", "reference_acceleration")
+BOTH_SIDES = ("motor_position", "motor_velocity", "load_position", "load_velocity")
 SLOTS: dict[str, tuple[tuple[str, ...], tuple[str, ...]]] = {
     "plant": (("command", "load"), ("position", "velocity", "acceleration")),
     "friction": ((), ()),
@@ -34,24 +37,20 @@ SLOTS: dict[str, tuple[tuple[str, ...], tuple[str, ...]]] = {
     "velocity": (("position",), ("velocity",)),
     "disturbance": (("position",), ("force",)),
     "observer": (("velocity", "applied"), ("disturbance_estimate",)),
+    "gap_observer": (
+        ("motor_position", "motor_velocity", "reference_velocity", "applied"),
+        ("gap_state", "gap", "gap_deviation", "confidence", "load_position", "load_velocity"),
+    ),
+    "supervisor": (
+        (*ASKED, *BOTH_SIDES, "position", "velocity", "gap_state", "gap_estimate", "confidence", "arc_length", "source_line", "accepted"),
+        ("active", "reason"),
+    ),
     "controller": (
-        (
-            "reference",
-            "reference_velocity",
-            "reference_acceleration",
-            "position",
-            "velocity",
-            "disturbance_estimate",
-            "feedforward",
-            "applied",
-            "accepted",
-        ),
+        (*ASKED, *BOTH_SIDES, "position", "velocity", "gap_estimate", "disturbance_estimate", "feedforward", "applied", "accepted"),
         ("command",),
     ),
-    "feedforward": (
-        ("reference", "reference_velocity", "reference_acceleration", "reference_ahead"),
-        ("reference_shift", "command"),
-    ),
+    "feedforward": ((*ASKED, "reference_ahead"), ("reference_shift", "command")),
+    "compensation": ((*ASKED, *BOTH_SIDES, "gap_estimate"), ("reference_shift", "command")),
     "estimator": (("position", "arc_length"), ("foot_position", "error_vector", "contour_error_estimate", "tangent")),
     "coupling": (
         ("reference", "position", "foot_position", "error_vector", "contour_error_estimate", "tangent", "command", "accepted"),
@@ -61,9 +60,9 @@ SLOTS: dict[str, tuple[tuple[str, ...], tuple[str, ...]]] = {
 }
 """What the slot of each family offers, and what it wants back."""
 
-CHOOSING = ("controller", "feedforward", "coupling")
+CHOOSING = ("gap_observer", "feedforward", "compensation", "supervisor", "controller", "coupling")
 """Families that need not take all that is offered."""
-EITHER = ("feedforward", "coupling")
+EITHER = ("feedforward", "compensation", "coupling")
 """Families that give one of what is wanted, or all of it."""
 
 UNWIRED = {("velocity", "true")}
@@ -170,12 +169,13 @@ def subject(part: Component) -> tuple[Step, dict[str, Any], dict[str, Any]]:
 
 
 def _linked(part: Component) -> tuple[Step, dict[str, Any], dict[str, Any]]:
-    from contourlab.components.mechanics import link
+    from contourlab.components.mechanics import friction_prefix, link
     from contourlab.components.registry import component
 
     plant: Component = part if part.family == "plant" else component("plant", "mass-damper")(mass=2.0, force_constant=3.0)
     friction: Component = part if part.family == "friction" else component("friction", "smooth-coulomb")(coulomb=0.1, breakaway=0.2)
-    return link(plant, friction), {**plant.block(PERIOD), **friction.block(PERIOD)}, {}
+    rubbing = {f"{friction_prefix(plant)}{row}": value for row, value in friction.block(PERIOD).items()}
+    return link(plant, friction), {**plant.block(PERIOD), **rubbing}, plant.table_values()
 
 
 def _sized(step: Step) -> Step:
@@ -281,8 +281,10 @@ def _check_linear(kind: type[Component], part: Component) -> None:
         from contourlab.components.mechanics import link
         from contourlab.components.registry import component
 
+        part = part.linear()
         step = link(part, component("friction", "none")())
-    said = linear_fault(model, step, part.block)
+    tables = {name: Table(values) for name, values in part.table_values().items()}
+    said = linear_fault(model, step, lambda dt: {**part.block(dt), **tables})
     if said:
         raise _fault(kind, f"its linear model is not that of its step: {said}")
 
@@ -322,7 +324,7 @@ def _others(parameter: Parameter, value: Any) -> list[Any]:
     if parameter.choices:
         return [choice for choice in parameter.choices if choice != value]
     if parameter.vector:
-        return [tuple(0.5 * v + 0.1 for v in value)]
+        return [tuple(v + 1.0 if parameter.whole else 0.5 * v + 0.1 for v in value)]
     if parameter.whole:
         return [value + 1.0, value - 1.0]
     return [0.6 * value + 0.01, 1.7 * value, 0.01 * value, 1.0]

@@ -43,7 +43,10 @@ FAMILIES = (
     "velocity",
     "disturbance",
     "observer",
+    "gap_observer",
     "feedforward",
+    "compensation",
+    "supervisor",
     "controller",
     "estimator",
     "coupling",
@@ -62,7 +65,7 @@ class Parameter:
         Name in Python and in files.
     unit : str
         SI unit; empty for a bare number. ``{command}`` and ``{force}`` stand for the units of the plant it works with.
-    default : float, str or None
+    default : float, str, tuple of float or None
         None where a value has to be given.
     minimum, maximum : float
         Bounds in SI.
@@ -84,7 +87,7 @@ class Parameter:
 
     name: str
     unit: str
-    default: float | str | None
+    default: float | str | tuple[float, ...] | None
     minimum: float
     maximum: float
     exclusive: bool
@@ -99,7 +102,14 @@ class Parameter:
     def for_plant(self, command_unit: str, force_unit: str) -> Parameter:
         """Return the parameter with ``{command}`` and ``{force}`` in its units replaced by those of a plant."""
         units = {"command": command_unit, "force": force_unit}
-        return replace(self, unit=self.unit.format(**units), display=self.display.format(**units))
+
+        def filled(text: str) -> str:
+            for word, unit in units.items():
+                # A product below a line goes into brackets.
+                text = text.replace(f"/{{{word}}}", f"/({unit})" if "*" in unit else f"/{unit}")
+            return text.format(**units)
+
+        return replace(self, unit=filled(self.unit), display=filled(self.display))
 
     def check(self, value: Any) -> Any:
         """Return the value if it is in range: a float, a word, or a tuple of floats for a vector.
@@ -159,7 +169,7 @@ class Parameter:
 
 
 def param(
-    default: float | None = None,
+    default: float | tuple[float, ...] | None = None,
     *,
     unit: str = "",
     minimum: float = -math.inf,
@@ -339,6 +349,10 @@ class Component:
     def at_rest(self, position: float) -> tuple[dict[str, float], dict[str, float]]:
         """Return the states, and the outputs before the first tick, of an axis that stands at `position` [m]; zero where not given."""
         return {}, {}
+
+    def linear(self) -> Any:
+        """Return the component without what is not linear in it, as the analysis of the loop takes it."""
+        return self
 
     def linearize(self) -> LinearModel | None:
         """Return the linear model around rest, or None where one makes no sense."""

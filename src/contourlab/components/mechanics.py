@@ -8,7 +8,9 @@ Three laws, each with its own way through time; the command and the load are hel
   never gives energy.
 - *bristle* friction is stiff: velocity and bristle are advanced together, implicitly, and extrapolated to second order.
 
-A plant whose drive's force lags behind its command has a third state; its laws are in `contourlab.components.lagged_mechanics`.
+A plant whose drive's force lags behind its command has a third state; its laws are in `contourlab.components.lagged_mechanics`. One whose
+motor can stand elsewhere than its load takes a friction on either, and joins them itself: `contourlab.components.two_mass_mechanics`,
+`two_mass_bristle` and `chain_mechanics` beside it.
 """
 
 from __future__ import annotations
@@ -18,27 +20,40 @@ from functools import cache
 from typing import Any
 
 from contourlab.components.contract import Component
+from contourlab.components.friction.none import NoFriction
 from contourlab.components.lagged_mechanics import lagged_bristle, lagged_smooth, lagged_sticking
-from contourlab.engine.step import Step
+from contourlab.engine.step import Port, Step, record
 from contourlab.errors import ComponentError
 from contourlab.primitives import fabs, select
 
-__all__ = ["link"]
+__all__ = ["LOAD_FRICTION", "MOTOR_FRICTION", "friction_prefix", "link"]
+
+MOTOR_FRICTION, LOAD_FRICTION = "motor_friction_", "load_friction_"
+"""Ahead of the names of the parameters of a friction, on a plant with two sides: its shaft has a stiffness, as bristles have."""
 
 
-def link(plant: Component, friction: Component) -> Step:
+def friction_prefix(plant: Any) -> str:
+    """Return what stands ahead of the names of the parameters of the friction at the load."""
+    return LOAD_FRICTION if getattr(plant, "two_sided", False) else ""
+
+
+def link(plant: Component, friction: Component, motor_friction: Component | None = None) -> Step:
     """Return the step of a plant with its friction.
 
     Parameters
     ----------
-    plant : SingleMass, or the LaggedMass beside it
+    plant : SingleMass, the LaggedMass beside it, or one with two sides
     friction : Component of the family friction
+    motor_friction : Component of the family friction, optional
+        On the motor's side of a plant that has one; its parameters have `MOTOR_FRICTION` ahead of their names.
 
     Raises
     ------
     ComponentError
-        If both have a parameter of the same name, or the friction's law is unknown.
+        If plant and friction have a parameter of the same name, or the friction's law is unknown or none that the plant takes.
     """
+    if getattr(plant, "two_sided", False):
+        return _two_sided(plant, friction, motor_friction or NoFriction())
     shared = sorted({*plant.numeric(), *plant.derived} & {*friction.numeric(), *friction.derived})
     if shared:
         raise ComponentError(f"plant {plant.kind} and friction {friction.kind} both have a parameter {shared[0]!r}")
@@ -53,6 +68,29 @@ def link(plant: Component, friction: Component) -> Step:
     kinds: tuple[Any, Any] = (type(plant), type(friction))
     function = makers[law](*kinds)
     return Step(f"plant/{plant.kind}+{friction.kind}", function, parameters, (), "", states, plant.inputs, plant.outputs)
+
+
+def _two_sided(plant: Any, friction: Component, motor_friction: Component) -> Step:
+    rows, views, states = [*plant.numeric(), *plant.derived], [], list(plant.states)
+    for prefix, side in ((LOAD_FRICTION, friction), (MOTOR_FRICTION, motor_friction)):
+        names = (*side.numeric(), *side.derived)
+        views.append(_view(prefix, names))
+        rows += [f"{prefix}{name}" for name in names]
+        states += [Port(f"{prefix}{port.name}", port.size) for port in side.states]
+    function = plant.joined(type(motor_friction), type(friction), views[1], views[0])
+    name = f"plant/{plant.kind}+{friction.kind}+{motor_friction.kind}"
+    return Step(name, function, tuple(rows), plant.tables, "", tuple(states), plant.inputs, plant.outputs)
+
+
+@cache
+def _view(prefix: str, names: tuple[str, ...]) -> Callable[..., Any]:
+    """Return what picks the parameters of one friction out of all, under their own names."""
+    if not names:
+        return lambda par: par
+    scope: dict[str, Any] = {"__name__": __name__, "View": record(names)}
+    exec(f"def view(par):\n    return View({', '.join(f'par.{prefix}{name}' for name in names)})\n", scope)
+    view: Callable[..., Any] = scope["view"]
+    return view
 
 
 @cache

@@ -3,6 +3,7 @@
 from contourlab.loop.batch import BatchResult, simulate_batch
 from contourlab.loop.feeding import Learned
 from contourlab.loop.machine import Axis, AxisController, AxisError, Controller, Limits, Machine, parameter_names
+from contourlab.loop.reconfigure import Change
 from contourlab.loop.simulate import result_of, simulate, simulate_blocks
 
 __all__ = [
@@ -10,6 +11,7 @@ __all__ = [
     "AxisController",
     "AxisError",
     "BatchResult",
+    "Change",
     "Controller",
     "Learned",
     "Limits",

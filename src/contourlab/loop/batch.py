@@ -74,6 +74,7 @@ def simulate_batch(
     progress: Callable[[int], None] | None = None,
     reuse: BatchResult | None = None,
     learned: Learned | None = None,
+    moving: bool = False,
 ) -> BatchResult:
     """Run variants that differ in parameters only, and judge each.
 
@@ -103,6 +104,8 @@ def simulate_batch(
         An earlier result that is not needed any more: its `log` is written over where it fits, which spares asking the system for memory.
     learned : Learned, optional
         What earlier trials have taught, the same for all variants.
+    moving : bool
+        Whether the axes have the velocity of the reference at the first sample, in place of rest.
 
     Returns
     -------
@@ -127,7 +130,8 @@ def simulate_batch(
     first, _ = feed.block(0, min(BLOCK, reference.n_sample))
     extra = (judge_node(machine, reference, view, window),) if judge else ()
     start, progress_at = first.position[0], float(first.arc_length[0])
-    loop = build(machine, controller, reference.path, start, progress_at, columns, view, extra, seed, fed=feed.names)
+    speed = first.velocity[0] if moving else None
+    loop = build(machine, controller, reference.path, start, progress_at, columns, view, extra, seed, fed=feed.names, velocity=speed)
     groups = [make_group(loop.schedule, LANES, slice(i, i + LANES), compiled) for i in range(0, n, LANES)]
     rows = [loop.schedule.row(signal) for name in keep for signal in _signal(loop, name)]
     shape = (len(groups), reference.n_sample, len(rows), LANES)

@@ -13,11 +13,12 @@ from contourlab.errors import ParameterError
 from contourlab.feed import Reference, ReferenceBlock
 from contourlab.loop.machine import Controller, Machine
 
-__all__ = ["AHEAD", "LEARNED_COMMAND", "LEARNED_REFERENCE", "Feed", "Learned", "extra_externals"]
+__all__ = ["AHEAD", "LEARNED_COMMAND", "LEARNED_REFERENCE", "SOURCE_LINE", "Feed", "Learned", "extra_externals"]
 
 Array = NDArray[np.float64]
 
 LEARNED_COMMAND, LEARNED_REFERENCE, AHEAD = "learned_command", "learned_reference", "reference_ahead"
+SOURCE_LINE = "source_line"
 
 
 @dataclass(frozen=True, eq=False)
@@ -72,6 +73,9 @@ def extra_externals(machine: Machine, controller: Controller, learned: Learned |
         found.append(LEARNED_REFERENCE)
     if any(part is not None and any(port.name == AHEAD for port in part.inputs) for part in _feedforwards(machine, controller)):
         found.append(AHEAD)
+    supervisors = (controller.axes[name].supervisor for name in machine.axis_names if name in controller.axes)
+    if any(port.name == SOURCE_LINE for part in supervisors if part is not None for port in part.inputs):
+        found.append(SOURCE_LINE)
     return tuple(found)
 
 
@@ -101,7 +105,12 @@ class Feed:
             return asked, asked.table
         rows = [asked.table.T]
         for name in self.names:
-            rows.append(self._coming(start, stop).T if name == AHEAD else self._taught(name)[start:stop].T)
+            if name == AHEAD:
+                rows.append(self._coming(start, stop).T)
+            elif name == SOURCE_LINE:
+                rows.append(np.tile(self.reference.source_line(asked.arc_length).astype(float), (self.reference.n_axis, 1)))
+            else:
+                rows.append(self._taught(name)[start:stop].T)
         return asked, np.concatenate(rows).T
 
     def _taught(self, name: str) -> Array:

@@ -14,9 +14,7 @@ from contourlab.components.contract import Component
 from contourlab.components.controller.position import PositionController
 from contourlab.components.drive.saturation import Saturation
 from contourlab.components.friction.none import NoFriction
-from contourlab.components.plant.lagged_mass import LaggedMass
-from contourlab.components.plant.single_mass import SingleMass
-from contourlab.components.propagator import STIFFEST
+from contourlab.components.plant.plant import Plant
 from contourlab.components.sensor.ideal import IdealSensor
 from contourlab.components.velocity.true import TrueVelocity
 from contourlab.errors import FeedError, ParameterError
@@ -88,10 +86,13 @@ class Axis:
     `stage_mass` [kg] is the whole module that another axis carries when this one is `mounted_on` it, what it moves included; `alignment` is
     the cosine of the angle between the two directions of motion: 0 for crossed axes. Otherwise either feels the other's acceleration, one
     tick late: the mass that the upper one moves, times that acceleration and the cosine. Positions stay those along each axis' own guide.
+
+    `sensor` measures the load, as a linear scale does. On a plant whose motor can stand elsewhere, `motor_sensor` is the motor's encoder,
+    counted at the load, and `motor_friction` rubs on the motor's side.
     """
 
     name: str
-    plant: SingleMass
+    plant: Plant
     friction: Component = field(default_factory=NoFriction)
     drive: Component = field(default_factory=Saturation)
     sensor: Component = field(default_factory=IdealSensor)
@@ -102,6 +103,8 @@ class Axis:
     alignment: float = 0.0
     stage_mass: float = 0.0
     substeps: int = 1
+    motor_friction: Component = field(default_factory=NoFriction)
+    motor_sensor: Component = field(default_factory=IdealSensor)
 
 
 @dataclass(frozen=True)
@@ -136,6 +139,7 @@ class Machine:
                     "another axis of the machine, without going in a circle",
                 )
             self._check_masses(axis)
+            self._check_motor_side(axis)
             self._check_step(axis)
         for pair in self.squareness:
             if len(pair) != 2 or pair[0] == pair[1] or not set(pair) <= set(names):
@@ -178,33 +182,30 @@ class Machine:
                 )
 
     def _check_step(self, axis: Axis) -> None:
-        """The Runge-Kutta step follows a decay by friction of at most 2.78 in a step; a lag of the force may be far faster."""
-        self._check_lag(axis)
-        steepest = getattr(type(axis.friction), "steepest", None)
-        if steepest is None:
-            return
+        """The Runge-Kutta step follows a decay by friction of at most 2.78 in a step; what is fast in a plant it knows itself."""
         plant = self.loaded_plant(axis.name)
-        mobility = type(plant).mobility(plant.constants())
-        decay = mobility * steepest(axis.friction.constants()) * self.servo_period
-        wanted = math.ceil(decay / 2.5)
-        if decay / axis.substeps > 2.78:
-            raise ParameterError(
-                f"axes.{axis.name}.substeps",
-                f"{axis.substeps}",
-                f"at least {wanted} for a {axis.friction.kind} friction as steep near rest as this; or take a softer or a sticking one",
-            )
+        wanted, why = plant.fewest_substeps(self.servo_period)
+        if axis.substeps < wanted:
+            raise ParameterError(f"axes.{axis.name}.substeps", f"{axis.substeps}", f"at least {wanted} for {why}")
+        for friction, mobility in zip((axis.friction, axis.motor_friction), plant.mobilities(), strict=False):
+            steepest = getattr(type(friction), "steepest", None)
+            decay = mobility * steepest(friction.constants()) * self.servo_period if steepest is not None else 0.0
+            if decay / axis.substeps > 2.78:
+                raise ParameterError(
+                    f"axes.{axis.name}.substeps",
+                    f"{axis.substeps}",
+                    f"at least {math.ceil(decay / 2.5)} for a {friction.kind} friction as steep near rest as this; or take a softer or a "
+                    "sticking one",
+                )
 
-    def _check_lag(self, axis: Axis) -> None:
-        """The linear part of a plant whose force lags is exact up to a thousand of its time constants in a step."""
-        plant = self.loaded_plant(axis.name)
-        stiffness = plant.stiffness(self.servo_period) if isinstance(plant, LaggedMass) else 0.0
-        if stiffness / axis.substeps > STIFFEST:
-            raise ParameterError(
-                f"axes.{axis.name}.substeps",
-                f"{axis.substeps}",
-                f"at least {math.ceil(stiffness / STIFFEST)} for a {axis.plant.kind} whose time constants are so far below the servo "
-                "period; or take a plant without them, such as mass-damper",
-            )
+    def _check_motor_side(self, axis: Axis) -> None:
+        """A plant without a motor of its own has no motor's side."""
+        for slot in ("motor_friction", "motor_sensor"):
+            part = getattr(axis, slot)
+            if not axis.plant.two_sided and not isinstance(part, NoFriction | IdealSensor):
+                raise ParameterError(
+                    f"axes.{axis.name}.{slot}", f'"{part.kind}"', f"left out: a {axis.plant.kind} is motor and load in one"
+                )
 
     @property
     def axis_names(self) -> tuple[str, ...]:
@@ -228,9 +229,9 @@ class Machine:
         """Return the mass [kg] of all the modules that stand on an axis."""
         return sum(axis.stage_mass for axis in self.axes if name in self.carriers(axis.name))
 
-    def loaded_plant(self, name: str) -> SingleMass:
+    def loaded_plant(self, name: str) -> Plant:
         """Return the plant of an axis with all that stands on it: what its drive and its controller feel."""
-        plant: SingleMass = self.axis(name).plant.loaded(self.carried_mass(name))
+        plant: Plant = self.axis(name).plant.loaded(self.carried_mass(name))
         return plant
 
     def swapped(self, name: str, other: Axis) -> Machine:
@@ -239,13 +240,31 @@ class Machine:
         return replace(self, axes=tuple(placed if axis.name == name else axis for axis in self.axes))
 
 
-CONTROLLER_SLOTS = ("predictor", "velocity", "observer", "feedforward", "controller")
+AXIS_SLOTS = ("plant", "friction", "motor_friction", "drive", "sensor", "motor_sensor", "disturbance")
+"""What an axis is made of."""
+
+CONTROLLER_SLOTS = (
+    "predictor",
+    "velocity",
+    "observer",
+    "gap_observer",
+    "feedforward",
+    "compensation",
+    "supervisor",
+    "controller",
+)
 """What the controller of an axis is made of, in the order of a tick."""
+
+SIDES = ("load", "motor")
 
 
 @dataclass(frozen=True)
 class AxisController:
-    """What one axis' controller is made of; `local` names the parameters that move with the axis when it is swapped."""
+    """What one axis' controller is made of; `local` names the parameters that move with the axis when it is swapped.
+
+    `feedback` and `velocity_feedback` say which side of a drive with backlash the controller's position and velocity are measured on. Under
+    a `supervisor` the `controller` is one of several: it is number 0, those of `others`, each with its name, are 1, 2 ...
+    """
 
     controller: Component = field(default_factory=PositionController)
     velocity: Component = field(default_factory=TrueVelocity)
@@ -253,8 +272,30 @@ class AxisController:
     predictor: Component | None = None
     feedforward: Component | None = None
     local: tuple[str, ...] = ()
+    gap_observer: Component | None = None
+    compensation: Component | None = None
+    supervisor: Component | None = None
+    others: tuple[tuple[str, Component], ...] = ()
+    feedback: str = "load"
+    velocity_feedback: str = "motor"
+
+    @property
+    def controllers(self) -> dict[str, Component]:
+        """All controllers of the axis by name, in the order of their numbers; the first is called ``controller``."""
+        return {"controller": self.controller, **dict(self.others)}
 
     def __post_init__(self) -> None:
+        for name in ("feedback", "velocity_feedback"):
+            if getattr(self, name) not in SIDES:
+                raise ParameterError(name, repr(getattr(self, name)), "one of " + ", ".join(SIDES))
+        if bool(self.others) != (self.supervisor is not None):
+            shown = '"none"' if self.supervisor is None else f'"{self.supervisor.kind}"'
+            raise ParameterError("supervisor", shown, "given where there are several controllers, and only there")
+        chosen_from = getattr(self.supervisor, "n_controller", 1)
+        if chosen_from != 1 + len(self.others):
+            raise ParameterError(
+                "others", f"{len(self.others)} of them", f"{chosen_from - 1}, as the supervisor chooses from {chosen_from}"
+            )
         uses = any(port.name == "velocity" for port in self.controller.inputs) or self.observer is not None
         if self.predictor is not None and uses and isinstance(self.velocity, TrueVelocity):
             wanted = (
@@ -297,11 +338,13 @@ def parameter_names(machine: Machine, controller: Controller) -> dict[str, Any]:
             found.update({f"{prefix}.{name}": (part, name) for name in part.numeric()})
 
     for axis in machine.axes:
-        for slot in ("plant", "friction", "drive", "sensor", "disturbance"):
+        for slot in AXIS_SLOTS:
             collect(f"axes.{axis.name}.{slot}", getattr(axis, slot))
         mine = controller.axes[axis.name]
         for slot in CONTROLLER_SLOTS:
             collect(f"controller.axes.{axis.name}.{slot}", getattr(mine, slot))
+        for label, part in mine.others:
+            collect(f"controller.axes.{axis.name}.others.{label}", part)
     collect("controller.estimator", controller.estimator)
     collect("controller.coupling", controller.coupling)
     return found

@@ -5,9 +5,10 @@ from __future__ import annotations
 from functools import cache
 from typing import Any
 
+from contourlab.engine.schedule import Node
 from contourlab.engine.step import Port, Step
 
-__all__ = ["sum_step"]
+__all__ = ["constant_node", "sum_step"]
 
 
 @cache
@@ -21,3 +22,15 @@ def _total(par: Any, x: Any, inp: Any, clock: Any) -> Any:
     for i in range(1, len(inp.terms)):
         total = total + inp.terms[i]
     return (), (total,)
+
+
+def constant_node(name: str) -> Node:
+    """Return a node whose one output ``value`` is zero."""
+    return Node(name, _ZERO, {})
+
+
+def _nothing(par: Any, x: Any, inp: Any, clock: Any) -> Any:
+    return (), (0.0,)
+
+
+_ZERO = Step("zero", _nothing, (), (), "", (), (), (Port("value"),))

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 import os
 from collections.abc import Callable, Iterator, Sequence
+from itertools import pairwise
 from typing import Any, Literal
 
 import numpy as np
@@ -16,6 +17,7 @@ from contourlab.feed import Reference, ReferenceBlock
 from contourlab.geometry.view import PathView
 from contourlab.loop.feeding import Feed, Learned
 from contourlab.loop.machine import Controller, Machine
+from contourlab.loop.reconfigure import Change, prepared, taken_over
 from contourlab.loop.template import Loop, build
 from contourlab.loop.tool import ToolPosition
 from contourlab.loop.watch import watched
@@ -44,6 +46,18 @@ UNITS = {
     "coupling_command": "command",
     "disturbance_estimate": "command",
     "contour_error_estimate": "m",
+    "motor_position": "m",
+    "motor_velocity": "m/s",
+    "gap_state": "",
+    "shaft_force": "N",
+    "active_controller": "",
+    "switch_reason": "",
+    "gap_estimate": "m",
+    "gap_deviation": "m",
+    "gap_state_estimate": "",
+    "gap_confidence": "",
+    "load_position_estimate": "m",
+    "load_velocity_estimate": "m/s",
 }
 """Unit of each signal; "command" stands for the unit of the plants' commands."""
 
@@ -76,6 +90,8 @@ def simulate(
     progress: Callable[[int], None] | None = None,
     learned: Learned | None = None,
     trial: int = 0,
+    moving: bool = False,
+    changes: Sequence[Change] = (),
 ) -> Result:
     """Run a machine along a reference and return every signal.
 
@@ -103,6 +119,10 @@ def simulate(
         What earlier trials have taught, sample by sample.
     trial : int
         Number of the trial: what does not repeat differs from one to the next.
+    moving : bool
+        Whether the axes have the velocity of the reference at the first sample, in place of rest: a steady motion without its run-in.
+    changes : sequence of Change
+        Controllers that take over while it runs.
 
     Returns
     -------
@@ -118,10 +138,11 @@ def simulate(
     status = Status(ok=True)
     done = 0
     given: dict[str, Any] = {"seed": seed, "jit": jit, "view": view, "signals": signals, "learned": learned, "trial": trial}
+    given |= {"moving": moving, "changes": changes}
     for block, now in simulate_blocks(machine, controller, reference, **given):
         blocks.append(block)
         status = now
-        done = min(done + BLOCK, reference.n_sample)
+        done += len(next(iter(block.values())))
         if progress is not None:
             progress(done)
     if not status.ok and on_failure == "raise":
@@ -179,21 +200,29 @@ def simulate_blocks(
     block: int = BLOCK,
     learned: Learned | None = None,
     trial: int = 0,
+    moving: bool = False,
+    changes: Sequence[Change] = (),
 ) -> Iterator[tuple[dict[str, Array], Status]]:
     """Run block by block, so that memory does not grow with the run; yields signals and the status so far.
 
-    The last block ends with the sample of a failure. Arguments as of `simulate`; `block` is the number of samples of a block.
+    The last block ends with the sample of a failure; one also ends where a controller takes over. Arguments as of `simulate`; `block` is
+    the number of samples of a block.
     """
     compiled = jit_enabled() if jit is None else jit
     feed = Feed(machine, controller, reference, learned, sampler(compiled))
     first, _ = feed.block(0, min(block, reference.n_sample))
     start_at: dict[str, Any] = {"start": first.position[0], "progress": float(first.arc_length[0])}
-    loop = build(machine, controller, reference.path, **start_at, view=view, seed=seed, trial=trial, fed=feed.names)
+    start_at["velocity"] = first.velocity[0] if moving else None
+    given: dict[str, Any] = {"view": view, "seed": seed, "trial": trial, "fed": feed.names}
+    loop = build(machine, controller, reference.path, **start_at, **given)
     group = make_group(loop.schedule, 1, slice(0, 1), compiled)
+    due = prepared(changes, machine, reference, given, compiled)
     tool = ToolPosition(machine, seed, trial)
-    wanted = _wanted(loop, signals)
-    for start in range(0, reference.n_sample, block):
-        asked, fed = feed.block(start, min(start + block, reference.n_sample))
+    wanted = _wanted([loop, *(one.loop for one in due)], signals)
+    for start, stop in _spans(reference.n_sample, block, [one.sample for one in due]):
+        if due and due[0].sample == start:
+            loop, group = taken_over(due.pop(0), machine, reference, given, group, compiled)
+        asked, fed = feed.block(start, stop)
         saved = group.snapshot()
         found = _run(group, loop, asked, fed, wanted)
         status = watched(group, machine)
@@ -208,11 +237,20 @@ def simulate_blocks(
             return
 
 
+def _spans(n_sample: int, block: int, ends: Sequence[int]) -> Iterator[tuple[int, int]]:
+    """Yield the first sample of each block and that after its last; a block also ends at each of `ends`."""
+    edges = sorted({*range(0, n_sample, block), *(end for end in ends if end < n_sample), n_sample})
+    yield from pairwise(edges)
+
+
+_SUPERVISED = ("active_controller", "switch_reason")
 _GIVEN = {"reference": 0, "reference_velocity": 1, "reference_acceleration": 2, "arc_length": 3, "feedrate": 4}
 
 
-def _wanted(loop: Loop, signals: Sequence[str] | None) -> frozenset[str]:
-    known = {*_GIVEN, *loop.signals, "tool_position"}
+def _wanted(loops: Sequence[Loop], signals: Sequence[str] | None) -> frozenset[str]:
+    """Return the signals to keep, out of those that every controller has, and what supervisors do, if any controller has one."""
+    known = {*_GIVEN, "tool_position", *frozenset.intersection(*(frozenset(loop.signals) for loop in loops))}
+    known |= {name for loop in loops for name in loop.signals if name in _SUPERVISED}
     for name in signals or ():
         if name not in known:
             raise ParameterError("signals", repr(name), "one of " + ", ".join(sorted(known)))
@@ -234,7 +272,8 @@ def _run(group: Group, loop: Loop, asked: ReferenceBlock, fed: Array, wanted: fr
         even = columns == list(range(columns[0], columns[0] + step * len(columns), step)) if step > 0 else False
         part = log[:, columns[0] : columns[-1] + 1 : step] if even else log[:, columns]
         found[name] = part[:, 0] if name == "contour_error_estimate" else part
-    return found
+    # Without a supervisor the only controller is active, number 0.
+    return found | {name: np.zeros_like(asked.position) for name in _SUPERVISED if name in wanted and name not in found}
 
 
 def _first_non_finite(group: Group, saved: Any, fed: Array, start: int) -> Status:

@@ -6,9 +6,11 @@ At each tick, for every axis,
    passed; the **velocity** is worked out from what it says;
 2. the **estimator** sees all axes as measured and the path, the **coupling** turns its contour error into a modified reference, or into a
    correction of the commands;
-3. the **observer** estimates what disturbs the axis, from its velocity and the command that reached it (one tick late);
-4. the **feedforward** acts on the reference, the **controller** computes a command, which takes in the correction and what earlier trials
-   have taught; the **drive** delays and limits it;
+3. the **observer** estimates what disturbs the axis, from its velocity and the command that reached it (one tick late), the **gap
+   observer** where the motor stands in its backlash;
+4. the **feedforward** and the **compensation** of backlash act on the reference, the **controller** computes a command, which takes in the
+   correction and what earlier trials have taught; where there are several, a **supervisor** says which is active; the **drive** delays and
+   limits the command;
 
 signals are recorded here, and then
 
@@ -21,25 +23,24 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
-from functools import cache
-from types import SimpleNamespace
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from contourlab.components.contract import Component
-from contourlab.components.mechanics import link
-from contourlab.components.sensor.ideal import IdealSensor
-from contourlab.components.velocity.true import TrueVelocity
 from contourlab.engine.schedule import Late, Node, Schedule
-from contourlab.engine.step import Port, Step
+from contourlab.engine.step import Port
 from contourlab.errors import ParameterError
 from contourlab.geometry import Path
 from contourlab.geometry.view import PathView, view_of
-from contourlab.loop.feeding import AHEAD, LEARNED_COMMAND, LEARNED_REFERENCE
-from contourlab.loop.machine import Axis, Controller, Machine
+from contourlab.loop.feeding import AHEAD, LEARNED_COMMAND, LEARNED_REFERENCE, SOURCE_LINE
+from contourlab.loop.machine import Controller, Machine
 from contourlab.loop.mixing import sum_step
+from contourlab.loop.mounting import add_plants
+from contourlab.loop.recorded import recorded
+from contourlab.loop.sensing import Sensing
+from contourlab.loop.supervision import handover_parameters, handover_step
 from contourlab.loop.tool import stream_of
 from contourlab.loop.watch import watch_node
 
@@ -60,7 +61,9 @@ class Loop:
 EXTERNALS = ("reference", "reference_velocity", "reference_acceleration")
 
 
-class _Builder:
+class Builder:
+    """Collects the nodes of a machine under its controller, in the order of a tick; arguments as of `build`."""
+
     def __init__(
         self,
         machine: Machine,
@@ -72,6 +75,8 @@ class _Builder:
         seed: int,
         trial: int,
         fed: frozenset[str],
+        velocity: Array | None = None,
+        handover_time: float | None = None,
     ) -> None:
         missing = [name for name in machine.axis_names if name not in controller.axes]
         if missing:
@@ -92,10 +97,13 @@ class _Builder:
             )
         self.machine, self.controller, self.path = machine, controller, path
         self.start, self.progress, self.overrides = start, progress, overrides
+        self.handover_time = handover_time
+        self.speed = np.zeros(len(machine.axes)) if velocity is None else velocity
         self.seed, self.trial, self.fed = seed, trial, fed
         self.period = machine.servo_period
         self.nodes: list[Node] = []
         self.names = machine.axis_names
+        self.sensing: dict[str, Sensing] = {}
 
     # --- helpers -----------------------------------------------------------------------------------------------------------------
 
@@ -120,15 +128,6 @@ class _Builder:
 
     # --- slots -------------------------------------------------------------------------------------------------------------------
 
-    def measured(self, axis: str) -> Any:
-        """Return the wire of an axis' measured position."""
-        ideal = isinstance(self.machine.axis(axis).sensor, IdealSensor)
-        return Late(f"{axis}.plant.position") if ideal else f"{axis}.sensor.position"
-
-    def seen(self, axis: str) -> Any:
-        """Return the wire of the position that an axis' controller sees."""
-        return self.measured(axis) if self.controller.axes[axis].predictor is None else f"{axis}.predictor.position"
-
     def accepted(self, axis: str) -> Late:
         """Return the wire of the last command that the drive took, behind its limit and ahead of its delay."""
         late = any(port.name == "accepted" for port in self.machine.axis(axis).drive.outputs)
@@ -140,30 +139,15 @@ class _Builder:
             return part
         return part.replace(stream=stream_of(self.seed, axis, slot, *((self.trial,) if self.trial else ())))
 
-    def velocity(self, axis: str) -> Any:
-        """Return the wire of the velocity that an axis' controller sees."""
-        true = isinstance(self.controller.axes[axis].velocity, TrueVelocity)
-        return Late(f"{axis}.plant.velocity") if true else f"{axis}.velocity.velocity"
-
     def sense(self) -> None:
         for axis, at in zip(self.machine.axes, self.start, strict=True):
-            if not isinstance(axis.sensor, IdealSensor):
-                wires = {"position": Late(f"{axis.name}.plant.position")}
-                sensor = self.noisy(axis.sensor, axis.name, "sensor")
-                self.add(f"{axis.name}.sensor", sensor, f"axes.{axis.name}.sensor", wires, float(at))
-            mine, prefix = self.controller.axes[axis.name], f"controller.axes.{axis.name}"
-            if mine.predictor is not None:
-                wires = {"position": self.measured(axis.name), "applied": self.accepted(axis.name)}
-                self.add(f"{axis.name}.predictor", mine.predictor, f"{prefix}.predictor", wires, float(at))
-            if not isinstance(mine.velocity, TrueVelocity):
-                wires = {"position": self.seen(axis.name)}
-                self.add(f"{axis.name}.velocity", mine.velocity, f"{prefix}.velocity", wires, float(at))
+            self.sensing[axis.name] = Sensing(self, axis, float(at))
 
     def contour(self, view: PathView | None) -> None:
         estimator, coupling = self.controller.estimator, self.controller.coupling
         if estimator is None:
             return
-        positions = tuple(self.measured(name) for name in self.names)
+        positions = tuple(self.sensing[name].measured for name in self.names)
         seen = view or view_of(self.path)
         step = estimator.path_step(seen, len(self.names))  # type: ignore[attr-defined]
         parameters = {**estimator.block(self.period, self.changed("controller.estimator")), **seen.parameters}
@@ -172,7 +156,7 @@ class _Builder:
         if coupling is not None:
             offered = {"reference": "in.reference", "position": positions}
             offered |= {port.name: f"estimator.{port.name}" for port in step.outputs}
-            offered["command"] = tuple(Late(f"{name}.controller.command") for name in self.names)
+            offered["command"] = tuple(Late(self.command(name)) for name in self.names)
             offered["accepted"] = tuple(self.accepted(name) for name in self.names)
             self.add("coupling", coupling, "controller.coupling", {port.name: offered[port.name] for port in coupling.inputs})
 
@@ -181,34 +165,78 @@ class _Builder:
         coupling = self.controller.coupling
         return coupling is not None and any(port.name == output for port in coupling.outputs)
 
+    def command(self, axis: str) -> str:
+        """Return the signal of the command that goes to an axis' drive."""
+        handed = self.controller.axes[axis].supervisor is not None or self.handover_time is not None
+        return f"{axis}.{'handover' if handed else 'controller'}.command"
+
     def control(self) -> None:
         for j, (axis, at) in enumerate(zip(self.machine.axes, self.start, strict=True)):
             name, mine, prefix = axis.name, self.controller.axes[axis.name], f"controller.axes.{axis.name}"
-            applied = Late(f"{name}.drive.applied")
+            applied, seen = Late(f"{name}.drive.applied"), self.sensing[name]
             if mine.observer is not None:
                 # A predicted velocity is that of the commands ahead of their delay.
-                wires = {"velocity": self.velocity(name), "applied": applied if mine.predictor is None else self.accepted(name)}
+                wires = {"velocity": seen.velocity, "applied": applied if mine.predictor is None else self.accepted(name)}
                 self.add(f"{name}.observer", mine.observer, f"{prefix}.observer", wires)
-            asked = {signal: f"in.{signal}[{j}]" for signal in EXTERNALS}
-            if mine.feedforward is not None:
-                ahead = {**asked, AHEAD: f"in.{AHEAD}[{j}]"}
-                wires = {port.name: ahead[port.name] for port in mine.feedforward.inputs}
-                self.add(f"{name}.feedforward", mine.feedforward, f"{prefix}.feedforward", wires, float(at))
-            offered = {
-                **asked,
-                "reference": self.followed(name, j, float(at)),
-                "position": self.seen(name),
-                "velocity": self.velocity(name),
+            offered: dict[str, Any] = {signal: f"in.{signal}[{j}]" for signal in EXTERNALS}
+            offered |= {AHEAD: f"in.{AHEAD}[{j}]", "arc_length": "in.arc_length", "applied": applied, "accepted": self.accepted(name)}
+            offered[SOURCE_LINE] = f"in.{SOURCE_LINE}[{j}]"
+            for slot in ("gap_observer", "feedforward", "compensation"):
+                part = getattr(mine, slot)
+                if part is not None:
+                    self.add(f"{name}.{slot}", part, f"{prefix}.{slot}", self.wires_of(part, name, offered), float(at))
+            offered |= {
+                "reference": self.followed(name, j),
+                "position": seen.position,
+                "velocity": seen.velocity,
                 "disturbance_estimate": f"{name}.observer.disturbance_estimate" if mine.observer is not None else 0.0,
                 "feedforward": self.added(name, j),
-                "applied": applied,
-                "accepted": self.accepted(name),
             }
-            wires = {port.name: offered[port.name] for port in mine.controller.inputs}
-            self.add(f"{name}.controller", mine.controller, f"{prefix}.controller", wires, float(at))
-            self.add(f"{name}.drive", axis.drive, f"axes.{name}.drive", {"command": f"{name}.controller.command"})
+            self.decide(name, float(at), offered)
+            self.add(f"{name}.drive", axis.drive, f"axes.{name}.drive", {"command": self.command(name)})
 
-    def followed(self, name: str, j: int, at: float) -> Any:
+    def wires_of(self, part: Component, axis: str, offered: Mapping[str, Any]) -> dict[str, Any]:
+        """Return the wires of a part's inputs: what is offered, what is seen of both sides of the drive, what is observed of its gap."""
+        seen = self.sensing[axis]
+        found = {}
+        for port in part.inputs:
+            if port.name in offered:
+                found[port.name] = offered[port.name]
+            elif port.name.startswith(("motor_", "load_")):
+                found[port.name] = seen.both_sides(port.name)
+            else:
+                found[port.name] = seen.observed_gap(port.name)
+        return found
+
+    def decide(self, name: str, at: float, offered: Mapping[str, Any]) -> None:
+        """Add the controllers of an axis and, where there are several, their supervisor and the hand-over."""
+        mine, prefix = self.controller.axes[name], f"controller.axes.{name}"
+        if mine.supervisor is not None:
+            self.add(f"{name}.supervisor", mine.supervisor, f"{prefix}.supervisor", self.wires_of(mine.supervisor, name, offered), at)
+        for label, part in mine.controllers.items():
+            first = label == "controller"
+            node, key = (f"{name}.controller", "controller") if first else (f"{name}.other_{label}", f"others.{label}")
+            self.add(node, part, f"{prefix}.{key}", self.wires_of(part, name, offered), at)
+        if self.command(name) == f"{name}.handover.command":
+            self.hand_over(name)
+
+    def hand_over(self, name: str) -> None:
+        """Add the node that passes on the command of the active controller."""
+        mine = self.controller.axes[name]
+        commands = (f"{name}.controller.command", *(f"{name}.other_{label}.command" for label, _ in mine.others))
+        active: Any = 0.0
+        time: Any = self.handover_time
+        if mine.supervisor is not None:
+            active = f"{name}.supervisor.active"
+            changed = self.changed(f"controller.axes.{name}.supervisor")
+            time = changed.get("handover_time", mine.supervisor.values()["handover_time"])
+        wires = {"commands": commands, "active": active, "accepted": self.accepted(name)}
+        # One that takes over from another loop finds a controller active that is none of its own.
+        before = {} if self.handover_time is None else {"active": -1.0}
+        parameters = handover_parameters(time, self.period)
+        self.nodes.append(Node(f"{name}.handover", handover_step(len(commands)), wires, parameters, initial=before))
+
+    def followed(self, name: str, j: int) -> Any:
         """Return the wire of the position that an axis' controller is asked for."""
         terms = [f"coupling.modified_reference[{j}]" if self.coupled("modified_reference") else f"in.reference[{j}]"]
         terms += self.fed_forward(name, "reference_shift")
@@ -222,18 +250,19 @@ class _Builder:
         terms += self.fed_forward(name, "command")
         if LEARNED_COMMAND in self.fed:
             terms.append(f"in.{LEARNED_COMMAND}[{j}]")
-        controller = self.controller.axes[name].controller
-        if terms and not any(port.name == "feedforward" for port in controller.inputs):
-            raise ParameterError(
-                f"controller.axes.{name}.controller",
-                f'"{controller.kind}"',
-                "one with a port feedforward: cross-coupling, learning and feedforward add to its command",
-            )
+        for label, controller in self.controller.axes[name].controllers.items() if terms else ():
+            if not any(port.name == "feedforward" for port in controller.inputs):
+                raise ParameterError(
+                    f"controller.axes.{name}.{label}",
+                    f'"{controller.kind}"',
+                    "one with a port feedforward: cross-coupling, learning, feedforward and compensation add to its command",
+                )
         return self.sum_of(f"{name}.added", terms) if terms else 0.0
 
     def fed_forward(self, name: str, output: str) -> list[str]:
-        part = self.controller.axes[name].feedforward
-        return [f"{name}.feedforward.{output}"] if part is not None and any(port.name == output for port in part.outputs) else []
+        mine = self.controller.axes[name]
+        parts = {"feedforward": mine.feedforward, "compensation": mine.compensation}
+        return [f"{name}.{slot}.{output}" for slot, part in parts.items() if part is not None and _gives(part, output)]
 
     def sum_of(self, node: str, terms: list[str]) -> str:
         """Return the wire of a sum; of a single term it is that term's own."""
@@ -242,74 +271,9 @@ class _Builder:
         self.nodes.append(Node(node, sum_step(len(terms)), {"terms": tuple(terms)}))
         return f"{node}.total"
 
-    def move(self) -> None:
-        for axis, at in zip(self.machine.axes, self.start, strict=True):
-            name, prefix = axis.name, f"axes.{axis.name}"
-            load: Any = 0.0
-            if axis.disturbance is not None:
-                wires = {"position": Late(f"{name}.plant.position")}
-                self.add(f"{name}.disturbance", self.noisy(axis.disturbance, name, "disturbance"), f"{prefix}.disturbance", wires)
-                load = f"{name}.disturbance.force"
-            # Two modules that move along each other push on each other with the mass that the upper one moves.
-            partners = {a.name: a.alignment * self.moved_mass(a) for a in self.machine.axes if a.mounted_on == name and a.alignment}
-            if axis.mounted_on and axis.alignment:
-                partners[axis.mounted_on] = axis.alignment * self.moved_mass(axis)
-            if partners:
-                load = self.reaction(name, load, partners)
-            values = self.carrying(axis) | axis.friction.block(self.period, self.changed(f"{prefix}.friction"))
-            initial, start = axis.plant.at_rest(float(at))
-            pushed: dict[str, Any] = {"command": f"{name}.drive.applied", "load": load}
-            step = link(axis.plant, axis.friction)
-            self.nodes.append(Node(f"{name}.plant", step, pushed, values, {}, initial, start, repeat=axis.substeps))
 
-    def carrying(self, axis: Axis) -> dict[str, Any]:
-        """Return the parameters of an axis' plant, with the modules that stand on it."""
-        changed, carried = self.changed(f"axes.{axis.name}.plant"), self.machine.carried_mass(axis.name)
-        if carried:
-            own = np.asarray(axis.plant.values()["carried_mass"])
-            changed["carried_mass"] = changed.get("carried_mass", own) + carried
-        return axis.plant.block(self.period / axis.substeps, changed)
-
-    def moved_mass(self, axis: Axis) -> Any:
-        """Return the mass [kg] that an axis moves in a straight line: a number, or one for each variant."""
-        return type(axis.plant).moved_mass(SimpleNamespace(**self.carrying(axis)))
-
-    def reaction(self, name: str, load: Any, partners: Mapping[str, Any]) -> str:
-        """Add the node that sums what acts on an axis: its disturbance, and the inertia of those that move along it."""
-        step = _reaction_step(tuple(partners))
-        forces: dict[str, Any] = {f"acceleration_{other}": Late(f"{other}.plant.acceleration") for other in partners}
-        self.nodes.append(Node(f"{name}.load", step, {"load": load, **forces}, {f"mass_{other}": mass for other, mass in partners.items()}))
-        return f"{name}.load.force"
-
-    def signals(self) -> dict[str, tuple[str, ...]]:
-        def plain(wire: Any) -> str:
-            return str(wire.signal if isinstance(wire, Late) else wire)
-
-        found = {
-            "position": tuple(plain(self.measured(name)) for name in self.names),
-            "axis_position": tuple(f"{name}.plant.position" for name in self.names),
-            "axis_velocity": tuple(f"{name}.plant.velocity" for name in self.names),
-            "velocity": tuple(plain(self.velocity(name)) for name in self.names),
-            "command": tuple(f"{name}.controller.command" for name in self.names),
-            "applied_command": tuple(f"{name}.drive.applied" for name in self.names),
-        }
-        if all(self.controller.axes[name].observer is not None for name in self.names):
-            found["disturbance_estimate"] = tuple(f"{name}.observer.disturbance_estimate" for name in self.names)
-        if self.controller.estimator is not None:
-            found["contour_error_estimate"] = ("estimator.contour_error_estimate",)
-        for output, signal in (("modified_reference", "modified_reference"), ("correction", "coupling_command")):
-            if self.coupled(output):
-                found[signal] = tuple(f"coupling.{output}[{j}]" for j in range(len(self.names)))
-        return found
-
-
-@cache
-def _reaction_step(partners: tuple[str, ...]) -> Step:
-    ports = (Port("load"), *(Port(f"acceleration_{name}") for name in partners))
-    terms = "".join(f" - par.mass_{name} * inp.acceleration_{name}" for name in partners)
-    scope: dict[str, Any] = {"__name__": __name__}
-    exec(f"def step(par, x, inp, clock):\n    return (), (inp.load{terms},)\n", scope)
-    return Step("load", scope["step"], tuple(f"mass_{name}" for name in partners), (), "", (), ports, (Port("force"),))
+def _gives(part: Component, output: str) -> bool:
+    return any(port.name == output for port in part.outputs)
 
 
 def build(
@@ -324,6 +288,8 @@ def build(
     seed: int = 0,
     trial: int = 0,
     fed: tuple[str, ...] = (),
+    velocity: Array | None = None,
+    handover_time: float | None = None,
 ) -> Loop:
     """Return the schedule of a machine under its controller.
 
@@ -334,7 +300,7 @@ def build(
     path : Path
         What the estimator sees.
     start : ndarray (n_axis,) [m]
-        Where the axes stand at the first tick, at rest.
+        Where the axes stand at the first tick.
     progress : float [m]
         Arc length of the reference at the first tick.
     overrides : mapping of str to ndarray (n_variant,)
@@ -347,14 +313,19 @@ def build(
         Of all noise: each trial has its own.
     fed : tuple of str
         What is fed besides the reference, a row per axis: see `contourlab.loop.feeding`.
+    velocity : ndarray (n_axis,) [m/s], optional
+        Of the axes at the first tick, in place of rest; what controllers remember is that of rest all the same.
+    handover_time : float [s], optional
+        The controller takes over at the first tick from another one: the jump of each command decays with this time constant.
     """
-    builder = _Builder(machine, controller, path, start, progress, overrides or {}, seed, trial, frozenset(fed))
+    builder = Builder(machine, controller, path, start, progress, overrides or {}, seed, trial, frozenset(fed), velocity, handover_time)
     builder.sense()
     builder.contour(view)
     builder.control()
-    builder.nodes += (*extra, watch_node(machine))
+    signals = recorded(builder)
+    builder.nodes += (*extra, watch_node(machine, tuple(map(builder.command, machine.axis_names))))
     record_point = len(builder.nodes)
-    builder.move()
+    add_plants(builder)
     n = len(builder.names)
     externals = (*(Port(name, n) for name in EXTERNALS), Port("arc_length"), Port("feedrate"), *(Port(name, n) for name in fed))
-    return Loop(Schedule(tuple(builder.nodes), externals, machine.servo_period, record_point), builder.signals())
+    return Loop(Schedule(tuple(builder.nodes), externals, machine.servo_period, record_point), signals)

@@ -16,13 +16,12 @@ from numpy.typing import NDArray
 from contourlab.components.contract import Component
 from contourlab.components.drive.saturation import Saturation
 from contourlab.components.sensor.ideal import IdealSensor
-from contourlab.components.velocity.true import TrueVelocity
 from contourlab.engine.runner import Group, make_group
-from contourlab.engine.schedule import Schedule
+from contourlab.engine.schedule import Late, Schedule
 from contourlab.feed import Reference
 from contourlab.geometry.view import PathView, view_of
 from contourlab.loop.feeding import LEARNED_COMMAND, LEARNED_REFERENCE, Feed, Learned
-from contourlab.loop.machine import Controller, Machine
+from contourlab.loop.machine import AxisController, Controller, Machine
 from contourlab.loop.simulate import BLOCK, jit_enabled, sampler
 from contourlab.loop.template import Loop, build
 from contourlab.loop.tool import ToolPosition
@@ -254,28 +253,35 @@ def _excess(command: Array, limit: Array) -> Array:
     return np.where(held, np.copysign(np.maximum(beyond, np.finfo(float).tiny), command), 0.0)
 
 
+def _undisturbed(mine: AxisController) -> AxisController:
+    """Return an axis' controller without what answers to errors besides its own law."""
+    bare: dict[str, Any] = dict.fromkeys(("observer", "predictor", "gap_observer", "compensation", "supervisor"))
+    return replace(mine, controller=mine.controller.linear(), others=(), **bare)
+
+
+def _followed(wire: Any, names: tuple[str, ...]) -> Any:
+    """Return the reference's wire in place of one from a plant, as if the plant followed without error."""
+    axis, _, signal = (wire.signal if isinstance(wire, Late) else "").partition(".plant.")
+    what = {"position": "reference", "velocity": "reference_velocity"}.get(signal.removeprefix("motor_"))
+    return wire if what is None else f"in.{what}[{names.index(axis)}]"
+
+
 def feedforward_command(machine: Machine, controller: Controller, reference: Reference, *, jit: bool | None = None) -> Array:
     """Return what the controllers give on a machine without any error: feedforward of the reference (n_sample, n_axis) [command unit].
 
-    The nodes of feedforward, velocity and control run with the reference in place of the measured position, without observer and coupling.
+    The nodes of feedforward, velocity and control run with the reference in place of all that is measured, without observers, coupling and
+    compensation; under a supervisor it is the first controller, without the gap it may know of.
     """
     compiled = jit_enabled() if jit is None else jit
     feed = Feed(machine, controller, reference, None, sampler(compiled))
-    alone = Controller({name: replace(controller.axes[name], observer=None, predictor=None) for name in machine.axis_names})
-    plain = replace(machine, axes=tuple(replace(axis, drive=Saturation(), sensor=IdealSensor()) for axis in machine.axes))
+    alone = Controller({name: _undisturbed(controller.axes[name]) for name in machine.axis_names})
+    ideal: dict[str, Any] = {"drive": Saturation(), "sensor": IdealSensor(), "motor_sensor": IdealSensor()}
+    plain = replace(machine, axes=tuple(replace(axis, **ideal) for axis in machine.axes))
     first, _ = feed.block(0, min(BLOCK, reference.n_sample))
     loop = build(plain, alone, reference.path, first.position[0], float(first.arc_length[0]), fed=feed.names)
     nodes = []
     for node in loop.schedule.nodes[: loop.schedule.record_point - 1]:
-        axis, _, slot = node.name.partition(".")
-        given: dict[str, Any] = {}
-        if slot in ("velocity", "controller"):
-            j = machine.axis_names.index(axis)
-            given["position"] = f"in.reference[{j}]"
-            if slot == "controller" and isinstance(controller.axes[axis].velocity, TrueVelocity):
-                given["velocity"] = f"in.reference_velocity[{j}]"
-        wires = {**node.wires, **{port: wire for port, wire in given.items() if port in node.wires}}
-        nodes.append(replace(node, wires=wires))
+        nodes.append(replace(node, wires={port: _followed(wire, machine.axis_names) for port, wire in node.wires.items()}))
     schedule = Schedule(tuple(nodes), loop.schedule.externals, machine.servo_period, len(nodes))
     group = make_group(schedule, 1, slice(0, 1), compiled)
     rows = [schedule.row(signal) for signal in loop.signals["command"]]

@@ -39,12 +39,12 @@ def _step(n_axis: int) -> Step:
     return Step(NAME, scope["step"], tuple(f"limit_{i}" for i in range(n_axis)), (), "", _STATES, inputs, ())
 
 
-def watch_node(machine: Machine) -> Node:
-    """Return the node that watches a machine; it stands behind the drives."""
+def watch_node(machine: Machine, commands: tuple[str, ...]) -> Node:
+    """Return the node that watches a machine and the commands of its axes; it stands behind the drives."""
     wires: dict[str, Any] = {
         "reference": "in.reference",
         "position": tuple(Late(f"{name}.plant.position") for name in machine.axis_names),
-        "command": tuple(f"{name}.controller.command" for name in machine.axis_names),
+        "command": commands,
     }
     limits = {f"limit_{i}": axis.limits.following_error for i, axis in enumerate(machine.axes)}
     return Node(NAME, _step(len(machine.axes)), wires, limits, initial={"first": -1.0, "axis": -1.0})

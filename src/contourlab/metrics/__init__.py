@@ -1,5 +1,6 @@
 """Metrics: the judge of a run, from positions and the path alone; it knows no controller."""
 
+from contourlab.metrics.circle_backlash import CircleBacklash, QuadrantStep, backlash_from_circle, backlash_of_runs
 from contourlab.metrics.circles import (
     Bidirectional,
     CircleFigures,
@@ -10,22 +11,35 @@ from contourlab.metrics.circles import (
 )
 from contourlab.metrics.figures import AxisFigures, ErrorFigures, Metrics, Place, evaluation_window, summarise
 from contourlab.metrics.judge import judge
-from contourlab.metrics.reversals import Spike, reversal_spikes
+from contourlab.metrics.lost_motion import LostMotion, lost_motion_from_pair
+from contourlab.metrics.positioning import ReversalTest, bidirectional_positioning, reversal_test
+from contourlab.metrics.reversals import ReversalFigures, Spike, reversal_figures, reversal_spikes
 
 __all__ = [
     "AxisFigures",
     "Bidirectional",
+    "CircleBacklash",
     "CircleFigures",
     "ErrorFigures",
+    "LostMotion",
     "Metrics",
     "Place",
+    "QuadrantStep",
+    "ReversalFigures",
+    "ReversalTest",
     "Spike",
+    "backlash_from_circle",
+    "backlash_of_runs",
     "bidirectional",
+    "bidirectional_positioning",
     "circle_figures",
     "circles_of",
     "evaluation_window",
     "judge",
+    "lost_motion_from_pair",
     "minimum_zone",
+    "reversal_figures",
     "reversal_spikes",
+    "reversal_test",
     "summarise",
 ]

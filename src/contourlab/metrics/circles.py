@@ -14,7 +14,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -59,6 +59,8 @@ class CircleFigures:
         F_max and F_min.
     mean_radial : float [m]
         Mean deviation of the run.
+    samples : ndarray of int
+        Of the result, one for each angle; empty where they are not known.
     """
 
     name: str
@@ -71,6 +73,7 @@ class CircleFigures:
     radial_max: float
     radial_min: float
     mean_radial: float
+    samples: NDArray[np.int64] = field(default_factory=lambda: np.zeros(0, dtype=np.int64))
 
     def figures(self) -> dict[str, float]:
         """Return the figures by their names in the standard [m]."""
@@ -238,7 +241,7 @@ def _run_of(result: Result, samples: NDArray[np.int64], curve: Arc, n_axis: int)
     middle = [round(1e3 * float(curve.centre[i]), 6) for i in main]
     place = f" at ({middle[0]:.6g}, {middle[1]:.6g}) mm" if any(middle) else ""
     name = f"{plane}, radius {curve.radius * 1e3:.6g} mm{place}"
-    return circle_figures(flat, np.zeros(2), curve.radius, turn < 0.0, name)
+    return replace(circle_figures(flat, np.zeros(2), curve.radius, turn < 0.0, name), samples=samples)
 
 
 def pairs(runs: Sequence[CircleFigures]) -> dict[str, Bidirectional]:

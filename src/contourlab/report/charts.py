@@ -71,6 +71,8 @@ class Panel:
         None lets the drawing choose.
     far : bool
         Whether the levels are so far from the curves that the range leaves them out.
+    y_ticks : tuple of (value, text)
+        In place of numbers on the y axis.
     """
 
     x_label: str
@@ -84,16 +86,29 @@ class Panel:
     log_y: bool = False
     y_range: tuple[float, float] | None = None
     far: bool = False
+    y_ticks: tuple[tuple[float, str], ...] = ()
 
 
 @dataclass(frozen=True, eq=False)
 class Chart:
-    """Panels under one another with one x axis."""
+    """Panels under one another with one x axis.
+
+    Parameters
+    ----------
+    key, title, caption : str
+    panels : tuple of Panel
+    panel_height : int [px]
+        Of each; 0 for the usual one.
+    loops : bool
+        Whether curves go back and forth: values are told by the nearest point, and the ends are kept clear of the frame.
+    """
 
     key: str
     title: str
     caption: str
     panels: tuple[Panel, ...]
+    panel_height: int = 0
+    loops: bool = False
 
 
 @dataclass(frozen=True, eq=False)
@@ -109,6 +124,8 @@ class PolarChart:
     reach : (low, high) [um]
         Deviation at the centre and at the rim.
     radius : float [m]
+    marks : tuple of Curve
+        Points to mark, as curves: reversal spikes.
     """
 
     key: str
@@ -118,6 +135,7 @@ class PolarChart:
     division: float
     reach: tuple[float, float]
     radius: float
+    marks: tuple[Curve, ...] = ()
 
     def rings(self) -> list[tuple[float, str]]:
         """Return each ring [um] with its text; every second one is numbered, those in the middle are not."""

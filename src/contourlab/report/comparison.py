@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 
-from contourlab.report.data import ReportData, SchemeReport
+from contourlab.report.data import FrequencyResponse, ReportData, SchemeReport
 from contourlab.report.figures import Figure, figures_of
 from contourlab.report.style import scheme_style
 from contourlab.report.text import nominal, number
@@ -109,7 +109,7 @@ def _verdict_row(data: ReportData) -> list[Row]:
 
 def _loop_row(data: ReportData) -> list[Row]:
     """Say which loops are unstable; nothing where none is."""
-    shaky = [", ".join(axis for axis, answer in scheme.bode.items() if not answer.stable) for scheme in data.schemes]
+    shaky = [", ".join(_loop_name(axis, answer) for axis, answer in scheme.bode.items() if not answer.stable) for scheme in data.schemes]
     if not any(shaky):
         return []
     cells = (
@@ -117,6 +117,11 @@ def _loop_row(data: ReportData) -> list[Row]:
         for axes, scheme in zip(shaky, data.schemes, strict=True)
     )
     return [Row("servo loops", "", tuple(cells))]
+
+
+def _loop_name(axis: str, answer: FrequencyResponse) -> str:
+    """Return an axis, and which of its loops is meant where it has not just one linear one."""
+    return f"{axis} ({answer.meant})" if answer.meant else axis
 
 
 def _learning_row(data: ReportData) -> list[Row]:

@@ -17,6 +17,7 @@ from contourlab.result import Result
 
 if TYPE_CHECKING:
     from contourlab.analysis import LearningAnalysis
+    from contourlab.loop.switches import Switches
     from contourlab.report.feed_picture import FeedRun
     from contourlab.report.trials import TrialCourse
 
@@ -80,12 +81,15 @@ class FrequencyResponse:
         Figures to print beside it, for example ``{"bandwidth": "42 Hz", "phase margin": "61 deg"}``.
     stable : bool
         Whether the loop is stable.
+    meant : str
+        Which loop it is, where the axis has not just one linear one: ``"in contact"``, say.
     """
 
     frequency: Array
     response: NDArray[np.complex128]
     notes: Mapping[str, str] = field(default_factory=dict)
     stable: bool = True
+    meant: str = ""
 
     def __post_init__(self) -> None:
         frequency = np.asarray(self.frequency, dtype=np.float64)
@@ -115,6 +119,8 @@ class CircleRun:
         Distance from the centre less the nominal radius.
     figures : mapping of str to float [m]
         By their names in ISO 230-4.
+    spikes : sequence of int
+        Points at which reversal spikes are highest, to be marked.
     """
 
     name: str
@@ -123,6 +129,7 @@ class CircleRun:
     angle: Array
     deviation: Array
     figures: Mapping[str, float] = field(default_factory=dict)
+    spikes: Sequence[int] = ()
 
     def __post_init__(self) -> None:
         angle, deviation = np.asarray(self.angle, dtype=np.float64), np.asarray(self.deviation, dtype=np.float64)
@@ -185,6 +192,10 @@ class SchemeReport:
         What an analysis said of its learning beforehand.
     tick : float or None [s]
         What a tick of the servo loop costs, where it was measured.
+    switches : Switches or None
+        From one controller of an axis to another.
+    gaps : mapping of str to (ndarray (n,), ndarray (n,)) [m]
+        For each axis with a motor and a load: places of the load, and the free travel there.
     """
 
     name: str
@@ -200,6 +211,8 @@ class SchemeReport:
     trials: TrialCourse | None = None
     foretold: LearningAnalysis | None = None
     tick: float | None = None
+    switches: Switches | None = None
+    gaps: Mapping[str, tuple[Array, Array]] = field(default_factory=dict)
 
     @property
     def runs(self) -> tuple[CircleRun, ...]:

@@ -111,7 +111,7 @@ def polar_charts(data: ReportData, points: int) -> tuple[PolarChart, ...]:
 
 def _polar(data: ReportData, name: str, index: int, points: int) -> PolarChart:
     """Return the plot of one circle: all schemes, both directions."""
-    curves, radius, top = [], 0.0, 0.0
+    curves, marks, radius, top = [], [], 0.0, 0.0
     for place, scheme in enumerate(data.schemes):
         colour, _ = scheme_style(place, len(data.schemes))
         for run in (run for run in scheme.runs if run.name == name):
@@ -119,16 +119,20 @@ def _polar(data: ReportData, name: str, index: int, points: int) -> PolarChart:
             way, dash = ("clockwise", "dash") if run.clockwise else ("counter-clockwise", "solid")
             angle = np.degrees(np.unwrap(run.angle))[kept]
             curves.append(Curve(angle, run.deviation[kept] * UM, f"{scheme.name}, {way}", colour, dash))
+            at = np.asarray(run.spikes, dtype=np.int64)
+            if at.size:
+                marks.append(Curve(np.degrees(run.angle[at]), run.deviation[at] * UM, f"{scheme.name}, {way}", colour))
             radius, top = run.radius, max(top, reach(run.deviation) * UM)
-    division, span = _division(top)
+    division, span = division_of(top)
     caption = (
         f"Nominal radius {nominal(radius, 'mm', 1e3)}; one ring is {nominal(division, 'µm')} of radial deviation, "
         f"magnified {number(radius * 1e6 / (2.0 * span))} times. Solid counter-clockwise, dashed clockwise."
+        + (" Rings: the spikes where an axis turns, each at its highest." if marks else "")
     )
-    return PolarChart(f"circle-{index}", name, caption, tuple(curves), division, (-2.0 * span, span), radius)
+    return PolarChart(f"circle-{index}", name, caption, tuple(curves), division, (-2.0 * span, span), radius, tuple(marks))
 
 
-def _division(top: float) -> tuple[float, float]:
+def division_of(top: float) -> tuple[float, float]:
     """Return ring spacing and reach [um]: the deviations fill the outer part of the picture."""
     if top <= 0.0:
         return 1.0, 3.0

@@ -16,10 +16,13 @@ from contourlab.report.data import ReportData
 from contourlab.report.decimate import share
 from contourlab.report.error_pictures import circle_tables, error_charts, polar_charts
 from contourlab.report.feed_picture import feed_charts
+from contourlab.report.hysteresis_picture import FINER, hysteresis_charts
 from contourlab.report.limit_table import limit_tables
 from contourlab.report.path_picture import path_charts
 from contourlab.report.plotly_view import Figure, line_figure, path_figure, polar_figure
+from contourlab.report.reversal_table import reversal_table
 from contourlab.report.style import scheme_style
+from contourlab.report.switching import strip_charts, switch_tables
 from contourlab.report.text import nominal, number, quantity
 from contourlab.report.trials import trial_charts
 from contourlab.result.atomic import write_text_atomic
@@ -80,6 +83,8 @@ def render_html(data: ReportData) -> str:
             groups=groups,
             circle_tables=circle_tables(data),
             limit_tables=limit_tables(data),
+            reversals=reversal_table(data),
+            switch_tables=switch_tables(data),
             verdicts=[_verdict(scheme, index, len(data.schemes)) for index, scheme in enumerate(data.schemes)],
             program=_program(data),
             scenario=_clipped(data.provenance.scenario),
@@ -98,7 +103,8 @@ def _points(data: ReportData) -> int:
     n_view = 3 if n_axis > 2 else 1
     n_circle = sum(len(scheme.circles) for scheme in data.schemes)
     # A magnified run takes as much room as three plain curves.
-    n_curve = n_scheme * (2 + 4 * n_axis + 3 * n_view) + n_circle + 4 * n_axis + 8 * n_view
+    n_loop = FINER * sum(len(scheme.gaps) for scheme in data.schemes)
+    n_curve = n_scheme * (2 + 4 * n_axis + 3 * n_view) + n_circle + 4 * n_axis + 8 * n_view + n_loop
     return max(16, share(TOTAL_POINTS, n_curve, MOST_POINTS))
 
 
@@ -109,6 +115,8 @@ def _figures(data: ReportData, points: int) -> dict[str, list[dict[str, Any]]]:
         "circles": [_entry(chart, polar_figure(chart)) for chart in polar_charts(data, points)],
         "errors": [_entry(chart, line_figure(chart)) for chart in error_charts(data, points)],
         "axes": [_entry(chart, line_figure(chart)) for chart in (*feed_charts(data.feed), *axis_charts(data, points))],
+        "backlash": [_entry(chart, line_figure(chart)) for chart in hysteresis_charts(data, points)],
+        "switches": [_entry(chart, line_figure(chart)) for chart in strip_charts(data)],
         "trials": [_entry(chart, line_figure(chart)) for chart in trial_charts(data)],
         "bode": [_entry(chart, line_figure(chart)) for chart in bode_charts(data, points)],
     }

@@ -67,10 +67,12 @@ def _plain(text: str) -> str:
 def line_drawing(chart: Chart) -> Figure:
     """Return panels under one another with one x axis."""
     count = len(chart.panels)
-    figure = _figure(2.9 if count == 1 else 0.7 + 1.45 * count)
+    figure = _figure(0.9 + chart.panel_height / 130.0 * count if chart.panel_height else 2.9 if count == 1 else 0.7 + 1.45 * count)
     axes = figure.subplots(count, 1, sharex=True, squeeze=False)[:, 0]
     for place, panel in zip(axes, chart.panels, strict=True):
         _panel(place, panel)
+        if chart.loops:
+            place.margins(x=0.015)
     axes[0].set_title(_plain(chart.title), pad=6)
     axes[-1].set_xlabel(chart.panels[-1].x_label)
     figure.align_ylabels(list(axes))
@@ -85,7 +87,8 @@ def line_drawing(chart: Chart) -> Figure:
 def _panel(place: Axes, panel: Panel) -> None:
     """Draw one panel."""
     for curve in panel.curves:
-        place.plot(curve.x, curve.y, label=_plain(curve.name), **_look(curve))
+        # Bars end where they end; a line's own caps would reach beyond.
+        place.plot(curve.x, curve.y, label=_plain(curve.name), solid_capstyle="butt" if panel.y_ticks else "projecting", **_look(curve))
     if panel.log_x:
         place.set_xscale("log")
         if _decades(panel) < 2.0:
@@ -95,6 +98,8 @@ def _panel(place: Axes, panel: Panel) -> None:
     if panel.log_y:
         _logarithmic(place)
     place.set_ylabel(_plain(panel.y_label))
+    if panel.y_ticks:
+        place.set_yticks([value for value, _ in panel.y_ticks], [_plain(text) for _, text in panel.y_ticks])
     texts = []
     if panel.y_range is not None:
         place.set_ylim(*panel.y_range)
@@ -154,6 +159,8 @@ def polar_drawing(chart: PolarChart) -> Figure:
     place.spines["polar"].set_visible(True)
     for curve in chart.curves:
         place.plot(np.radians(curve.x), curve.y, label=_plain(curve.name), **_look(curve))
+    for mark in chart.marks:
+        place.plot(np.radians(mark.x), mark.y, "o", markersize=5, markerfacecolor="none", color=mark.colour)
     round_ = np.linspace(0.0, 2.0 * np.pi, 361)
     place.plot(round_, np.zeros_like(round_), color=INK, linewidth=0.9, label="nominal")
     low, high = chart.reach

@@ -97,8 +97,9 @@ TICKS = (("reversal", "triangle-up"), ("corner", "diamond"), ("first zero", "cir
 def line_figure(chart: Chart) -> Figure:
     """Return panels under one another; they zoom together along x."""
     count = len(chart.panels)
-    height = (330 if count == 1 else HEIGHT * count) + GAP * (count - 1) + TOP + BOTTOM
-    layout = _layout(height, shapes=[], annotations=[])
+    one_high = chart.panel_height or (330 if count == 1 else HEIGHT)
+    height = one_high * count + GAP * (count - 1) + TOP + BOTTOM
+    layout = _layout(height, shapes=[], annotations=[], hovermode="closest" if chart.loops else "x unified")
     inner = height - TOP - BOTTOM
     one = (inner - GAP * (count - 1)) / count / inner
     data: list[Figure] = []
@@ -113,7 +114,10 @@ def line_figure(chart: Chart) -> Figure:
         x_axis |= {} if panel.log_x else {"range": _x_span(chart)}
         layout[f"xaxis{tail}"] = x_axis
         layout[f"yaxis{tail}"] = _axis(panel.y_label, anchor=f"x{tail}", domain=[max(high - one, 0.0), high])
-        if panel.log_y:
+        if panel.y_ticks:
+            values = [value for value, _ in panel.y_ticks]
+            layout[f"yaxis{tail}"] |= {"tickvals": values, "ticktext": [_plain(text) for _, text in panel.y_ticks], "fixedrange": True}
+        elif panel.log_y:
             values = _decades(panel)
             layout[f"yaxis{tail}"] |= {"type": "log", "tickvals": values, "ticktext": [f"{value:g}" for value in values]}
         if panel.y_range is not None:
@@ -132,10 +136,11 @@ def _decades(panel: Panel) -> list[float]:
 
 
 def _x_span(chart: Chart) -> list[float]:
-    """Return where the curves begin and end: no room is left beside them."""
+    """Return where the curves begin and end: room is left only beside those that go back and forth."""
     curves = [curve.x for panel in chart.panels for curve in panel.curves if curve.x.size]
-    low, high = min(float(x[0]) for x in curves), max(float(x[-1]) for x in curves)
-    return [low, high if high > low else low + 1.0]
+    low, high = min(float(np.nanmin(x)) for x in curves), max(float(np.nanmax(x)) for x in curves)
+    room = 0.015 * (high - low) if chart.loops else 0.0
+    return [low - room, high + room if high > low else low + 1.0]
 
 
 def _panel_curves(panel: Panel, tail: str, seen: set[str]) -> list[Figure]:
@@ -145,6 +150,8 @@ def _panel_curves(panel: Panel, tail: str, seen: set[str]) -> list[Figure]:
     for curve in panel.curves:
         trace = _line(curve, x=packed(curve.x), y=packed(curve.y), xaxis=f"x{tail}", yaxis=f"y{tail}")
         trace |= {"showlegend": curve.name not in seen, "hovertemplate": f"%{{y:.4g}} {_plain(unit)}"}
+        if panel.y_ticks:  # the height of a bar says nothing
+            trace["hovertemplate"] = f"%{{x:.6g}}<extra>{_plain(curve.name)}</extra>"
         seen.add(curve.name)
         traces.append(trace)
     for kind, symbol in TICKS:
@@ -219,9 +226,14 @@ def polar_figure(chart: PolarChart) -> Figure:
     ]
     for trace in data:
         trace["hovertemplate"] = "%{r:.3g} µm at %{theta:.1f}°"
+    for mark in chart.marks:
+        points = {"r": packed(mark.y), "theta": packed(mark.x), "name": _plain(mark.name), "legendgroup": _plain(mark.name)}
+        ring = {"symbol": "circle-open", "size": 9, "color": mark.colour, "line": {"width": 1.6}}
+        told = "reversal spike, %{r:.3g} µm at %{theta:.1f}°"
+        data.append({"type": "scatterpolar", "mode": "markers", "marker": ring, **points, "hovertemplate": told, "showlegend": False})
     nominal = {"color": INK, "width": 1.1}
-    ring = {"type": "scatterpolar", "mode": "lines", "name": "nominal", "line": nominal, "hoverinfo": "skip"}
-    data.append({**ring, "theta": list(range(0, 361, 3)), "r": [0] * 121})
+    round_ = {"type": "scatterpolar", "mode": "lines", "name": "nominal", "line": nominal, "hoverinfo": "skip"}
+    data.append({**round_, "theta": list(range(0, 361, 3)), "r": [0] * 121})
     low, high = chart.reach
     rings, texts = zip(*chart.rings(), strict=True)
     look = {"gridcolor": GRID, "linecolor": "#b9c1c9", "tickfont": {"size": 11, "color": MUTED}}

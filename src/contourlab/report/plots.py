@@ -13,7 +13,9 @@ from contourlab.report.charts import Chart, PathChart, PolarChart
 from contourlab.report.data import ReportData
 from contourlab.report.error_pictures import error_charts, polar_charts
 from contourlab.report.feed_picture import feed_charts
+from contourlab.report.hysteresis_picture import hysteresis_charts
 from contourlab.report.path_picture import path_charts
+from contourlab.report.switching import strip_charts
 from contourlab.report.trials import trial_charts
 from contourlab.result.atomic import write_bytes_atomic
 
@@ -43,7 +45,8 @@ def write_plots(data: ReportData, folder: str | Path, formats: Sequence[str] = (
     Returns
     -------
     tuple of Path
-        The files: ``path-0``, ``circle-0``, ``error-time``, ``error-arc``, ``axis-0``, ``bode-0`` and so on.
+        The files: ``path-0``, ``circle-0``, ``error-time``, ``error-arc``, ``axis-0``, ``bode-0`` and so on; ``backlash-0`` where an axis
+        has backlash, ``active-time`` and ``active-arc`` where controllers are switched.
 
     Raises
     ------
@@ -57,12 +60,12 @@ def write_plots(data: ReportData, folder: str | Path, formats: Sequence[str] = (
     return _written(_drawings(data), folder, formats)
 
 
-def write_charts(charts: Sequence[Chart], folder: str | Path, formats: Sequence[str] = ("png",)) -> tuple[Path, ...]:
+def write_charts(charts: Sequence[Chart | PolarChart], folder: str | Path, formats: Sequence[str] = ("png",)) -> tuple[Path, ...]:
     """Write pictures that belong to no report, each as a file named by its key.
 
     Parameters
     ----------
-    charts : sequence of Chart
+    charts : sequence of Chart or PolarChart
     folder, formats
         As of `write_plots`, which says what may be raised, too.
     """
@@ -92,11 +95,11 @@ def _write(figure: Figure, file: Path, name: str) -> Path:
 
 def _drawings(data: ReportData) -> Iterator[tuple[str, Figure]]:
     """Yield each picture with its name, one at a time, so that only one is held."""
-    charts = (path_charts, polar_charts, error_charts, axis_charts, bode_charts)
+    charts = (path_charts, polar_charts, error_charts, axis_charts, hysteresis_charts, bode_charts)
     for make in charts:
         for chart in make(data, POINTS):
             yield chart.key, _draw(chart)
-    for chart in (*trial_charts(data), *feed_charts(data.feed)):
+    for chart in (*trial_charts(data), *feed_charts(data.feed), *strip_charts(data)):
         yield chart.key, _draw(chart)
 
 

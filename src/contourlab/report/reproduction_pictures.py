@@ -7,10 +7,11 @@ from collections.abc import Mapping, Sequence
 import numpy as np
 from numpy.typing import NDArray
 
-from contourlab.report.charts import Chart, Curve, Level, Panel
+from contourlab.report.charts import Chart, Curve, Level, Panel, PolarChart
+from contourlab.report.error_pictures import division_of
 from contourlab.report.style import REFERENCE, scheme_style
 
-__all__ = ["course_chart", "sweep_chart", "turn_chart"]
+__all__ = ["circle_chart", "course_chart", "sweep_chart", "traces_chart", "turn_chart"]
 
 Array = NDArray[np.float64]
 
@@ -38,3 +39,21 @@ def sweep_chart(key: str, title: str, label: str, values: Sequence[float], curve
     drawn = tuple(Curve(x, np.array(y), name, *scheme_style(i, max(count, 2))) for i, (name, y) in enumerate(curves.items()))
     level = Curve(x[[0, -1]], np.full(2, paper), f"paper: {paper:.3g}", REFERENCE, "dot")
     return Chart(key, title, "", (Panel(label, "ratio", (*drawn, level), log_x=True),))
+
+
+def traces_chart(key: str, title: str, labels: tuple[str, str], traces: Mapping[str, tuple[Array, Array]], level: float = 0.0) -> Chart:
+    """Return curves (x, y), each in the units of its label, on one pair of axes, with a level."""
+    count = len(traces)
+    curves = tuple(Curve(x, y, name, *scheme_style(i, count)) for i, (name, (x, y)) in enumerate(traces.items()))
+    return Chart(key, title, "", (Panel(*labels, curves, (Level(level, ""),)),))
+
+
+def circle_chart(key: str, title: str, radius: float, runs: Mapping[str, tuple[Array, Array]]) -> PolarChart:
+    """Return radial deviations [m] over the angle [rad] around a circle of a radius [m]."""
+    count, top = len(runs), max(float(np.abs(deviation).max()) for _, deviation in runs.values())
+    division, span = division_of(top * 1e6)
+    curves = tuple(
+        Curve(np.degrees(np.unwrap(angle)), deviation * 1e6, name, *scheme_style(i, count))
+        for i, (name, (angle, deviation)) in enumerate(runs.items())
+    )
+    return PolarChart(key, title, f"One ring is {division:g} µm of radial deviation.", curves, division, (-2.0 * span, span), radius)

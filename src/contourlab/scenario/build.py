@@ -11,6 +11,7 @@ import numpy as np
 
 from contourlab.components.contract import Component
 from contourlab.loop import Axis, AxisController, AxisError, Controller, Limits, Machine
+from contourlab.loop.machine import AXIS_SLOTS
 from contourlab.scenario.components import find_kind, located, read_component, read_values, read_wishes
 from contourlab.scenario.files import EVERY
 from contourlab.scenario.quantities import read_number
@@ -24,7 +25,7 @@ from contourlab.scenario.tables import (
     ZeroPhaseTable,
     read_table,
 )
-from contourlab.scenario.tree import DESIGNED, Leaf, Table, hint
+from contourlab.scenario.tree import DESIGNED, Leaf, Node, Table, hint
 
 __all__ = ["build_axis", "build_controller", "build_machine"]
 
@@ -41,9 +42,10 @@ def build_axis(table: Table, name: str) -> Axis:
     plant = read_component(table.entries["plant"], "plant", ("?", "?"))
     units = (plant.command_unit, plant.force_unit)
     parts: dict[str, Any] = {}
-    for slot in ("friction", "drive", "sensor", "disturbance"):
+    for slot in AXIS_SLOTS[1:]:
         if slot in table.entries:
-            parts[slot] = read_component(table.entries[slot], slot, units, optional=slot == "disturbance")
+            family = slot.removeprefix("motor_")
+            parts[slot] = read_component(table.entries[slot], family, units, optional=slot == "disturbance")
     return Axis(
         name=name,
         plant=plant,
@@ -169,16 +171,27 @@ def _axis_controller(table: Table, machine: Machine, name: str) -> AxisControlle
     axis = machine.axis(name)
     units = (axis.plant.command_unit, axis.plant.force_unit)
     parts: dict[str, Any] = {}
-    for slot in ("predictor", "velocity", "observer"):
+    for slot in ("predictor", "velocity", "observer", "gap_observer", "compensation", "supervisor"):
         if slot in table.entries:
             parts[slot] = read_component(table.entries[slot], slot, units, optional=slot != "velocity")
     model = _model(machine, axis, parts.get("observer"))
-    parts["controller"] = _position(table, units, model)
+    parts["controller"] = _position(table.entries["controller"], units, model)
     if "feedforward" in table.entries:
         parts["feedforward"] = _feedforward(table, units, parts, machine, axis)
+    parts["others"] = _others(table.table("others"), units, model)
     local = _local(plain.local, parts, table)
     with located(table):
-        return AxisController(local=local, **parts)
+        return AxisController(local=local, feedback=plain.feedback, velocity_feedback=plain.velocity_feedback, **parts)
+
+
+def _others(table: Table, units: tuple[str, str], model: _Model) -> tuple[tuple[str, Component], ...]:
+    """Return the controllers that a supervisor may make active besides the first, by name."""
+    found = []
+    for name, node in table.entries.items():
+        if not name.isidentifier() or name == "controller":
+            raise table.error("a name of letters, digits and _ is wanted, other than controller, which is the first", name)
+        found.append((name, _position(node, units, model)))
+    return tuple(found)
 
 
 def _feedforward(table: Table, units: tuple[str, str], parts: Mapping[str, Any], machine: Machine, axis: Axis) -> Component | None:
@@ -197,9 +210,10 @@ def _feedforward(table: Table, units: tuple[str, str], parts: Mapping[str, Any],
         return zpetc_design(loop, radius=radius).component()
 
 
-def _local(names: list[str], parts: Mapping[str, Component | None], table: Table) -> tuple[str, ...]:
+def _local(names: list[str], parts: Mapping[str, Any], table: Table) -> tuple[str, ...]:
     """Check the names of parameters that move with an axis: ``observer.model_gain`` and the like."""
-    known = [f"{slot}.{name}" for slot, part in parts.items() if part is not None for name in part.numeric()]
+    slots = {**parts, **{f"others.{label}": part for label, part in parts.get("others", ())}}
+    known = [f"{slot}.{name}" for slot, part in slots.items() if isinstance(part, Component) for name in part.numeric()]
     for name in names:
         if name not in known:
             raise table.error(f"no parameter {name!r} in this axis' controller: {hint(name, known)}", "local")
@@ -222,8 +236,7 @@ def _model(machine: Machine, axis: Axis, observer: Component | None) -> _Model:
     return _Model(*machine.loaded_plant(axis.name).rigid_model())
 
 
-def _position(table: Table, units: tuple[str, str], model: _Model) -> Any:
-    node = table.entries["controller"]
+def _position(node: Node, units: tuple[str, str], model: _Model) -> Any:
     if isinstance(node, Leaf) or "gains" not in node.entries:
         return read_component(node, "controller", units)
     kind = find_kind(node, "controller")

@@ -13,7 +13,7 @@ import numpy as np
 from contourlab.errors import FeedError, ProgramError, ScenarioError
 from contourlab.feed import AxisLimits, Reference, Route, blended, plan, route_from_path, uniform
 from contourlab.feed.path_control import controlled
-from contourlab.loop import Controller, Machine
+from contourlab.loop import Change, Controller, Machine
 from contourlab.scenario.learning import LearningSettings
 from contourlab.scenario.motion_check import check_motion
 from contourlab.scenario.values import DEFAULT_CORNER_TOLERANCE, Contour, FeedSettings, Motion, PartProgram, RunSettings
@@ -26,7 +26,7 @@ Overrides: TypeAlias = Mapping[str, object]
 
 @dataclass(frozen=True, eq=False)
 class Case:
-    """One machine under one controller along one motion, and what is learned from repeating it."""
+    """One machine under one controller along one motion, what is learned from repeating it, and what takes over on the way."""
 
     name: str
     machine: Machine
@@ -35,11 +35,17 @@ class Case:
     feed: FeedSettings
     run: RunSettings
     learning: LearningSettings | None = None
+    changes: tuple[Change, ...] = ()
 
     @property
     def tolerance(self) -> float | None:
         """Largest part error that passes [m]; None for no verdict."""
         return self.run.tolerance
+
+    @property
+    def moving(self) -> bool:
+        """Whether the axes have the velocity of the reference at the first sample."""
+        return self.run.start == "moving"
 
     @property
     def signals(self) -> tuple[str, ...]:

@@ -11,7 +11,7 @@ from typing import Any
 
 from contourlab.components.contract import Component, Parameter
 from contourlab.loop import Axis, AxisController, AxisError, Controller, Limits, Machine
-from contourlab.loop.machine import CONTROLLER_SLOTS
+from contourlab.loop.machine import AXIS_SLOTS, CONTROLLER_SLOTS
 from contourlab.scenario.case import Case, Scenario
 from contourlab.scenario.components import parameters_of
 from contourlab.scenario.files import BUILTIN, builtin_file, builtin_names
@@ -155,13 +155,13 @@ def axis_table(axis: Axis) -> dict[str, Any]:
         table["stage_mass"] = quantity(axis.stage_mass, "kg")
     if axis.substeps != 1:
         table["substeps"] = axis.substeps
-    for slot in ("plant", "friction", "drive", "sensor"):
-        table[slot] = component_table(getattr(axis, slot), units)
-    if axis.disturbance is not None:
-        table["disturbance"] = component_table(axis.disturbance, units)
-    for name, part in (("limits", _limits_table(axis.limits)), ("error", _error_table(axis.error))):
-        if part:
-            table[name] = part
+    for slot in AXIS_SLOTS:
+        part = getattr(axis, slot)
+        if part is not None and (axis.plant.two_sided or not slot.startswith("motor_")):
+            table[slot] = component_table(part, units)
+    for name, found in (("limits", _limits_table(axis.limits)), ("error", _error_table(axis.error))):
+        if found:
+            table[name] = found
     return table
 
 
@@ -178,8 +178,15 @@ def machine_tables(machine: Machine) -> dict[str, Any]:
 
 
 def _axis_controller_table(part: AxisController, units: tuple[str, str]) -> dict[str, Any]:
-    table = {slot: component_table(getattr(part, slot), units) for slot in reversed(CONTROLLER_SLOTS)}
-    return {"local": list(part.local), **table} if part.local else table
+    backlash = ("gap_observer", "compensation", "supervisor")
+    kept = [slot for slot in reversed(CONTROLLER_SLOTS) if slot not in backlash or getattr(part, slot) is not None]
+    table = {slot: component_table(getattr(part, slot), units) for slot in kept}
+    if part.others:
+        table["others"] = {label: component_table(other, units) for label, other in part.others}
+    plain = {
+        name: getattr(part, name) for name in ("feedback", "velocity_feedback") if getattr(part, name) != getattr(AxisController, name)
+    }
+    return {**({"local": list(part.local)} if part.local else {}), **plain, **table}
 
 
 def controller_table(controller: Controller, machine: Machine) -> dict[str, Any]:
@@ -254,12 +261,18 @@ def case_tables(case: Case) -> dict[str, Any]:
         plain: dict[str, Any] = {k: list(v) if isinstance(v, tuple) else v for k, v in given.items()}
         return {k: quantity(v, *units[k]) if k in units else v for k, v in plain.items()}
 
+    run = settings(case.run)
+    if case.changes:
+        run["changes"] = [
+            {"at": quantity(one.time, "s"), "controller": one.file, "handover_time": quantity(one.handover_time, "s", "ms")}
+            for one in case.changes
+        ]
     learning = {} if case.learning is None else {"learning": learning_table(case.learning, case.machine)}
     return {
         **machine_tables(case.machine),
         "controller": controller_table(case.controller, case.machine),
         "feed": settings(case.feed),
-        "run": settings(case.run),
+        "run": run,
         **learning,
     }
 

@@ -12,6 +12,7 @@ from contourlab.errors import ScenarioError
 from contourlab.loop import Axis, Controller, Machine
 from contourlab.scenario.build import build_axis, build_controller, build_machine
 from contourlab.scenario.case import Case, Scenario
+from contourlab.scenario.changes import read_changes
 from contourlab.scenario.files import BUILTIN, EVERY, Reader, builtin_file, join, listed
 from contourlab.scenario.learning import read_learning
 from contourlab.scenario.motion import read_feed, read_motion, read_run
@@ -260,9 +261,9 @@ def _scenario(reader: Reader, content: Table, path: Path) -> Scenario:
     layers = _Layers(machine, reader.controller(content.entries["controller"]), *settings)
     base_machine = build_machine(settle(machine))
     motion = read_motion(content, base_machine)
-    base = _case("base", layers, motion, content)
+    base = _case("base", layers, motion, content, reader)
     schemes = content.table("schemes")
-    cases = tuple(_case(name, _over(reader, layers, schemes.table(name)), motion, schemes.table(name)) for name in schemes.entries)
+    cases = tuple(_case(name, _over(reader, layers, schemes.table(name)), motion, schemes.table(name), reader) for name in schemes.entries)
     overrides = {name: dict(_flat(schemes.table(name))) for name in schemes.entries}
     return Scenario(plain.name or _title(path), path, base, overrides, cases)
 
@@ -307,7 +308,7 @@ def _check_axes(over: Node, names: tuple[str, ...], base: Table | Leaf) -> None:
             raise axes.error(f"the machine has no axis {name!r}: {hint(name, names)}", name)
 
 
-def _case(name: str, layers: _Layers, motion: Motion, place: Table) -> Case:
+def _case(name: str, layers: _Layers, motion: Motion, place: Table, reader: Reader) -> Case:
     if not name.strip() or len(name) > 80 or not name.isprintable():
         raise place.error("the name of a scheme is wanted: up to 80 letters, digits, spaces")
     machine = build_machine(settle(layers.machine))
@@ -320,4 +321,8 @@ def _case(name: str, layers: _Layers, motion: Motion, place: Table) -> Case:
         what = motion.name if isinstance(motion, Contour) else motion.file.name
         cure = "a scheme's machine must have as many axes as the base's"
         raise place.error(f"{what} has {motion.n_axis} coordinates, {machine.name} has the axes {', '.join(machine.axis_names)}: {cure}")
-    return Case(name, machine, controller, motion, feed, run, read_learning(settle(layers.learning), machine))
+    learning, changes = read_learning(settle(layers.learning), machine), read_changes(settle(layers.run), machine, reader)
+    if learning is not None and (changes or run.start == "moving"):
+        key, why = ("changes", "all trials run under one controller") if changes else ("start", "a trial starts from rest")
+        raise settle(layers.run).error(f"cannot stand beside [learning]: {why}", key)
+    return Case(name, machine, controller, motion, feed, run, learning, changes)

@@ -35,7 +35,7 @@ def read_run(table: Table) -> RunSettings:
         for signal in signals:
             if signal not in known:
                 raise table.error(f"no signal {signal!r}: {hint(signal, known)}", "signals")
-    return RunSettings(plain.tolerance, signals, plain.seed, plain.evaluate)
+    return RunSettings(plain.tolerance, signals, plain.seed, plain.evaluate, plain.start)
 
 
 def read_feed(table: Table, motion: Motion) -> FeedSettings:

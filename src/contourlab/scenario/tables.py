@@ -57,6 +57,7 @@ def _numbers(unit: str, display: str) -> BeforeValidator:
 
 
 Period = Annotated[float, _number("s", "ms", minimum=0.0, maximum=1.0, exclusive=True)]
+Moment = Annotated[float, _number("s", minimum=0.0, exclusive=True)]
 Velocity = Annotated[float, _number("m/s", "mm/min", minimum=0.0, exclusive=True)]
 Acceleration = Annotated[float, _number("m/s^2", minimum=0.0, exclusive=True)]
 Jerk = Annotated[float, _number("m/s^3", minimum=0.0, exclusive=True)]
@@ -125,8 +126,10 @@ class AxisTable(_Strict):
 
     plant: Any
     friction: Any = None
+    motor_friction: Any = None
     drive: Any = None
     sensor: Any = None
+    motor_sensor: Any = None
     disturbance: Any = None
     limits: Any = None
     error: Any = None
@@ -150,8 +153,14 @@ class AxisControllerTable(_Strict):
     controller: Any
     velocity: Any = None
     observer: Any = None
+    gap_observer: Any = None
     predictor: Any = None
     feedforward: Any = None
+    compensation: Any = None
+    supervisor: Any = None
+    others: Any = None
+    feedback: Literal["load", "motor"] = "load"
+    velocity_feedback: Literal["load", "motor"] = "motor"
     local: list[str] = []
 
 
@@ -211,6 +220,16 @@ class RunTable(_Strict):
     seed: Annotated[int, Field(ge=0, lt=2**63)] = 0
     tolerance: Distance | None = None
     evaluate: Literal["last-lap", "whole"] = "last-lap"
+    start: Literal["rest", "moving"] = "rest"
+    changes: list[Any] = []
+
+
+class ChangeTable(_Strict):
+    """An item of ``changes`` in ``[run]``."""
+
+    at: Moment
+    controller: Annotated[str, Field(min_length=1)]
+    handover_time: Annotated[float, _number("s", "ms", minimum=0.0)] = 0.01
 
 
 class LearningTable(_Strict):

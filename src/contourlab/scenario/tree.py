@@ -22,7 +22,7 @@ __all__ = ["DEFAULT", "Leaf", "Node", "Table", "dotted", "from_mapping", "hint",
 DEFAULT = "default"
 """What a file writes to take back a value that it inherits."""
 
-DESIGNED = ("velocity_gain", "position_gain", "integral_gain", "integral_time", "gain", "lead_time", "lag_time")
+DESIGNED = ("velocity_gain", "position_gain", "integral_gain", "integral_time", "gain", "lead_time", "lag_time", "rate_gain")
 """What gains = {...} work out: given anew, they take back what was inherited of these."""
 
 MAX_DEPTH = 12

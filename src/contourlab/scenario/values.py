@@ -180,9 +180,12 @@ class RunSettings:
         Of all noise.
     evaluate : {"last-lap", "whole"}
         Samples that the figures are over.
+    start : {"rest", "moving"}
+        Whether the axes have the velocity of the reference at the first sample.
     """
 
     tolerance: float | None = None
     signals: tuple[str, ...] | None = None
     seed: int = 0
     evaluate: Literal["last-lap", "whole"] = "last-lap"
+    start: Literal["rest", "moving"] = "rest"

@@ -5,13 +5,15 @@ from __future__ import annotations
 import math
 import platform
 from collections.abc import Sequence
+from dataclasses import replace
 
 import numpy as np
+from numpy.typing import NDArray
 
 from contourlab import __version__
 from contourlab.feed.binding import Binding, limiting
-from contourlab.metrics.circles import pairs
-from contourlab.report.data import AxisBounds, CircleRun, FrequencyResponse, Mark, Provenance, ReportData, SchemeReport
+from contourlab.metrics.circles import CircleFigures, pairs
+from contourlab.report.data import AxisBounds, CircleRun, FrequencyResponse, Provenance, ReportData, SchemeReport
 from contourlab.report.feed_picture import FeedRun
 from contourlab.report.trials import TrialCourse
 from contourlab.studies.compare import AxisBode, Outcome
@@ -20,6 +22,7 @@ __all__ = ["report_data"]
 
 FEED_POINTS = 4000
 PER_SPAN = 3
+GAP_POINTS = 201
 MOST_POINTS = 200_000
 """Above, a span is looked at where it begins only: long motions have many."""
 _HELD_BY = {
@@ -84,23 +87,43 @@ def _scheme(outcome: Outcome) -> SchemeReport:
         jerk=np.array([a.limits.jerk for a in axes]),
         command=np.array([float(getattr(a.drive, "limit", math.inf)) for a in axes]),
     )
-    circles = [CircleRun(c.name, c.clockwise, c.radius, c.angle, c.deviation, c.figures()) for c in outcome.circles]
-    marks = [Mark(spike.time, f"{spike.axis} reverses", "reversal", abs(spike.height)) for spike in outcome.spikes]
     return SchemeReport(
         name=outcome.name,
         result=outcome.result,
         metrics=outcome.metrics,
         bounds=bounds,
         verdict=outcome.verdict,
-        bode={axis: _response(bode) for axis, bode in outcome.bode.items()},
-        circles=circles,
-        spikes=marks,
+        bode={axis: replace(_response(bode), meant=outcome.loop_meant(axis)) for axis, bode in outcome.bode.items()},
+        circles=[_circle(circle, outcome) for circle in outcome.circles],
+        spikes=outcome.spikes,
         bidirectional=pairs(outcome.circles),
         limits=outcome.limits,
         trials=_course(outcome),
         foretold=outcome.foretold,
         tick=outcome.tick,
+        switches=outcome.switches,
+        gaps=_gaps(outcome),
     )
+
+
+def _circle(circle: CircleFigures, outcome: Outcome) -> CircleRun:
+    """Return a circle with the places of its reversal spikes."""
+    period, start = outcome.result.servo_period, outcome.result.start
+    highest = [round(spike.peak_time / period) - start for spike in outcome.spikes if math.isfinite(spike.angle)]
+    marked = np.flatnonzero(np.isin(circle.samples, highest)).tolist()
+    return CircleRun(circle.name, circle.clockwise, circle.radius, circle.angle, circle.deviation, circle.figures(), marked)
+
+
+def _gaps(outcome: Outcome) -> dict[str, tuple[NDArray[np.float64], NDArray[np.float64]]]:
+    """Return the free travel of each axis with a motor and a load, over the part of its travel that was used."""
+    found = {}
+    for i, axis in enumerate(outcome.case.machine.axes):
+        free_travel = getattr(axis.plant, "gap_at", None)
+        if axis.plant.two_sided and free_travel is not None and "axis_position" in outcome.result:
+            used = outcome.result["axis_position"][:, i]
+            places = np.linspace(float(used.min()), float(used.max()), GAP_POINTS)
+            found[axis.name] = places, np.array([free_travel(float(place)) for place in places])
+    return found
 
 
 def _course(outcome: Outcome) -> TrialCourse | None:

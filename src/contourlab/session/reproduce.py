@@ -6,11 +6,11 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
-from contourlab.report.charts import Chart
+from contourlab.report.charts import Chart, PolarChart
 from contourlab.report.plots import write_charts
-from contourlab.report.reproduction_pictures import course_chart, sweep_chart, turn_chart
+from contourlab.report.reproduction_pictures import circle_chart, course_chart, sweep_chart, traces_chart, turn_chart
 
-__all__ = ["check_choice", "write_gecer_ulu"]
+__all__ = ["check_choice", "write_gecer_ulu", "write_shahin"]
 
 RATIO = "contour rms of FB CCC ILC over FB ILC, over kappa"
 
@@ -46,7 +46,7 @@ def write_gecer_ulu(rows: Sequence[dict[str, Any]], folder: str | Path, formats:
     from contourlab.studies.reproduce.gecer_ulu_pictures import convergence, turn
     from contourlab.studies.reproduce.gecer_ulu_setup import EXPERIMENT, SIMULATION
 
-    charts: list[Chart] = [
+    charts: list[Chart | PolarChart] = [
         course_chart("fig-9", "Fig 9: contour rms over trials, FB CCC ILC", {name: convergence(name) for name in (SIMULATION, EXPERIMENT)})
     ]
     for name in (SIMULATION, EXPERIMENT):
@@ -56,4 +56,43 @@ def write_gecer_ulu(rows: Sequence[dict[str, Any]], folder: str | Path, formats:
     found = {float(row["case"].rpartition(" ")[2]): row["here"] for row in rows if row["name"] == RATIO}
     curve = {"here, 30 trials": list(found.values())}
     charts.append(sweep_chart("kappa", "Contour rms of FB CCC ILC over that of FB ILC", "kappa", list(found), curve, 0.78 / 2.73))
+    return write_charts(charts, folder, formats)
+
+
+def write_shahin(folder: str | Path, formats: Sequence[str]) -> tuple[Path, ...]:
+    """Write Figs 7 to 13 of Shahin et al. into a folder; return the files.
+
+    Parameters
+    ----------
+    folder : str or Path
+    formats : sequence of str
+        Of ``"png"``, ``"svg"``, ``"pdf"``.
+    """
+    from contourlab.studies.reproduce import shahin_setup as setup
+    from contourlab.studies.reproduce.shahin_pictures import trace
+
+    gap, none = setup.Setting(), setup.Setting(gap=0.0)
+    baselines = {
+        "on the motors, no backlash": trace("PI", none),
+        "on the motors, 25 µm": trace("PI", gap),
+        "closed over the loads, 25 µm": trace("PI on the load", gap),
+    }
+    charts: list[Chart | PolarChart] = [
+        circle_chart(
+            "fig-7-8", "Figs 7, 8: PI on the circle at 8000 mm/min", setup.RADIUS, {k: (t.angle, t.radial) for k, t in baselines.items()}
+        )
+    ]
+    schemes = {name: trace(name, gap) for name in setup.SCHEMES}
+    feeds = {f"scheme {name}": (found.time, found.axis_feed_error[:, 0] * 60.0) for name, found in schemes.items()}
+    charts.append(traces_chart("fig-9", "Fig 9: feedrate error of x", ("time [s]", "feedrate error [m/min]"), feeds))
+    errors = {
+        f"scheme {name}, {axis}": (schemes[name].time, schemes[name].axis_error[:, j] * 1e6)
+        for name in ("II", "III")
+        for j, axis in enumerate(setup.AXES)
+    }
+    charts.append(traces_chart("fig-10", "Fig 10: axis errors of schemes II and III", ("time [s]", "axis error [µm]"), errors))
+    for number, (name, found) in zip((11, 12, 13), schemes.items(), strict=True):
+        rate = {f"scheme {name}": (found.time, found.feedrate * 60.0)}
+        title = f"Fig {number}: overall feedrate, scheme {name}"
+        charts.append(traces_chart(f"fig-{number}", title, ("time [s]", "feedrate [m/min]"), rate, 8.0))
     return write_charts(charts, folder, formats)

@@ -9,12 +9,14 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from contourlab.components.friction.none import NoFriction
 from contourlab.errors import DivergenceError, ParameterError, ProgramError, ScenarioError
 from contourlab.result import write_text_atomic
 from contourlab.session.folder import staged
 from contourlab.session.stages import Stages, shown
 from contourlab.session.summary import summary_of
 from contourlab.studies.compare import Case, Outcome, run_case
+from contourlab.studies.switch_file import switch_file
 
 if TYPE_CHECKING:
     from contourlab.scenario import Scenario
@@ -227,6 +229,9 @@ def run_session(
                 _write_signals(outcome, folder / "signals" / f"{names[outcome.name]}.nc", signals or outcome.case.signals)
                 if outcome.learning is not None:
                     outcome.learning.table.save(folder / "learned" / f"{names[outcome.name]}.nc")
+                if outcome.switches is not None:
+                    with switch_file(folder / "switches" / f"{names[outcome.name]}.csv") as listed:
+                        listed.append(outcome.switches)
             summary = summary_of(scenario.name, outcomes, command, runaways)
             write_text_atomic(folder / "summary.json", json.dumps(summary, indent=2, allow_nan=False) + "\n")
             stages.begin("writing the report")
@@ -301,6 +306,8 @@ def file_names(names: Sequence[str]) -> dict[str, str]:
 
 def _write_report(scenario: Scenario, outcomes: Sequence[Outcome], folder: Path, command: str, plots: Sequence[str]) -> str:
     from contourlab.report.html import write_html
+    from contourlab.report.reversal_table import reversal_text
+    from contourlab.report.switching import switch_lines
     from contourlab.report.tables import comparison_text, trials_text
     from contourlab.session.page import report_data
 
@@ -311,7 +318,17 @@ def _write_report(scenario: Scenario, outcomes: Sequence[Outcome], folder: Path,
 
         write_plots(data, folder / "plots", tuple(plots))
     trials = trials_text(data)
-    return "\n".join([comparison_text(data).rstrip(), *([f"{trials}\n"] if trials else []), *verdict_lines(outcomes)])
+    turns = reversal_text(data) if any(_turns_hard(outcome) for outcome in outcomes) else ""
+    lines = [comparison_text(data).rstrip(), *([f"{trials}\n"] if trials else []), *([f"\n{turns}\n"] if turns else [])]
+    return "\n".join([*lines, *switch_lines(data), *verdict_lines(outcomes)])
+
+
+def _turns_hard(outcome: Outcome) -> bool:
+    """Tell whether an axis has what makes reversals show: friction, or backlash."""
+    return any(
+        axis.plant.two_sided or not isinstance(axis.friction, NoFriction) or axis.error.repeatability > 0.0
+        for axis in outcome.case.machine.axes
+    )
 
 
 def verdict_lines(outcomes: Sequence[Outcome]) -> list[str]:
@@ -337,8 +354,10 @@ def verdict_lines(outcomes: Sequence[Outcome]) -> list[str]:
             lines.append(f"    causes there: {', '.join(main)}; {found.advice}")
         shaky = [axis for axis, bode in outcome.bode.items() if not bode.margins.stable]
         if shaky:
+            named = [f"{axis} ({meant})" if (meant := outcome.loop_meant(axis)) else axis for axis in shaky]
+            hiding = "backlash, friction" if any(map(outcome.loop_meant, shaky)) else "friction"
             lines.append(
-                f"    the servo loop of {', '.join(shaky)} is unstable by itself: friction or a short run may hide it; lower its gains"
+                f"    the servo loop of {', '.join(named)} is unstable by itself: {hiding} or a short run may hide it; lower its gains"
             )
         if found.untold:
             lines.append(f"    not told apart, as the loop runs away without it: {', '.join(found.untold)}")

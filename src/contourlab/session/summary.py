@@ -12,6 +12,8 @@ import numpy as np
 from contourlab import __version__
 from contourlab.errors import DivergenceError
 from contourlab.feed.verify import LimitReport
+from contourlab.loop.switches import Switches, SwitchKind
+from contourlab.metrics import reversal_figures
 from contourlab.metrics.circles import pairs
 from contourlab.report.limit_table import nearest
 from contourlab.studies.compare import Outcome
@@ -20,6 +22,8 @@ from contourlab.studies.learn import LearningRun
 __all__ = ["SCHEMA", "summary_of"]
 
 SCHEMA = "contourlab-summary/1"
+LISTED = 100
+"""Switches that are listed one by one."""
 
 
 def summary_of(
@@ -68,6 +72,8 @@ def _scheme(outcome: Outcome) -> dict[str, Any]:
         "circles": [{"name": c.name, "clockwise": c.clockwise, "radius": c.radius, **c.figures()} for c in outcome.circles],
         "circles_both_ways": {name: asdict(both) for name, both in pairs(outcome.circles).items()},
         "reversals": [asdict(spike) for spike in outcome.spikes],
+        "reversal_figures": [asdict(figures) for figures in reversal_figures(outcome.spikes)],
+        "switches": _switches(outcome.switches) if outcome.switches is not None else None,
         "margins": {axis: asdict(bode.margins) for axis, bode in outcome.bode.items()},
         "limits": _limits(outcome.limits, result.axes) if outcome.limits else None,
         "learning": _learning(outcome.learning) if outcome.learning else None,
@@ -86,6 +92,35 @@ def _learning(run: LearningRun) -> dict[str, Any]:
         "trials": [asdict(trial) for trial in run.trials],
         "split": asdict(run.split) if run.split else None,
     }
+
+
+def _switches(switches: Switches) -> dict[str, Any]:
+    """Return how often and why controllers were switched, and the first switches one by one."""
+    counts = switches.counts()
+    columns = (switches.kind, switches.sample, switches.time, switches.arc_length, switches.line)
+    first = zip(*(column[:LISTED].tolist() for column in columns), strict=True)
+    return {
+        "axes": {
+            axis: {
+                "count": sum(count for kind, count in counts.items() if kind.axis == axis),
+                "first": switches.first[axis],
+                "active": {name: held * switches.servo_period for name, held in switches.active[axis].items()},
+                "kinds": [
+                    {"from": kind.before, "to": kind.after, "reason": kind.reason, "count": count}
+                    for kind, count in counts.items()
+                    if kind.axis == axis
+                ],
+            }
+            for axis in switches.axes
+        },
+        "listed": [_switch(switches.kinds[kind], *place) for kind, *place in first],
+        "left_out": max(len(switches) - LISTED, 0),
+    }
+
+
+def _switch(kind: SwitchKind, sample: int, time: float, along: float, line: int) -> dict[str, Any]:
+    words = {"axis": kind.axis, "from": kind.before, "to": kind.after, "reason": kind.reason}
+    return {"time": time, "sample": sample, **words, "arc_length": along, "line": line}
 
 
 def _limits(report: LimitReport, axes: Sequence[str]) -> dict[str, Any]:

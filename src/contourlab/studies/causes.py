@@ -4,9 +4,9 @@ The causes are worked out, not guessed. The same reference is run again with eve
 what the error at that place changes by, along the direction in which the tool was off, when its own is taken away:
 
 1. *geometry*: the machine's error map; 2. *quantisation*: ideal encoders; 3. *saturation*: drives without limit; 4. *disturbance*: no
-load from outside; 5. *reversal*: no friction; 6. *servo mismatch*: every axis a copy of one of them, averaged over the choice; 7. *lag*: a
-tool that is where it was asked to be, so that overshoot counts as lag too; 8. *planning*: what is left then, the planned path's own
-distance from the programmed one.
+load from outside; 5. *backlash*: no free travel, and controllers that reckon with none; 6. *reversal*: no friction; 7. *servo mismatch*:
+every axis a copy of one of them, averaged over the choice; 8. *lag*: a tool that is where it was asked to be, so that overshoot counts as
+lag too; 9. *planning*: what is left then, the planned path's own distance from the programmed one.
 
 The contributions add up to the error itself. A loop that runs away once its friction is gone tells nothing: such a step is left out and
 named, and what it stands for stays in the next one. The order matters where effects interact, and is therefore fixed.
@@ -16,6 +16,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass, field
+from typing import TypeAlias
 
 import numpy as np
 from numpy.typing import NDArray
@@ -29,12 +30,20 @@ from contourlab.studies import idealise
 __all__ = ["Cause", "causes"]
 
 Array = NDArray[np.float64]
-_STEPS: tuple[tuple[str, Callable[[Machine], Machine]], ...] = (
-    ("geometry", idealise.perfect_geometry),
-    ("quantisation", idealise.perfect_sensing),
-    ("saturation", idealise.unlimited),
-    ("disturbance", idealise.undisturbed),
-    ("reversal", idealise.without_friction),
+Step: TypeAlias = Callable[[Machine, Controller], tuple[Machine, Controller]]
+
+
+def _of_machine(take_away: Callable[[Machine], Machine]) -> Step:
+    return lambda machine, controller: (take_away(machine), controller)
+
+
+_STEPS: tuple[tuple[str, Step], ...] = (
+    ("geometry", _of_machine(idealise.perfect_geometry)),
+    ("quantisation", _of_machine(idealise.perfect_sensing)),
+    ("saturation", _of_machine(idealise.unlimited)),
+    ("disturbance", _of_machine(idealise.undisturbed)),
+    ("backlash", idealise.without_backlash),
+    ("reversal", _of_machine(idealise.without_friction)),
 )
 
 
@@ -117,13 +126,15 @@ def causes(
     untold: list[str] = []
     left, kept = place.size, machine
     for name, take_away in _STEPS:
-        better = take_away(kept)
-        now = left if better is kept else place.after(better, controller)
+        better, driven = take_away(kept, controller)
+        if better is kept and name == "backlash":
+            continue  # few machines have any
+        now = left if better is kept else place.after(better, driven)
         if np.isnan(now):
             untold.append(name)
             continue
         found.append((name, left - now))
-        left, kept = now, better
+        left, kept, controller = now, better, driven
     copies = np.array([place.after(*idealise.same_axes(kept, controller, axis.name)) for axis in machine.axes])
     if np.isfinite(copies).any():
         found.append(("servo mismatch", left - float(np.nanmean(copies))))

@@ -11,7 +11,8 @@ from contourlab.analysis import AxisResponse, LearningAnalysis, Margins, interna
 from contourlab.components.learning.law import LearningLaw
 from contourlab.errors import ComponentError, ResultError
 from contourlab.feed import AxisLimits, LimitReport, Reference, Route, limit_report
-from contourlab.loop import Controller, Machine, simulate
+from contourlab.loop import Change, Controller, Machine, simulate
+from contourlab.loop.switches import Switches, switches_of
 from contourlab.metrics import CircleFigures, Metrics, Spike, circles_of, judge, reversal_spikes, summarise
 from contourlab.result import Result
 from contourlab.studies.cost import tick_cost
@@ -63,6 +64,14 @@ class Case(Protocol):
     @property
     def controller(self) -> Controller:
         """Its controller."""
+
+    @property
+    def changes(self) -> tuple[Change, ...]:
+        """Controllers that take over on the way."""
+
+    @property
+    def moving(self) -> bool:
+        """Whether the axes have the velocity of the reference at the first sample."""
 
     @property
     def curvature_step(self) -> float:
@@ -120,7 +129,7 @@ class Outcome:
 
     `limits` is None where the motion was not planned within limits, `learning` where nothing was learned. `foretold` is what an
     analysis said of learning beforehand, `unstable` what it says of an unstable coupling; `tick` [s] is what a tick of the servo loop
-    costs, where it was asked for.
+    costs, where it was asked for. `switches` is None where no axis has several controllers.
     """
 
     name: str
@@ -137,6 +146,13 @@ class Outcome:
     foretold: LearningAnalysis | None = None
     tick: float | None = None
     unstable: str = ""
+    switches: Switches | None = None
+
+    def loop_meant(self, axis: str) -> str:
+        """Say which loop of an axis a linear analysis is of; nothing where it has just one."""
+        several = self.case.controller.axes[axis].supervisor is not None
+        contact = self.case.machine.axis(axis).plant.two_sided
+        return ", ".join(["first controller"] * several + ["in contact"] * contact)
 
     @property
     def warnings(self) -> tuple[str, ...]:
@@ -206,13 +222,14 @@ def run_case(
         metrics=figures,
         verdict=_verdict(case, reference, judged, explain),
         circles=circles_of(judged, reference),
-        spikes=reversal_spikes(judged, (max(figures.window[0] - 5, 0), figures.window[1])),
+        spikes=reversal_spikes(judged, (max(figures.window[0] - 5, 0), figures.window[1]), reference=reference),
         bode=bode_of(case.machine, case.controller),
         limits=limits_of(case, reference),
         learning=learned,
         foretold=expected,
         tick=tick_cost(case.machine, case.controller, reference) if costs else None,
         unstable=_unstable(case) if costs or foretell else "",
+        switches=switches_of(judged, case.controller, reference, case.changes),
     )
 
 
@@ -231,6 +248,7 @@ def _simulated(case: Case, reference: Reference, learned: LearningRun | None, to
     """Run a case with what was learned, as its best trial ran."""
     table, trial = (None, 0) if learned is None else (learned.table.learned, learned.best)
     given: dict[str, Any] = {"scheme": case.name, "seed": case.seed, "learned": table, "trial": trial}
+    given |= {"moving": case.moving, "changes": case.changes}
     return simulate(case.machine, case.controller, reference, **given, progress=told if learned is None else None)
 
 

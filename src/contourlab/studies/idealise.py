@@ -11,9 +11,9 @@ from dataclasses import replace
 from contourlab.components.contract import Component
 from contourlab.components.friction.none import NoFriction
 from contourlab.components.sensor.ideal import IdealSensor
-from contourlab.loop.machine import AxisError, Controller, Machine
+from contourlab.loop.machine import AxisController, AxisError, Controller, Machine
 
-__all__ = ["perfect_geometry", "perfect_sensing", "same_axes", "undisturbed", "unlimited", "without_friction"]
+__all__ = ["perfect_geometry", "perfect_sensing", "same_axes", "undisturbed", "unlimited", "without_backlash", "without_friction"]
 
 
 def perfect_geometry(machine: Machine) -> Machine:
@@ -25,9 +25,9 @@ def perfect_geometry(machine: Machine) -> Machine:
 
 def perfect_sensing(machine: Machine) -> Machine:
     """Return the machine with encoders that do not count."""
-    if all(isinstance(a.sensor, IdealSensor) for a in machine.axes):
+    if all(isinstance(sensor, IdealSensor) for a in machine.axes for sensor in (a.sensor, a.motor_sensor)):
         return machine
-    return replace(machine, axes=tuple(replace(a, sensor=IdealSensor()) for a in machine.axes))
+    return replace(machine, axes=tuple(replace(a, sensor=IdealSensor(), motor_sensor=IdealSensor()) for a in machine.axes))
 
 
 def undisturbed(machine: Machine) -> Machine:
@@ -39,9 +39,29 @@ def undisturbed(machine: Machine) -> Machine:
 
 def without_friction(machine: Machine) -> Machine:
     """Return the machine without friction."""
-    if all(isinstance(a.friction, NoFriction) for a in machine.axes):
+    if all(isinstance(friction, NoFriction) for a in machine.axes for friction in (a.friction, a.motor_friction)):
         return machine
-    return replace(machine, axes=tuple(replace(a, friction=NoFriction()) for a in machine.axes))
+    return replace(machine, axes=tuple(replace(a, friction=NoFriction(), motor_friction=NoFriction()) for a in machine.axes))
+
+
+def without_backlash(machine: Machine, controller: Controller) -> tuple[Machine, Controller]:
+    """Return the machine without free travel between motors and loads, under a controller that reckons with none."""
+    if not any(a.plant.two_sided and a.plant.linear() != a.plant for a in machine.axes):
+        return machine, controller
+    tight = replace(machine, axes=tuple(replace(a, plant=a.plant.linear()) for a in machine.axes))
+    return tight, replace(controller, axes={name: _unaware(mine) for name, mine in controller.axes.items()})
+
+
+def _unaware(mine: AxisController) -> AxisController:
+    """Return an axis' controller whose parts reckon with no gap; what observes it or switches by it stays."""
+
+    def told(part: Component) -> Component:
+        free: Component = part.replace(backlash_gap=0.0) if "backlash_gap" in part.parameters else part
+        return free
+
+    compensation = None if mine.compensation is None else told(mine.compensation)
+    others = tuple((label, told(part)) for label, part in mine.others)
+    return replace(mine, controller=told(mine.controller), compensation=compensation, others=others)
 
 
 def unlimited(machine: Machine) -> Machine:

@@ -3,13 +3,17 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from contextlib import ExitStack
 from pathlib import Path
+from typing import Any
 
 from contourlab.errors import DivergenceError
 from contourlab.feed import Reference
-from contourlab.loop import Controller, Machine, result_of, simulate_blocks
+from contourlab.loop import Change, Controller, Machine, result_of, simulate_blocks
+from contourlab.loop.switches import RECORDED, SwitchLog
 from contourlab.metrics import judge
 from contourlab.result import ResultWriter, Status
+from contourlab.studies.switch_file import switch_file
 
 __all__ = ["simulate_to_file"]
 
@@ -27,6 +31,8 @@ def simulate_to_file(
     seed: int = 0,
     block: int = 1 << 15,
     progress: Callable[[int], None] | None = None,
+    changes: Sequence[Change] = (),
+    switches: str | Path | None = None,
 ) -> Status:
     """Run a machine along a reference, judge it, and write it to a NetCDF file block by block.
 
@@ -46,6 +52,10 @@ def simulate_to_file(
         Samples that are in memory at a time.
     progress : callable, optional
         Told the number of samples done.
+    changes : sequence of Change
+        Controllers that take over while it runs.
+    switches : str or Path, optional
+        File for every switch from one controller to another, with its reason (CSV); it appears as `file` does.
 
     Raises
     ------
@@ -54,15 +64,22 @@ def simulate_to_file(
     OutputError
         If the file cannot be written.
     """
-    wanted = tuple(dict.fromkeys((*_JUDGED, *signals))) if signals else None
+    log = SwitchLog(controller, machine.servo_period, reference, changes)
+    kept = tuple(name for name in RECORDED if log.led) if switches is not None else ()
+    wanted = tuple(dict.fromkeys((*_JUDGED, *kept, *signals))) if signals else None
     empty = result_of(machine, reference, {}, Status(), scheme=scheme, seed=seed)
     start = 0
-    with ResultWriter(file, empty.header(), empty.axes, reference.n_sample) as writer:
-        for found, status in simulate_blocks(machine, controller, reference, seed=seed, signals=wanted, block=block):
+    with ExitStack() as stack:
+        listed = stack.enter_context(switch_file(switches)) if switches is not None else None
+        writer = stack.enter_context(ResultWriter(file, empty.header(), empty.axes, reference.n_sample))
+        given: dict[str, Any] = {"seed": seed, "signals": wanted, "block": block, "changes": changes}
+        for found, status in simulate_blocks(machine, controller, reference, **given):
             if not status.ok:
                 raise DivergenceError(status.reason, sample=status.sample, time=status.sample * machine.servo_period, axis=status.axis)
             part = judge(result_of(machine, reference, found, status, scheme=scheme, seed=seed, start=start), reference)
             writer.append(part.signals)
+            if listed is not None:
+                listed.append(log.add(part))
             start += part.n_sample
             if progress is not None:
                 progress(start)

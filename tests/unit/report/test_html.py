@@ -105,7 +105,7 @@ def test_plotly_offers_no_upload(page):
 def test_contents_lead_to_sections_that_exist(page):
     ids = {attributes.get("id") for _, attributes in page.elements}
     targets = [a["href"][1:] for t, a in page.elements if t == "a"]
-    assert targets == ["verdict", "comparison", "path", "circles", "errors", "axes", "bode", "program", "again"]
+    assert targets == ["verdict", "comparison", "path", "circles", "errors", "reversals", "axes", "bode", "program", "again"]
     assert set(targets) <= ids
 
 

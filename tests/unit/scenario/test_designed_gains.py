@@ -84,9 +84,10 @@ def test_wishes_of_a_scheme_take_the_place_of_inherited_gains() -> None:
 
 def test_every_design_is_among_what_a_scheme_takes_back() -> None:
     wishes = {"phase_margin": 1.0, "crossover": 100.0, "integral_rate": math.inf, "delay": 0.0, "bandwidth": 100.0, "damping": 1.0}
-    wishes |= {"position_gain": 20.0, "natural_frequency": 50.0, "pole": 40.0}
+    wishes |= {"position_gain": 20.0, "natural_frequency": 50.0, "pole": 40.0, "inertia": 1e-3}
     kinds = [kind for kind in components("controller") if kind.wishes]
-    assert {kind.kind for kind in kinds} == {"position", "cascade", "lead-lag", "state-feedback"}
+    zones = {f"{zone}-zone-{number}" for zone in ("contact", "gap") for number in (2, 3)}
+    assert {kind.kind for kind in kinds} == {"position", "cascade", "load-side-cascade", "lead-lag", "state-feedback", *zones}
     for kind in kinds:
         made = kind.designed({name: wishes[name] for name in kind.wishes}, 2.0, 5.0)
         assert not set(made) - set(kind.parameters)

@@ -204,10 +204,12 @@ def test_every_component_is_written_and_read_back(kind: type, written: Write) ->
     part = kind(**kind.example)
     plant = part if kind.family == "plant" else components("plant")[0](**components("plant")[0].example)
     slots = {"friction", "drive", "sensor", "disturbance"} & {kind.family}
-    machine = Machine("m", (Axis("x", plant, **dict.fromkeys(slots, part)), Axis("y", plant)), 1e-3)
+    machine = Machine("m", (Axis("x", plant, **dict.fromkeys(slots, part), substeps=8), Axis("y", plant, substeps=8)), 1e-3)
     mine = {kind.family: part} if kind.family in CONTROLLER_SLOTS else {}
     if kind.family == "predictor":  # behind which the velocity is made of what it foresees
         mine["velocity"] = component("velocity", "filtered-difference")(bandwidth=800.0)
+    if kind.family == "supervisor":
+        mine["others"] = tuple((f"number_{i}", AxisController().controller) for i in range(1, part.n_controller))
     top = {"estimator": component("estimator", "newton")()} if kind.family == "coupling" else {}
     top |= {kind.family: part} if kind.family in ("estimator", "coupling") else {}
     controller = Controller({"x": AxisController(**mine), "y": AxisController()}, **top)

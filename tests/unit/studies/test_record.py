@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import csv
 import tracemalloc
 from pathlib import Path
 
@@ -10,6 +11,9 @@ import pytest
 
 import contourlab as cl
 from contourlab.components.registry import component
+from contourlab.loop import Change
+from contourlab.loop.switches import Switches, SwitchKind
+from contourlab.studies.switch_file import switch_file
 
 PERIOD = 1e-3
 
@@ -65,3 +69,53 @@ def test_memory_does_not_grow_with_the_run(tmp_path: Path) -> None:
         peaks.append(tracemalloc.get_traced_memory()[1])
         tracemalloc.stop()
     assert peaks[1] < 1.3 * peaks[0]
+
+
+def supervised() -> cl.Controller:
+    """Return a controller that is exchanged for a slower copy of itself at two places of each axis' path."""
+    part = component("controller", "position")
+    fast, slow = part(velocity_gain=60.0, position_gain=2000.0), part(velocity_gain=60.0, position_gain=1500.0)
+    supervisor = component("supervisor", "pre-routed")(places=(0.003, 0.009, 0.02), numbers=(1.0, 0.0, 1.0))
+    return cl.Controller(dict.fromkeys("xy", cl.AxisController(fast, supervisor=supervisor, others=(("slow", slow),))))
+
+
+@pytest.mark.parametrize("signals", [(), ("command",)])
+def test_every_switch_is_written_whatever_the_blocks(tmp_path: Path, signals: tuple[str, ...]) -> None:
+    machine, _ = rig()
+    texts = []
+    for block in (7, 1 << 15):
+        given = {"signals": signals, "block": block, "switches": tmp_path / f"{block}.csv"}
+        cl.simulate_to_file(machine, supervised(), reference(2), tmp_path / "run.nc", **given)
+        texts.append((tmp_path / f"{block}.csv").read_text(encoding="utf-8"))
+    assert texts[0] == texts[1]
+    rows = list(csv.DictReader(texts[0].splitlines()))
+    assert [(row["axis"], row["from"], row["to"]) for row in rows] == [
+        (axis, before, after) for before, after in (("controller", "slow"), ("slow", "controller"), ("controller", "slow")) for axis in "xy"
+    ]
+    for row, place in zip(rows, (0.003, 0.003, 0.009, 0.009, 0.02, 0.02), strict=True):
+        # One lap is 4 pi mm in 1000 samples.
+        assert float(row["arc_length_m"]) == pytest.approx(place, abs=4e-3 * np.pi / 1000.0)
+        assert float(row["time_s"]) == pytest.approx(int(row["sample"]) * PERIOD)
+        assert row["reason"] == "the program has come to a place that is laid down for it" and row["line"] == ""
+
+
+def test_a_controller_that_takes_over_is_written_with_the_switches(tmp_path: Path) -> None:
+    machine, controller = rig()
+    changes = (Change(0.3, rig(velocity_gain=50.0)[1], file="calm.toml"),)
+    cl.simulate_to_file(machine, controller, reference(1), tmp_path / "run.nc", changes=changes, switches=tmp_path / "switches.csv")
+    rows = list(csv.DictReader((tmp_path / "switches.csv").read_text(encoding="utf-8").splitlines()))
+    assert [(row["sample"], row["axis"], row["from"], row["to"]) for row in rows] == [("300", axis, "controller", "calm") for axis in "xy"]
+    whole = cl.simulate(machine, controller, reference(1), changes=changes)
+    np.testing.assert_array_equal(cl.Result.load(tmp_path / "run.nc")["axis_position"], whole["axis_position"])
+
+
+def test_names_that_a_spreadsheet_would_trip_over_come_back(tmp_path: Path) -> None:
+    kinds = (SwitchKind("x", 'a, "b"', "line\nbreak", "because; of"),)
+    one = np.zeros(1, dtype=np.int64)
+    found = Switches(("x",), PERIOD, kinds, one, one + 3, np.array([np.nan]), one + 12, {}, {})
+    with switch_file(tmp_path / "switches.csv") as listed:
+        listed.append(found)
+    with (tmp_path / "switches.csv").open(encoding="utf-8", newline="") as stream:
+        (row,) = csv.DictReader(stream)
+    assert (row["from"], row["to"], row["reason"]) == ('a, "b"', "line\nbreak", "because; of")
+    assert (row["time_s"], row["sample"], row["arc_length_m"], row["line"]) == ("0.003", "3", "", "12")

@@ -178,4 +178,8 @@ def _default(parameter: Parameter) -> str:
     """Return the default, or the word for one that has to be given."""
     if parameter.default is None:
         return "required"
-    return parameter.default if isinstance(parameter.default, str) else _shown(parameter, parameter.default)
+    if isinstance(parameter.default, str):
+        return parameter.default
+    if isinstance(parameter.default, tuple):
+        return f"[{', '.join(_shown(parameter, value) for value in parameter.default)}]"
+    return _shown(parameter, parameter.default)

@@ -43,6 +43,25 @@ def gecer_ulu(
     return _told(rows, as_json)
 
 
+@reproduce.command()
+def shahin(
+    as_json: Json = False,
+    plots: Annotated[list[str] | None, typer.Option(help="Also draw Figs 7 to 13 as png, svg or pdf; may be given again.")] = None,
+    out: Annotated[Path, typer.Option(help="Folder of the pictures.")] = Path("results"),
+) -> int:
+    """Shahin, ElMaraghy and ElBeheiry: nonlinearity control of CNC feed drives, backlash and switching controllers."""
+    from contourlab.studies.reproduce.shahin import reproduce as rows_of
+
+    if plots:
+        from contourlab.session.reproduce import check_choice, write_shahin
+
+        check_choice(out, tuple(plots))
+    rows = rows_of()
+    if plots:
+        write_shahin(out, tuple(plots))
+    return _told(rows, as_json)
+
+
 def _told(rows: Sequence[Mapping[str, Any]], as_json: bool) -> int:
     """Print the rows; return 1 where one fails."""
     if as_json:

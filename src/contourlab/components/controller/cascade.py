@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping
 from functools import cache
-from typing import Any
+from typing import Any, ClassVar
 
 import numpy as np
 
@@ -59,7 +59,7 @@ class Cascade(Component):
     }
     without_effect = ("tracking_time",)  # in the example, whose integral is held
     states = (Port("integral"), Port("last_command"))
-    inputs = (
+    inputs: ClassVar[tuple[Port, ...]] = (
         Port("reference"),
         Port("reference_velocity"),
         Port("reference_acceleration"),

@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
+import math
 from typing import Any
 
 import numpy as np
 
 from contourlab.components.contract import LinearModel, Port
 from contourlab.components.plant.single_mass import SingleMass
-from contourlab.components.propagator import NAMES, doublings_for, propagator
+from contourlab.components.propagator import NAMES, STIFFEST, doublings_for, propagator
 
 __all__ = ["LaggedMass"]
 
@@ -55,10 +56,12 @@ class LaggedMass(SingleMass):
         """Return the force that a steady command gives at rest."""
         return par.gain_value * command  # type: ignore[no-any-return]
 
-    def stiffness(self, dt: float) -> float:
-        """Return how many of its own shortest time constants pass in the time dt [s]."""
+    def fewest_substeps(self, dt: float) -> tuple[int, str]:
         m, d, r, _, b = self.rates(self)
-        return float((d + r + np.sqrt(m * b)) * dt)
+        # Its linear part is exact up to so many of its shortest time constants in a step.
+        wanted = math.ceil(float((d + r + np.sqrt(m * b)) * dt) / STIFFEST)
+        words = f"a {self.kind} whose time constants are so far below the servo period; or take a plant without them, such as mass-damper"
+        return max(1, wanted), words
 
     def rigid_model(self) -> tuple[float, float]:
         """Return gain and damping of v' = a u - b v with the same steady velocity, b being one over the sum of the time constants."""

@@ -6,26 +6,19 @@ from typing import Any, ClassVar
 
 import numpy as np
 
-from contourlab.components.contract import Component, LinearModel, Port
+from contourlab.components.contract import LinearModel, Port
+from contourlab.components.plant.plant import Plant
 
 __all__ = ["SingleMass"]
 
 
-class SingleMass(Component):
+class SingleMass(Plant):
     """A mass with viscous damping, pushed by a drive: v' = mobility (drive force + load - friction) - decay v.
 
     A plant of this family gives three functions of its parameters; the integration, together with a friction, is in
     `contourlab.components.mechanics`. A plant that knows its masses has a parameter `carried_mass`, and gives a fourth: `moved_mass`.
-
-    Attributes
-    ----------
-    command_unit, force_unit : str
-        Units of the command that drives it and of the forces on it.
     """
 
-    family = "plant"
-    command_unit: ClassVar[str] = "N"
-    force_unit: ClassVar[str] = "N"
     states: ClassVar[tuple[Port, ...]] = (Port("position"), Port("velocity"))
     inputs = (Port("command"), Port("load"))
     outputs = (Port("position"), Port("velocity"), Port("acceleration"))
@@ -45,27 +38,13 @@ class SingleMass(Component):
         """Return the force of the drive."""
         raise NotImplementedError
 
-    @staticmethod
-    def moved_mass(par: Any) -> Any:
-        """Return the mass that moves in a straight line [kg], without what only turns: numbers or arrays (n_variant,)."""
-        raise NotImplementedError
-
     def at_rest(self, position: float) -> tuple[dict[str, float], dict[str, float]]:
         return {"position": position}, {"position": position}
 
-    @property
-    def knows_mass(self) -> bool:
-        """Whether it can be given more mass; else it is known by its response only."""
-        return "carried_mass" in self.parameters
-
-    def loaded(self, mass: float) -> Any:
-        """Return the plant with more mass [kg] on it; one that is known by its response only stays as it is."""
-        if not mass or not self.knows_mass:
-            return self
-        return self.replace(carried_mass=self.values()["carried_mass"] + mass)
+    def mobilities(self) -> tuple[float, ...]:
+        return (float(type(self).mobility(self.constants())),)
 
     def rigid_model(self) -> tuple[float, float]:
-        """Return gain a [m/s^2 per command] and damping b [1/s] of v' = a u - b v, as slow motions see the plant."""
         par = self.constants()
         kind = type(self)
         return float(kind.mobility(par) * kind.drive_force(par, 1.0)), float(kind.decay(par))

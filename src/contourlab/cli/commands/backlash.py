@@ -1,0 +1,20 @@
+"""``contourlab backlash``: gaps, limit cycles, compensation."""
+
+from __future__ import annotations
+
+from contourlab.cli.output import emit_json, say, wants_progress
+from contourlab.cli.scheme_options import Json, Plugins, ScenarioFile, Schemes, listed
+
+__all__ = ["backlash"]
+
+
+def backlash(file: ScenarioFile, schemes: Schemes = None, as_json: Json = False, plugin: Plugins = None) -> int:
+    """Estimate the backlash of each axis, predict limit cycles, and say what compensation is best."""
+    from contourlab.session.backlash import backlash_scenario
+
+    found = backlash_scenario(file, schemes=listed(schemes), plugins=tuple(plugin or ()), progress=wants_progress(as_json))
+    if as_json:
+        emit_json(found.summary)
+    else:
+        say(found.text)
+    return 0

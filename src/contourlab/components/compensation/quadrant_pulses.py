@@ -1,0 +1,173 @@
+"""Quadrant-peak compensation: pulses on the command where an axis reverses, in two stages."""
+
+from __future__ import annotations
+
+import math
+from functools import cache
+from typing import Any
+
+import numpy as np
+
+from contourlab.components.compensation.reversal import pushed_side
+from contourlab.components.contract import Component, Port, param, text_param
+from contourlab.errors import ParameterError
+from contourlab.primitives import clip, exp, fabs, select
+
+__all__ = ["QuadrantPulses", "check_characteristic", "pulse_states", "pulses_of", "slopes"]
+
+SHAPES = ("rectangle", "decay")
+
+
+def slopes(par: Any) -> tuple[Any, ...]:
+    """Return the slope of the characteristic below a_1, that from a_2 to a_3, and where the latter begins."""
+    first, second, third = (np.asarray(a, dtype=float) for a in (par.acceleration_1, par.acceleration_2, par.acceleration_3))
+    rise = np.where(first > 0.0, 1.0 / np.where(first > 0.0, first, 1.0), 0.0)
+    # Without an end there is no fall; between equal ends there is no line.
+    line = np.isfinite(third) & (third > second)
+    knee = np.where(line, second, 0.0)
+    fall = np.where(line, (par.fast_ratio - 1.0) / (np.where(line, third, 1.0) - knee), 0.0)
+    return rise, fall, knee
+
+
+def check_characteristic(part: Any) -> None:
+    """Refuse a characteristic whose accelerations do not rise.
+
+    Raises
+    ------
+    ParameterError
+        Naming the acceleration that is below the one before it.
+    """
+    if math.isinf(part.acceleration_2) and not math.isinf(part.acceleration_3):
+        raise ParameterError("acceleration_2", "not given", "given where acceleration_3 is", "m/s^2")
+    for low, high in (("acceleration_1", "acceleration_2"), ("acceleration_2", "acceleration_3")):
+        if not getattr(part, low) <= getattr(part, high):
+            raise ParameterError(high, f"{getattr(part, high):g}", f">= {low}, {getattr(part, low):g}", "m/s^2")
+
+
+def strength(par: Any, acceleration: float) -> float:
+    """Return the factor on all pulses for the acceleration at the reversal: the characteristic of four ranges."""
+    a = fabs(acceleration)
+    slow = select(a < par.acceleration_1, a * par.rise, 1.0)
+    fast = select(a >= par.acceleration_3, par.fast_ratio, 1.0 + par.fall * (a - par.knee))
+    return select(a > par.acceleration_2, fast, slow)
+
+
+def rectangle(since: float, width: float, slack: float) -> float:
+    """Return 1 from 0 to `width`, else 0; both moments may be early by `slack`."""
+    return select(since >= -slack, select(since < width - slack, 1.0, 0.0), 0.0)
+
+
+def decay(since: float, width: float, slack: float) -> float:
+    """Return exp(-t/width) from 0 on, which may be early by `slack`; nothing before."""
+    return select(since >= -slack, exp(-clip(since / width, 0.0, 1000.0)), 0.0)
+
+
+def pulse_states(par: Any, x: Any, side: float, acceleration: float, clock: Any) -> tuple[float, float]:
+    """Return when the last reversal was and how strong its pulses are; the strength is 0 as long as there was none."""
+    turned = x.side * side < 0.0
+    return select(turned, clock.t, x.reversed_at), select(turned, strength(par, acceleration), x.strength)
+
+
+@cache
+def pulses_of(shape: str) -> Any:
+    """Return ``pulses(par, side, reversed_at, strength, clock) -> (command, shift)`` of a word of `SHAPES`."""
+    form = {"rectangle": rectangle, "decay": decay}[shape]
+
+    def pulses(par: Any, side: float, reversed_at: float, strength: float, clock: Any) -> tuple[float, float]:
+        # A moment that is a whole number of ticks but for rounding is met.
+        since, slack = clock.t - reversed_at, 1e-6 * clock.dt
+        first = form(since - par.first_delay, par.first_width, slack)
+        second = form(since - par.second_delay, par.second_width, slack)
+        signed = side * strength
+        return signed * (par.first_amplitude * first + par.second_amplitude * second), signed * par.position_pulse * first
+
+    return pulses
+
+
+class QuadrantPulses(Component):
+    """Pulses in the new direction of motion after each reversal of the reference, to get over static friction and lost motion.
+
+    Stage 1 begins `first_delay` after the reversal and turns the friction of the motor's side over; stage 2 begins `second_delay` after the
+    reversal, for that of the machine behind the gap. With ``shape = "rectangle"`` a stage lasts its width; with ``"decay"`` it begins at
+    its amplitude and decays with its width as time constant. `position_pulse` puts stage 1 on the reference too: in a cascade with the
+    position gain K_v that is a pulse of velocity K_v times as large.
+
+    All amplitudes are multiplied by a factor of the acceleration |a| with which the axis reverses (v^2/r at the quadrants of a circle):
+    |a|/a_1 below a_1, 1 from a_1 to a_2, on a straight line to `fast_ratio` at a_3, and `fast_ratio` beyond. The defaults switch this off.
+
+    The first motion is no reversal; standstill in between is passed over. A new reversal cuts the pulses of the last one off.
+
+    References
+    ----------
+    Siemens, SINUMERIK 840D sl Function Manual Extended Functions, K3: friction compensation (quadrant error compensation) with adaptation
+    characteristic, MD32510 to MD32570. FANUC, AC servo motor parameter manual B-65270EN: two-stage backlash acceleration function.
+    """
+
+    family = "compensation"
+    kind = "quadrant-pulses"
+    reference = "SINUMERIK friction compensation; FANUC two-stage backlash acceleration"
+    example = {
+        "first_amplitude": 0.8,
+        "first_width": 0.01,
+        "first_delay": 0.002,
+        "second_amplitude": 0.4,
+        "second_width": 0.02,
+        "second_delay": 0.005,
+        "position_pulse": 1e-3,
+        "acceleration_1": 0.9,
+        "acceleration_2": 0.95,
+        "acceleration_3": 1.2,
+        "fast_ratio": 0.4,
+        "reversal_velocity": 1e-4,
+    }
+    states = (Port("side"), Port("reversed_at"), Port("strength"))
+    inputs = (Port("reference_velocity"), Port("reference_acceleration"))
+    outputs = (Port("reference_shift"), Port("command"))
+    derived = ("rise", "fall", "knee")
+
+    first_amplitude: float = param(unit="{command}", minimum=-1e6, maximum=1e6, doc="of stage 1; positive pushes in the new direction")
+    first_width: float = param(
+        default=0.02, unit="s", minimum=0.0, exclusive=True, display="ms", doc="of stage 1: how long it lasts, or its time constant"
+    )
+    first_delay: float = param(default=0.0, unit="s", minimum=0.0, display="ms", doc="from the reversal to stage 1")
+    second_amplitude: float = param(
+        default=0.0, unit="{command}", minimum=-1e6, maximum=1e6, doc="of stage 2; positive pushes in the new direction"
+    )
+    second_width: float = param(
+        default=0.02, unit="s", minimum=0.0, exclusive=True, display="ms", doc="of stage 2: how long it lasts, or its time constant"
+    )
+    second_delay: float = param(default=0.02, unit="s", minimum=0.0, display="ms", doc="from the reversal to stage 2")
+    position_pulse: float = param(
+        default=0.0, unit="m", minimum=-0.01, maximum=0.01, display="um", doc="amplitude of stage 1 on the reference"
+    )
+    acceleration_1: float = param(default=0.0, unit="m/s^2", minimum=0.0, doc="acceleration up to which pulses grow, a_1")
+    acceleration_2: float = param(default=math.inf, unit="m/s^2", minimum=0.0, doc="acceleration up to which they stay, a_2")
+    acceleration_3: float = param(default=math.inf, unit="m/s^2", minimum=0.0, doc="acceleration from which they are `fast_ratio`, a_3")
+    fast_ratio: float = param(default=1.0, minimum=0.0, maximum=10.0, doc="size of pulses beyond a_3 over that from a_1 to a_2")
+    reversal_velocity: float = param(
+        default=0.0, unit="m/s", minimum=0.0, display="mm/s", doc="speed of the reference below which it has no direction"
+    )
+    shape: str = text_param(default="rectangle", choices=SHAPES, doc="whether a stage lasts its width or decays with it")
+
+    def __init__(self, **values: Any) -> None:
+        super().__init__(**values)
+        check_characteristic(self)
+
+    def derive(self, par: Any, dt: float) -> tuple[Any, ...]:
+        return slopes(par)
+
+    def step_function(self) -> Any:
+        return _make(self.shape)
+
+
+@cache
+def _make(shape: str) -> Any:
+    pulses = pulses_of(shape)
+
+    def step(par: Any, x: Any, inp: Any, clock: Any) -> Any:
+        side = pushed_side(inp.reference_velocity, par.reversal_velocity, x.side)
+        moment, size = pulse_states(par, x, side, inp.reference_acceleration, clock)
+        command, shift = pulses(par, side, moment, size, clock)
+        return (side, moment, size), (shift, command)
+
+    return step

@@ -1,0 +1,1 @@
+"""Observers of the backlash gap from the motor side."""

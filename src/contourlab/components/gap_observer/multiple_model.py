@@ -1,0 +1,301 @@
+"""Backlash seen from the motor alone: a bank of Kalman filters, each with a guess of the gap of its own."""
+
+from __future__ import annotations
+
+import math
+from functools import cache
+from typing import Any
+
+import numpy as np
+
+from contourlab.components.contract import Component, Port, param
+from contourlab.components.gap_observer.load_filter import (
+    CORRELATION,
+    N_COVARIANCE,
+    N_STATE,
+    advance,
+    corrected,
+    faded,
+    flanks,
+    normal_law,
+    restarted,
+    sane,
+    started,
+)
+from contourlab.engine.step import Step
+from contourlab.errors import ParameterError
+from contourlab.primitives import add, clip, exp, lincomb, maximum, minimum, scale, select, sqrt
+
+__all__ = ["MultipleModel"]
+
+SCORE = N_STATE + N_COVARIANCE
+"""Where a filter keeps the logarithm of its weight, behind mean and covariance."""
+MODEL_ERROR = 0.01
+"""Part of the gap that the deviation never falls below: sub-steps and linearisation are no better."""
+MISFIT = SCORE + 1
+"""Behind that, the mean of its squared deviations: 1 or less where the model holds."""
+MISFITTING = 2.0
+"""Mean of the leading filter's squared deviations at which nothing that was learnt is kept."""
+JUDGED = 0.5
+"""Seconds over which that mean is taken."""
+SETTLED = 0.03
+"""Seconds of contact without a break after which a flank is known: a few periods of a shaft that rebounds."""
+LOST = 50.0
+"""Nats behind the best filter at which one has lost its way: e**-50 of its weight."""
+SURE = 0.999
+"""Probability of contact from which a flank is taken for certain."""
+
+
+class MultipleModel(Component):
+    """Gap state and gap size from motor position and command: a Gaussian sum of extended Kalman filters of the two-inertia drive.
+
+    Each of the `hypotheses` starts from a gap of its own, spaced by one ratio from `smallest_gap` to `largest_gap`, and follows motor and
+    load, the gap, and how far torque, load inertia and load friction are off (each by `uncertainty`, one standard deviation) in one state
+    of eight with its covariance. The force of the shaft is K dz(p_m - p_l, gap/2) averaged over what the filter does not know of its twist
+    (statistical linearisation), so that a motor that moves on without a load's resistance widens the gap, and a contact ends it; what the
+    average leaves out is counted as noise. Guesses are weighed by how well they foretold each encoder reading; gap, deviation and the load
+    are those of the mixture.
+
+    Until contact has lasted without a break once, the gap is what it was guessed; from there all filters start from the flank that is
+    touched. The deviation is wide until the other flank has been touched as well. Filters that have lost their way start again beside the
+    leading one; where the leading one fails to foretell the encoder, all that was learnt is dropped. `confidence` is the probability that
+    the gap state is what it says, times that of a gap within `tolerance` of the one it says. What was learnt fades over `memory`.
+
+    Valid where the drive is the two-inertia one and moves across its gap. Choose `substeps` so that the shaft turns less than 0.35 rad of
+    its oscillation in each, sqrt(K (1/M_m + 1/M_l)) T/substeps. Where the inertia of a load that slows down just balances its friction,
+    contact fades away rather than ends, and the gap is found too wide, by more than the deviation says.
+
+    References
+    ----------
+    Alspach & Sorenson, "Nonlinear Bayesian estimation using Gaussian sum approximations", IEEE Trans. Automatic Control 17 (1972);
+    Lagerberg & Egardt, "Backlash estimation with application to automotive powertrains", IEEE Trans. Control Systems Technology 15 (2007),
+    for Kalman filters of gap size and state; here contact is a matter of probability, and the motor's side alone is measured.
+    """
+
+    family = "gap_observer"
+    kind = "multiple-model"
+    reference = "Alspach & Sorenson 1972; Lagerberg & Egardt 2007"
+    inputs = (Port("motor_position"), Port("applied"))
+    outputs = (
+        Port("gap_state"),
+        Port("gap"),
+        Port("gap_deviation"),
+        Port("confidence"),
+        Port("load_position"),
+        Port("load_velocity"),
+    )
+    derived = (
+        "force_value",
+        "motor_mobility",
+        "motor_drag",
+        "load_mobility",
+        "stiffness_value",
+        "damper_value",
+        "load_drag",
+        "encoder_noise",
+        "force_noise",
+        "ratio",
+        "fading",
+        "spacing",
+        "judging",
+        "first_gap",
+        "first_deviation",
+    )
+    example = {
+        "motor_inertia": 5.2e-3,
+        "load_inertia": 4.4e-3,
+        "mass": 30.0,
+        "lead": 0.016,
+        "stiffness": 950.0,
+        "shaft_damping": 0.1,
+        "motor_damping": 2e-3,
+        "load_damping": 3e-3,
+        "coulomb": 40.0,
+        "motor_coulomb": 5.0,
+        "torque_gain": 0.9,
+        "resolution": 1e-3,
+        "smallest_gap": 1e-3,
+        "largest_gap": 10e-3,
+        "unmodelled_force": 200.0,
+        "memory": 1.0,
+        "hypotheses": 3.0,
+        "substeps": 1.0,
+    }
+
+    motor_inertia: float = param(
+        unit="kg*m^2", minimum=0.0, exclusive=True, display="kg*cm^2", doc="of motor, coupling and what turns with them, J_m"
+    )
+    load_inertia: float = param(
+        default=0.0, unit="kg*m^2", minimum=0.0, display="kg*cm^2", doc="of the load as the shaft sees it, J_l; `mass` comes on top"
+    )
+    mass: float = param(default=0.0, unit="kg", minimum=0.0, doc="of the table and all that it carries")
+    lead: float = param(unit="m", minimum=0.0, exclusive=True, display="mm", doc="travel per turn of the screw, l")
+    stiffness: float = param(unit="N*m/rad", minimum=0.0, exclusive=True, doc="of shaft, coupling and nut, k_s")
+    shaft_damping: float = param(default=0.0, unit="N*m*s/rad", minimum=0.0, doc="of the same, d_s")
+    motor_damping: float = param(default=0.0, unit="N*m*s/rad", minimum=0.0, doc="viscous, on the motor's side, c_m")
+    load_damping: float = param(default=0.0, unit="N*m*s/rad", minimum=0.0, doc="viscous, on the load's side, c_l")
+    coulomb: float = param(default=0.0, unit="N", minimum=0.0, doc="friction of the guides, whatever the speed")
+    motor_coulomb: float = param(default=0.0, unit="N", minimum=0.0, doc="the same on the motor's side, at the table")
+    torque_gain: float = param(default=1.0, minimum=0.0, exclusive=True, doc="torque that comes per torque that was asked for, g")
+    uncertainty: float = param(
+        default=0.03,
+        minimum=1e-4,
+        maximum=0.15,
+        doc="of torque gain, load inertia and load friction, one standard deviation over the value; 5 % either way is 0.03",
+    )
+    resolution: float = param(
+        default=0.125e-6, unit="m", minimum=0.0, exclusive=True, display="um", doc="of the motor's encoder, at the table"
+    )
+    unmodelled_force: float = param(
+        default=1.0,
+        unit="N",
+        minimum=0.0,
+        exclusive=True,
+        doc="what the model leaves out on either side, standard deviation over a millisecond",
+    )
+    smallest_gap: float = param(default=5e-6, unit="m", minimum=0.0, exclusive=True, display="um", doc="of the first guess")
+    largest_gap: float = param(default=150e-6, unit="m", minimum=0.0, exclusive=True, display="um", doc="of the last guess")
+    tolerance: float = param(default=0.25, minimum=0.0, maximum=1.0, exclusive=True, doc="error of the gap that `confidence` allows for")
+    memory: float = param(default=60.0, unit="s", minimum=0.0, exclusive=True, doc="over which what was learnt fades")
+    hypotheses: float = param(default=8.0, minimum=2.0, maximum=16.0, whole=True, structural=True, doc="guesses of the gap")
+    substeps: float = param(default=2.0, minimum=1.0, maximum=32.0, whole=True, structural=True, doc="of the model in a servo period")
+
+    def __init__(self, **values: Any) -> None:
+        super().__init__(**values)
+        if not self.load_inertia + self.mass > 0.0:
+            raise ParameterError("load_inertia", "0", "> 0, or a mass given", "kg*m^2")
+        if not self.largest_gap > self.smallest_gap:
+            raise ParameterError("largest_gap", f"{self.largest_gap:g}", f"> smallest_gap = {self.smallest_gap:g}", "m")
+
+    def make_step(self, n_axis: int = 1) -> Step:
+        """Return the step, whose states are as many filters as there are hypotheses."""
+        n = int(self.hypotheses)
+        filters = tuple(Port(f"filter_{i}", MISFIT + 1) for i in range(n))
+        states = (Port("ticks"), Port("last_position"), Port("contact"), Port("sound"), *filters)
+        parameters = (*self.numeric(), *self.derived)
+        function = _make(n, int(self.substeps))
+        return Step(f"{self.family}/{self.kind}", function, parameters, (), "", states, self.inputs, self.outputs)
+
+    def derive(self, par: Any, dt: float) -> tuple[Any, ...]:
+        turn = 2.0 * math.pi / par.lead
+        square = turn * turn
+        motor, load = par.motor_inertia * square, par.load_inertia * square + par.mass
+        n = int(self.hypotheses)
+        ratio = (par.largest_gap / par.smallest_gap) ** (1.0 / (n - 1))
+        # Half the way to the next guess.
+        spacing = 0.5 * (ratio - 1.0)
+        first = sum(par.smallest_gap * ratio**i for i in range(n)) / n
+        square_of_first = (1.0 + spacing * spacing) * sum((par.smallest_gap * ratio**i) ** 2 for i in range(n)) / n
+        return (
+            par.torque_gain * turn,
+            1.0 / motor,
+            par.motor_damping * square,
+            1.0 / load,
+            par.stiffness * square,
+            par.shaft_damping * square,
+            par.load_damping * square,
+            # Twice that of even rounding: at low speed successive errors are alike.
+            par.resolution * par.resolution / 6.0,
+            2.0 * CORRELATION * par.unmodelled_force * par.unmodelled_force,
+            ratio,
+            np.minimum(dt / par.memory, 0.5),
+            spacing,
+            min(dt / JUDGED, 0.5),
+            first,
+            np.sqrt(square_of_first - first * first),
+        )
+
+
+@cache
+def _make(n: int, substeps: int) -> Any:
+    def follow(par: Any, kept: Any, running: float, speed: float, guess: float, inp: Any, dt: float) -> Any:
+        """Return mean, covariance, score and misfit of a filter a tick later, in one tuple as they are kept."""
+        fresh, wide = started(inp.motor_position, speed, guess, par.spacing * guess, par.encoder_noise, dt)
+        x = _mixed(running, kept[:N_STATE], fresh)
+        c = _mixed(running, kept[N_STATE:SCORE], wide)
+        for _ in range(substeps):
+            x, c = advance(par, x, c, inp.applied, dt / substeps)
+        x, c, likeliness, surprise = corrected(par, x, faded(par, x, c), inp.motor_position)
+        misfit = kept[MISFIT] + par.judging * (surprise - kept[MISFIT])
+        going = sane(x, c)
+        score = (1.0 - par.fading) * kept[SCORE] + likeliness - 10.0 * LOST * (1.0 - going)
+        return *_mixed(going, x, fresh), *_mixed(going, c, wide), score, misfit
+
+    names = (add, scale, minimum, maximum, _scored, _better, _side, _waited, _renewed, _moments, _told)
+    scope: dict[str, Any] = {"__name__": __name__, "follow": follow, **{used.__name__: used for used in names}}
+    exec(_source(n), scope)
+    return scope["step"]
+
+
+def _source(n: int) -> str:
+    """Return the step over n filters, written out, as a step has neither lists nor loops over unlike things."""
+    every = range(n)
+    lines = ["guess_0 = par.smallest_gap", *(f"guess_{i} = guess_{i - 1} * par.ratio" for i in every[1:])]
+    # Two readings tell where the motor is and how fast; the filters run from the third.
+    lines += ["running, two = maximum(x.ticks - 1.0, 0.0), minimum(x.ticks, 1.0)"]
+    lines += ["speed = two * (inp.motor_position - x.last_position) / clock.dt"]
+    lines += [f"seen_{i} = follow(par, x.filter_{i}, running, speed, guess_{i}, inp, clock.dt)" for i in every]
+    lines += [f"best = seen_0[{SCORE}]", *(f"best = maximum(best, seen_{i}[{SCORE}])" for i in every[1:])]
+    lines += [f"kept_{i} = _scored(seen_{i}, best)" for i in every]
+    lines += ["leader = kept_0", *(f"leader = _better(leader, kept_{i})" for i in every[1:])]
+    lines += ["side = _side(leader)", "contact, sound, settled, again = _waited(x, side, leader, clock.dt)"]
+    lines += [f"new_{i} = _renewed(par, kept_{i}, leader, side, settled, again, guess_{i})" for i in every]
+    lines += ["total = _moments(new_0)", *(f"total = add(total, _moments(new_{i}))" for i in every[1:])]
+    states = ("minimum(x.ticks + 1.0, 2.0)", "inp.motor_position", "contact", "sound", *(f"new_{i}" for i in every))
+    lines += [f"return ({', '.join(states)}), _told(par, total, sound)\n"]
+    return "\n    ".join(["def step(par, x, inp, clock):", *lines])
+
+
+def _mixed(part: float, one: Any, other: Any) -> Any:
+    return lincomb(part, one, 1.0 - part, other)
+
+
+def _scored(seen: Any, best: float) -> Any:
+    """Return a filter with its score counted from the best one's; far enough behind, it is no matter how far."""
+    return *seen[:SCORE], maximum(seen[SCORE] - best, -10.0 * LOST), seen[MISFIT]
+
+
+def _better(leader: Any, kept: Any) -> Any:
+    return _mixed(select(kept[SCORE] > leader[SCORE], 1.0, 0.0), kept, leader)
+
+
+def _side(leader: Any) -> float:
+    """Return the flank at which a filter surely is, or 0."""
+    ahead, behind = flanks(leader[:N_STATE], leader[N_STATE:SCORE])
+    return select(ahead > SURE, 1.0, select(behind > SURE, -1.0, 0.0))
+
+
+def _waited(x: Any, side: float, leader: Any, dt: float) -> tuple[float, float, float, float]:
+    """Return how long contact has lasted, whether a flank has been known, whether one is now, and whether to start all over from it."""
+    contact = select(side == 0.0, 0.0, minimum(x.contact + dt, SETTLED))
+    settled = select(contact >= SETTLED, 1.0, 0.0)
+    again = settled * select(leader[MISFIT] > MISFITTING, 1.0, 1.0 - x.sound)
+    return contact * (1.0 - again), maximum(again, x.sound), settled, again
+
+
+def _renewed(par: Any, kept: Any, leader: Any, side: float, settled: float, again: float, guess: float) -> Any:
+    """Return a filter; started again beside the leading one where it has lost its way, or with all the others."""
+    lost = select(kept[SCORE] < -LOST, settled, 0.0)
+    x, c = restarted(leader[:N_STATE], leader[N_STATE:SCORE], side, guess, par.spacing * guess, par.uncertainty, 1.0 - again)
+    misfit = again + (1.0 - again) * leader[MISFIT]
+    return _mixed(maximum(lost, again), (*x, *c, -0.5 * LOST * (1.0 - again), misfit), kept)
+
+
+def _moments(kept: Any) -> Any:
+    """Return what a filter adds to the sums of the mixture, by its weight."""
+    x, c = kept[:N_STATE], kept[N_STATE:SCORE]
+    ahead, behind = flanks(x, c)
+    return scale(exp(kept[SCORE]), (1.0, x[4], x[4] * x[4] + maximum(c[26], 0.0), x[2], x[3], ahead, behind))
+
+
+def _told(par: Any, total: Any, sound: float) -> Any:
+    """Return the outputs from the sums of the mixture."""
+    _, gap, square, position, velocity, ahead, behind = scale(1.0 / total[0], total)
+    deviation = sqrt(maximum(square - gap * gap, 0.0) + (MODEL_ERROR * gap) * (MODEL_ERROR * gap))
+    gap, deviation = select(sound > 0.0, gap, par.first_gap), select(sound > 0.0, deviation, par.first_deviation)
+    state = select(ahead > 0.5, 1.0, select(behind > 0.5, -1.0, 0.0))
+    sure = select(state > 0.0, ahead, select(state < 0.0, behind, 1.0 - ahead - behind))
+    # A picometre, as a gap that is known to be none is no division by zero.
+    _, within = normal_law(par.tolerance * gap / (deviation + 1e-12))
+    confidence = sound * clip(sure, 0.0, 1.0) * clip(2.0 * within - 1.0, 0.0, 1.0)
+    return state, gap, deviation, confidence, position, velocity

@@ -1,0 +1,251 @@
+"""A feed drive as motor and load behind each other, with a shaft and backlash between them."""
+
+from __future__ import annotations
+
+import math
+from functools import cache
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from contourlab.components.contract import LinearModel, Port, param, text_param
+from contourlab.components.plant.plant import Plant
+from contourlab.components.two_mass_bristle import two_mass_bristle_step
+from contourlab.components.two_mass_mechanics import two_mass_step
+from contourlab.errors import ComponentError, ParameterError
+from contourlab.primitives import clip, floor, lookup, select
+
+__all__ = ["TwoInertia"]
+
+Array = NDArray[np.float64]
+COARSEST = 0.5
+"""Radians of the shaft's oscillation in a sub-step: fourth order damps it by 1e-4 in each at that."""
+
+
+class TwoInertia(Plant):
+    """Two-inertia feed drive: J_m w_m' + c_m w_m = g u - T, J_l w_l' + c_l w_l = T; the table moves by the lead in a turn.
+
+    T = k_s theta_s + d_s theta_s' is what the shaft transmits, theta_s its twist behind the free travel. All states are lengths at the
+    table; an angle of the motor is 2 pi/l times its length there, an inertia (2 pi/l)^2 times as much mass. The free travel in all, between
+    the two flanks, is `backlash_gap` + l/(2 pi) `backlash_angle`; it may vary with the table's place by `gap_profile`. Loads and frictions
+    act at the table, forces on the motor are counted there too.
+
+    The contact is integrated as `contourlab.components.two_mass_mechanics` says, with bristles as `two_mass_bristle` beside it; in the gap
+    with a twist that decays in the physical model, and with a damped shaft that also pulls in the dead-zone model. The position that a path
+    asks for is the load's; lost motion is the free travel and what guide friction twists the shaft by, 2 F_c/k_s.
+
+    References
+    ----------
+    Shahin, ElMaraghy & ElBeheiry, "On nonlinearity control of CNC feed drives", eqs (1)-(4); Nordin, Galic & Gutman, "New models for
+    backlash and gear play", Int. J. Adaptive Control and Signal Processing 11 (1997) 49-63.
+    """
+
+    kind = "two-inertia"
+    reference = "Shahin, ElMaraghy & ElBeheiry, eqs 1-4; Nordin, Galic & Gutman 1997"
+    command_unit = "N*m"
+    force_unit = "N"
+    two_sided = True
+    rest_depends = ("backlash_gap", "backlash_angle", "start_in_gap", "lead")
+    states = (
+        Port("motor_position"),
+        Port("motor_velocity"),
+        Port("position"),
+        Port("velocity"),
+        Port("side"),
+        Port("twist"),
+    )
+    inputs = (Port("command"), Port("load"))
+    outputs = (
+        Port("position"),
+        Port("velocity"),
+        Port("acceleration"),
+        Port("motor_position"),
+        Port("motor_velocity"),
+        Port("gap_state"),
+        Port("shaft_force"),
+    )
+    derived = (
+        "force_value",
+        "motor_mobility",
+        "motor_decay",
+        "load_mobility",
+        "load_decay",
+        "stiffness_value",
+        "damper_value",
+        "half_gap",
+        "bonded",
+        "unwinding",
+        "profile_rate",
+    )
+    tables = ("profile",)
+    example = {
+        "motor_inertia": 5.2e-3,
+        "load_inertia": 4.4e-3,
+        "mass": 30.0,
+        "lead": 0.016,
+        "motor_damping": 2e-3,
+        "load_damping": 3e-3,
+        "stiffness": 950.0,
+        "shaft_damping": 0.1,
+        "backlash_gap": 20e-6,
+        "backlash_angle": 1e-3,
+        "start_in_gap": 0.5,
+        "gap_profile": (1.0, 0.5, 0.8),
+        "profile_start": -0.01,
+        "profile_step": 0.5,
+    }
+    without_effect = ("start_in_gap",)  # it is where a run starts
+    motor_inertia: float = param(
+        unit="kg*m^2", minimum=0.0, exclusive=True, display="kg*cm^2", doc="of motor, coupling and what turns with them, J_m"
+    )
+    load_inertia: float = param(
+        default=0.0, unit="kg*m^2", minimum=0.0, display="kg*cm^2", doc="of the load as the shaft sees it, J_l; `mass` comes on top"
+    )
+    mass: float = param(default=0.0, unit="kg", minimum=0.0, doc="of the table, beside load_inertia: it counts (l/2 pi)^2 of it")
+    carried_mass: float = param(default=0.0, unit="kg", minimum=0.0, doc="mass that the axis carries besides its own")
+    lead: float = param(unit="m", minimum=0.0, exclusive=True, display="mm", doc="travel per turn of the screw, l")
+    stiffness: float = param(unit="N*m/rad", minimum=0.0, exclusive=True, doc="of shaft, coupling and nut, k_s")
+    shaft_damping: float = param(default=0.0, unit="N*m*s/rad", minimum=0.0, doc="of the same, d_s")
+    motor_damping: float = param(default=0.0, unit="N*m*s/rad", minimum=0.0, doc="viscous, on the motor's side, c_m")
+    load_damping: float = param(default=0.0, unit="N*m*s/rad", minimum=0.0, doc="viscous, on the load's side, as the shaft sees it, c_l")
+    torque_gain: float = param(default=1.0, minimum=0.0, exclusive=True, doc="torque that comes per torque that was asked for, g")
+    backlash_gap: float = param(default=0.0, unit="m", minimum=0.0, display="um", doc="free travel in all, as a length at the table")
+    backlash_angle: float = param(default=0.0, unit="rad", minimum=0.0, doc="free travel of the coupling, as an angle of the motor")
+    start_in_gap: float = param(
+        default=0.0,
+        minimum=-1.0,
+        maximum=1.0,
+        doc="where the motor stands in the gap at first: 0 midway, 1 at the flank that drives forwards",
+    )
+    contact_model: str = text_param(
+        default="physical",
+        choices=("physical", "dead-zone"),
+        doc="where a damped shaft leaves a flank",
+        source="Nordin, Galic & Gutman 1997",
+    )
+    gap_profile: tuple[float, ...] = param(
+        default=(1.0,),
+        vector=True,
+        minimum=0.0,
+        doc="part of the free travel that there is at evenly spaced places of the load; (1,) all along",
+    )
+    profile_start: float = param(default=0.0, unit="m", display="mm", doc="place of the first value of gap_profile; the ends hold beyond")
+    profile_step: float = param(
+        default=1.0, unit="m", minimum=0.0, exclusive=True, display="mm", doc="distance between two values of gap_profile"
+    )
+    unbounded = ("profile_start",)
+
+    def derive(self, par: Any, dt: float) -> tuple[Any, ...]:
+        turn = 2.0 * math.pi / par.lead
+        motor = par.motor_inertia * turn * turn
+        load = par.load_inertia * turn * turn + par.mass + par.carried_mass
+        stiffness, damper = par.stiffness * turn * turn, par.shaft_damping * turn * turn
+        gap = par.backlash_gap + par.backlash_angle / turn
+        damped = damper > 0.0
+        # Without damping the shaft unwinds at once, and there is no twist to follow.
+        unwinding = np.where(damped, stiffness / np.where(damped, damper, 1.0), 0.0)
+        return (
+            par.torque_gain * turn,
+            1.0 / motor,
+            par.motor_damping * turn * turn / motor,
+            1.0 / load,
+            par.load_damping * turn * turn / load,
+            stiffness,
+            damper,
+            0.5 * gap,
+            np.where(gap > 0.0, 0.0, 1.0),
+            unwinding,
+            1.0 / par.profile_step,
+        )
+
+    def __init__(self, **values: Any) -> None:
+        super().__init__(**values)
+        if not self.load_inertia + self.mass + self.carried_mass > 0.0:
+            raise ParameterError("load_inertia", "0", "> 0, or a mass given", "kg*m^2")
+
+    def table_values(self) -> dict[str, Array]:
+        return {"profile": np.array(self.gap_profile)}
+
+    def gap_function(self) -> Any:
+        """Return ``gap(par, position)``: half of the free travel where the load stands, and its slope."""
+        return _varying(len(self.gap_profile)) if len(self.gap_profile) > 1 else _even
+
+    def joined(self, motor: Any, load: Any, motor_view: Any, load_view: Any) -> Any:
+        laws = {motor.law, load.law}
+        if laws > {"bristle"} and laws != {"bristle", "smooth"}:
+            # A body that is held and one whose bristles bend would have to be solved for together at every stop.
+            raise ComponentError(
+                f"a {self.kind} does not join a friction of bristles on one side with one of law {(laws - {'bristle'}).pop()!r} on the "
+                f"other: motor {motor.kind}, load {load.kind}; give both bristles, or the other a smooth friction or none"
+            )
+        join = two_mass_bristle_step if "bristle" in laws else two_mass_step
+        return join(self.gap_function(), self.contact_model == "physical", motor, load, motor_view, load_view)
+
+    def gap_at(self, position: float) -> float:
+        """Return the free travel in all [m] where the load stands at `position` [m]."""
+        places = self.profile_start + self.profile_step * np.arange(len(self.gap_profile))
+        whole = self.backlash_gap + self.backlash_angle * self.lead / (2.0 * math.pi)
+        return whole * float(np.interp(position, places, self.gap_profile))
+
+    def at_rest(self, position: float) -> tuple[dict[str, float], dict[str, float]]:
+        motor = position + 0.5 * self.start_in_gap * self.gap_at(position)
+        return {"position": position, "motor_position": motor}, {"position": position, "motor_position": motor}
+
+    @staticmethod
+    def moved_mass(par: Any) -> Any:
+        return par.mass + par.carried_mass
+
+    def rigid_model(self) -> tuple[float, float]:
+        turn = 2.0 * math.pi / self.lead
+        whole = (self.motor_inertia + self.load_inertia) * turn * turn + self.mass + self.carried_mass
+        return self.torque_gain * turn / whole, (self.motor_damping + self.load_damping) * turn * turn / whole
+
+    def linear(self) -> Any:
+        return self.replace(backlash_gap=0.0, backlash_angle=0.0)
+
+    def linearize(self) -> LinearModel:
+        """Return the model of the contact: the drive without its gap."""
+        d = self.constants()
+        k, c, motor, load = d.stiffness_value, d.damper_value, d.motor_mobility, d.load_mobility
+        a = np.array(
+            [
+                [0.0, 1.0, 0.0, 0.0],
+                [-k * motor, -c * motor - d.motor_decay, k * motor, c * motor],
+                [0.0, 0.0, 0.0, 1.0],
+                [k * load, c * load, -k * load, -c * load - d.load_decay],
+            ]
+        )
+        b = np.array([[0.0, 0.0], [d.force_value * motor, 0.0], [0.0, 0.0], [0.0, load]])
+        names = ("position", "velocity", "motor_position", "motor_velocity")
+        return LinearModel(a, b, np.eye(4)[[2, 3, 0, 1]], np.zeros((4, 2)), ("command", "load"), names)
+
+    def mobilities(self) -> tuple[float, ...]:
+        d = self.constants()
+        return float(d.load_mobility), float(d.motor_mobility)
+
+    def fewest_substeps(self, dt: float) -> tuple[int, str]:
+        d = self.constants()
+        fast = math.sqrt(d.stiffness_value * (d.motor_mobility + d.load_mobility))
+        damped = d.damper_value * (d.motor_mobility + d.load_mobility) + max(d.motor_decay, d.load_decay)
+        wanted = max(fast * dt / COARSEST, damped * dt / 1.0)
+        return max(1, math.ceil(wanted - 1e-9)), f"a shaft that oscillates at {fast / (2.0 * math.pi):.4g} Hz"
+
+
+def _even(par: Any, position: float) -> tuple[float, float]:
+    return par.half_gap, 0.0
+
+
+@cache
+def _varying(n: int) -> Any:
+    last = float(n - 1)
+
+    def gap(par: Any, position: float) -> tuple[float, float]:
+        u = (position - par.profile_start) * par.profile_rate
+        i = clip(floor(u), 0.0, last - 1.0)
+        low, high = lookup(par.profile, i), lookup(par.profile, i + 1.0)
+        inside = select(u < 0.0, 0.0, select(u > last, 0.0, 1.0))
+        slope = inside * (high - low)
+        return par.half_gap * (low + (clip(u, 0.0, last) - i) * (high - low)), par.half_gap * slope * par.profile_rate
+
+    return gap

@@ -1,0 +1,1 @@
+"""Supervisors: which of an axis' controllers is active."""

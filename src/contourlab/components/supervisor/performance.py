@@ -1,0 +1,108 @@
+"""Supervision by what is measured of the axis' performance."""
+
+from __future__ import annotations
+
+from functools import cache
+from typing import Any, ClassVar
+
+import numpy as np
+
+from contourlab.components.contract import Port, param, text_param
+from contourlab.components.supervisor.switching import Supervisor, settled
+from contourlab.errors import ParameterError
+from contourlab.primitives import fabs, select, sqrt
+
+__all__ = ["Performance"]
+
+
+def _apart(inp: Any) -> float:
+    return inp.motor_position - inp.load_position  # type: ignore[no-any-return]
+
+
+def _tracking(inp: Any) -> float:
+    return inp.reference - inp.position  # type: ignore[no-any-return]
+
+
+def _load(inp: Any) -> float:
+    return inp.reference - inp.load_position  # type: ignore[no-any-return]
+
+
+MEASURES = {"motor-load-difference": _apart, "tracking-error": _tracking, "load-error": _load}
+
+
+@cache
+def _make(measure: str, thresholds: tuple[float, ...], falling: bool, averaged: bool) -> Any:
+    of, count = MEASURES[measure], float(len(thresholds))
+
+    def step(par: Any, x: Any, inp: Any, clock: Any) -> Any:
+        now = of(inp)
+        square = x.square + par.weight * (now * now - x.square)
+        seen = sqrt(square) if averaged else fabs(now)
+        level, rank = 0.0, count - x.active if falling else x.active
+        for i in range(len(thresholds)):
+            # A threshold that has been passed has to be undercut by the hysteresis, and the other way round.
+            edge = thresholds[i] + select(rank > float(i), -par.hysteresis, par.hysteresis)
+            level = level + select(seen > edge, 1.0, 0.0)
+        wanted = count - level if falling else level
+        (active, since), out = settled(x.active, x.since, wanted, select(level > rank, 1.0, 2.0), par.dwell_time, clock.dt)
+        return (active, since, square), out
+
+    return step
+
+
+class Performance(Supervisor):
+    """The active controller is told by how large a measured error is: each threshold that it passes is a step to the next controller.
+
+    ``measure = "motor-load-difference"`` is the paper's: with half of the free travel as its one threshold and ``order = "falling"``, the
+    axis' ``controller`` is active in contact and the first of ``others`` in the gap. "tracking-error" and "load-error" are reference minus
+    the position that the controller sees, or the load's. With `averaging_time` the measure is a root mean square over about that time. A
+    threshold is passed upwards where the measure is above it by `hysteresis`, and downwards where it is as much below; after a switch the
+    next one waits for `dwell_time`.
+
+    References
+    ----------
+    Shahin, ElMaraghy & ElBeheiry, "On nonlinearity control of CNC feed drives", section "Supervisory control"; hysteresis and dwell time:
+    Hespanha & Morse, "Stability of switched systems with average dwell-time", Proc. 38th IEEE CDC (1999).
+    """
+
+    kind = "performance"
+    reference = "Shahin, ElMaraghy & ElBeheiry, supervisory control"
+    reasons: ClassVar[tuple[str, ...]] = ("the measure rose past a threshold", "the measure fell below a threshold")
+    example = {
+        "measure": "tracking-error",
+        "thresholds": (0.3, 0.9),
+        "hysteresis": 0.05,
+        "averaging_time": 2e-3,
+        "dwell_time": 3e-3,
+        "order": "rising",
+    }
+    states: ClassVar[tuple[Port, ...]] = (*Supervisor.states, Port("square"))
+    inputs = (Port("reference"), Port("position"), Port("motor_position"), Port("load_position"))
+    derived = ("weight",)
+
+    measure: str = text_param(default="motor-load-difference", choices=tuple(MEASURES), doc="what is monitored")
+    thresholds: tuple[float, ...] = param(unit="m", vector=True, minimum=0.0, display="um", doc="of the measure's magnitude, rising")
+    order: str = text_param(
+        default="falling",
+        choices=("falling", "rising"),
+        doc="whether the last controller, or the first, is for measures below all thresholds",
+    )
+    hysteresis: float = param(default=0.0, unit="m", minimum=0.0, display="um", doc="by how much a threshold has to be passed")
+    averaging_time: float = param(default=0.0, unit="s", minimum=0.0, display="ms", doc="of a root mean square; 0 for the magnitude itself")
+
+    def __init__(self, **values: Any) -> None:
+        super().__init__(**values)
+        if list(self.thresholds) != sorted(set(self.thresholds)):
+            raise ParameterError("thresholds", f"{list(self.thresholds)}", "rising", "m")
+
+    def derive(self, par: Any, dt: float) -> tuple[Any, ...]:
+        time = np.asarray(par.averaging_time, dtype=float)
+        return (np.where(time > 0.0, -np.expm1(-dt / np.where(time > 0.0, time, 1.0)), 1.0),)
+
+    def step_function(self) -> Any:
+        return _make(self.measure, self.thresholds, self.order == "falling", self.averaging_time > 0.0)
+
+    @property
+    def n_controller(self) -> int:
+        """How many controllers it chooses from."""
+        return len(self.thresholds) + 1

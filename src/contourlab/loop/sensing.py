@@ -1,0 +1,136 @@
+"""What the controller of an axis sees: positions and velocities on both sides of its drive, as they are measured."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+from contourlab.components.sensor.ideal import IdealSensor
+from contourlab.components.velocity.true import TrueVelocity
+from contourlab.engine.schedule import Late, Node
+from contourlab.engine.step import Port, Step
+from contourlab.errors import ParameterError
+from contourlab.loop.machine import SIDES, Axis
+from contourlab.primitives import select
+
+if TYPE_CHECKING:
+    from contourlab.loop.template import Builder
+
+__all__ = ["Sensing"]
+
+
+class Sensing:
+    """The sensors of one axis and what its controller makes of them: adds the nodes, and knows the wires.
+
+    Where the plant is motor and load in one, both sides are the same.
+
+    Parameters
+    ----------
+    builder : Builder
+        What collects the nodes.
+    axis : Axis
+    at : float [m]
+        Where the axis stands at first.
+    """
+
+    def __init__(self, builder: Builder, axis: Axis, at: float) -> None:
+        self.builder, self.axis, self.name, self.at = builder, axis, axis.name, at
+        self.mine = builder.controller.axes[axis.name]
+        self._velocities: dict[str, str] = {}
+        self._add_sensors()
+        prefix = f"controller.axes.{self.name}"
+        if self.mine.predictor is not None:
+            wires = {"position": self.measured, "applied": builder.accepted(self.name)}
+            builder.add(f"{self.name}.predictor", self.mine.predictor, f"{prefix}.predictor", wires, at)
+        self.velocity  # noqa: B018 (it is worked out ahead of all that may ask for it)
+
+    def _add_sensors(self) -> None:
+        for side, slot in zip(SIDES, ("sensor", "motor_sensor"), strict=True):
+            sensor = getattr(self.axis, slot)
+            if not isinstance(sensor, IdealSensor):
+                signal = self._signal(side, "position")
+                noisy = self.builder.noisy(sensor, self.name, slot)
+                start = self.at if slot == "sensor" else self._motor_start()
+                self.builder.add(f"{self.name}.{slot}", noisy, f"axes.{self.name}.{slot}", {"position": Late(signal)}, start)
+
+    def _motor_start(self) -> float:
+        return float(self.axis.plant.at_rest(self.at)[1].get("motor_position", self.at))
+
+    def _signal(self, side: str, what: str) -> str:
+        return f"{self.name}.plant.{'motor_' if side == 'motor' and self.axis.plant.two_sided else ''}{what}"
+
+    def position_on(self, side: str) -> Any:
+        """Return the wire of the position measured on a side."""
+        slot = "motor_sensor" if side == "motor" and self.axis.plant.two_sided else "sensor"
+        ideal = isinstance(getattr(self.axis, slot), IdealSensor)
+        return Late(self._signal(side, "position")) if ideal else f"{self.name}.{slot}.position"
+
+    def velocity_on(self, side: str) -> Any:
+        """Return the wire of the velocity on a side, worked out from the position measured there."""
+        if isinstance(self.mine.velocity, TrueVelocity):
+            return Late(self._signal(side, "velocity"))
+        if not self.axis.plant.two_sided:
+            side = self.mine.velocity_feedback
+        if side not in self._velocities:
+            predicted = self.mine.predictor is not None and side == self.mine.velocity_feedback
+            node = f"{self.name}.velocity" if side == self.mine.velocity_feedback else f"{self.name}.{side}_velocity"
+            wires = {"position": self.position if predicted else self.position_on(side)}
+            start = self._motor_start() if side == "motor" else self.at
+            self.builder.add(node, self.mine.velocity, f"controller.axes.{self.name}.velocity", wires, start)
+            self._velocities[side] = f"{node}.velocity"
+        return self._velocities[side]
+
+    @property
+    def measured(self) -> Any:
+        """Wire of the position that the position loop is closed over."""
+        return self.position_on(self.mine.feedback)
+
+    @property
+    def position(self) -> Any:
+        """Wire of the position that the controller sees: measured, or predicted."""
+        return self.measured if self.mine.predictor is None else f"{self.name}.predictor.position"
+
+    @property
+    def velocity(self) -> Any:
+        """Wire of the velocity that the controller sees."""
+        return self.velocity_on(self.mine.velocity_feedback)
+
+    def both_sides(self, port: str) -> Any:
+        """Return the wire of ``motor_position``, ``load_velocity`` and the like.
+
+        An axis whose loop is closed on the motor's side, and that has a gap observer, knows its load by what that makes of it.
+        """
+        side, _, what = port.partition("_")
+        if side == "load" and self.mine.gap_observer is not None and self.mine.feedback == "motor":
+            return f"{self.name}.gap_observer.{port}"
+        return self.position_on(side) if what == "position" else self.velocity_on(side)
+
+    def observed_gap(self, port: str) -> Any:
+        """Return the wire of what the gap observer says; of the gap's size zero where there is none, or as long as it is not sure of it.
+
+        Raises
+        ------
+        ParameterError
+            If a part wants to know the state of the gap and nothing observes it.
+        """
+        if self.mine.gap_observer is None:
+            if port == "gap_estimate":
+                return 0.0
+            raise ParameterError(f"controller.axes.{self.name}.gap_observer", '"none"', "given, as the supervisor asks for what it sees")
+        observer, node = f"{self.name}.gap_observer", f"{self.name}.trusted_gap"
+        if port != "gap_estimate":
+            return f"{observer}.{port}"
+        if all(known.name != node for known in self.builder.nodes):
+            wires = {"gap": f"{observer}.gap", "confidence": f"{observer}.confidence"}
+            self.builder.nodes.append(Node(node, _TRUSTED, wires, {}))
+        return f"{node}.gap"
+
+
+SURE = 0.9
+"""Confidence from which on the size of an observed gap goes before the one that controllers were given."""
+
+
+def _trusted(par: Any, x: Any, inp: Any, clock: Any) -> Any:
+    return (), (select(inp.confidence >= SURE, inp.gap, 0.0),)
+
+
+_TRUSTED = Step("trusted gap", _trusted, (), (), "", (), (Port("gap"), Port("confidence")), (Port("gap"),))

@@ -1,0 +1,245 @@
+"""Every switch from one controller of an axis to another: when, where, and why.
+
+What a run records (``active_controller`` and ``switch_reason``) and what its supervisors call things, put together. Nothing is kept of the
+samples in between, so that a run of any length can be followed block by block.
+"""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+from pathlib import Path
+
+import numpy as np
+from numpy.typing import NDArray
+
+from contourlab.feed import Reference
+from contourlab.loop.machine import AxisController, Controller
+from contourlab.loop.reconfigure import Change
+from contourlab.result import Result
+
+__all__ = ["RECORDED", "SwitchKind", "SwitchLog", "Switches", "switches_of"]
+
+Array = NDArray[np.float64]
+Index = NDArray[np.int64]
+RECORDED = ("active_controller", "switch_reason")
+"""Signals that say what supervisors did."""
+_MOST = 1 << 15  # numbers of controllers and reasons are told apart below this
+
+
+@dataclass(frozen=True, slots=True)
+class SwitchKind:
+    """What switches have in common: axis, names of the two controllers, reason in words."""
+
+    axis: str
+    before: str
+    after: str
+    reason: str
+
+
+@dataclass(frozen=True, eq=False)
+class Switches:
+    """The switches of a run, or of a part of it, in order of time.
+
+    Attributes
+    ----------
+    axes : tuple of str
+        Axes that have a supervisor, or whose controller is changed.
+    servo_period : float [s]
+    kinds : tuple of SwitchKind
+    kind : ndarray (n,) of int
+        Of each switch: an index into `kinds`.
+    sample : ndarray (n,) of int
+        Of the run; the new controller's command is that of this sample.
+    arc_length : ndarray (n,) [m]
+        Of the reference; NaN where it was not kept.
+    line : ndarray (n,) of int
+        Of the part program, from 1; 0 where there is none.
+    active : mapping of str to mapping of str to int
+        By axis and name of controller: samples for which it was active.
+    first : mapping of str to str
+        By axis: the controller that was active before the first switch.
+    """
+
+    axes: tuple[str, ...]
+    servo_period: float
+    kinds: tuple[SwitchKind, ...]
+    kind: Index
+    sample: Index
+    arc_length: Array
+    line: Index
+    active: dict[str, dict[str, int]]
+    first: dict[str, str]
+
+    def __len__(self) -> int:
+        return len(self.sample)
+
+    @property
+    def time(self) -> Array:
+        """Time of each switch [s]."""
+        return np.asarray(self.sample * self.servo_period)
+
+    def counts(self) -> dict[SwitchKind, int]:
+        """Return how many switches there are of each kind, the most frequent first."""
+        found = np.bincount(self.kind, minlength=len(self.kinds))
+        return dict(Counter({kind: int(n) for kind, n in zip(self.kinds, found, strict=True) if n}).most_common())
+
+    def of(self, axis: str) -> Index:
+        """Return the numbers of the switches of one axis."""
+        mine = np.array([kind.axis == axis for kind in self.kinds], dtype=bool)
+        return np.flatnonzero(mine[self.kind]) if len(self.kinds) else np.zeros(0, dtype=np.int64)
+
+
+def switches_of(
+    result: Result, controller: Controller, reference: Reference | None = None, changes: Sequence[Change] = ()
+) -> Switches | None:
+    """Return the switches of a run; None where no axis has a supervisor and no controller takes over on the way.
+
+    Parameters
+    ----------
+    result : Result
+        With the signals `RECORDED`, and ``arc_length`` for the places. Of one that begins later than the run the first sample tells what
+        was active before.
+    controller : Controller
+    reference : Reference, optional
+        Says which line of the program a switch belongs to.
+    changes : sequence of Change
+        Controllers that took over on the way.
+    """
+    log = SwitchLog(controller, result.servo_period, reference, changes)
+    return log.add(result) if log.concerns(result) else None
+
+
+@dataclass
+class SwitchLog:
+    """Follows a run block by block: remembers what is active, and counts.
+
+    Attributes
+    ----------
+    counts : Counter of SwitchKind
+        Of all blocks so far.
+    """
+
+    controller: Controller
+    servo_period: float
+    reference: Reference | None = None
+    changes: Sequence[Change] = ()
+    counts: Counter[SwitchKind] = field(default_factory=Counter)
+    _active: dict[str, str] = field(default_factory=dict)
+    _numbers: dict[str, int] = field(default_factory=dict)
+
+    @property
+    def led(self) -> bool:
+        """Whether some controller has a supervisor on some axis, so that the signals `RECORDED` are there."""
+        return any(any(axis.supervisor is not None for axis in one.axes.values()) for one in self._controllers)
+
+    @property
+    def _controllers(self) -> list[Controller]:
+        return [self.controller, *(change.controller for change in self.changes)]
+
+    def concerns(self, result: Result) -> bool:
+        """Tell whether a result can have switches."""
+        return bool(self.changes) or "active_controller" in result
+
+    def add(self, result: Result) -> Switches:
+        """Return the switches of the next block."""
+        found: list[tuple[Index, Index, Index]] = []
+        kinds: dict[SwitchKind, int] = {}
+        active: dict[str, dict[str, int]] = {}
+        first: dict[str, str] = {}
+        for axis in self._axes(result):
+            held: Counter[str] = Counter()
+            for start, stop, names, why in self._stretches(result, axis):
+                part = self._stretch(result, axis, (start, stop), (names, why), held, kinds)
+                first.setdefault(axis, part[2])
+                found.append((*part[:2], np.full(len(part[0]), result.axes.index(axis))))
+            active[axis] = dict(held)
+        sample, kind, column = (np.concatenate([f[i] for f in found] or [np.zeros(0, dtype=np.int64)]) for i in range(3))
+        order = np.lexsort((column, sample))
+        sample, kind = sample[order], kind[order]
+        along = result["arc_length"][sample] if "arc_length" in result else np.full(len(sample), np.nan)
+        line = np.zeros(len(sample), dtype=np.int64)
+        if self.reference is not None and len(sample) and np.isfinite(along).all():
+            line = self.reference.source_line(along)
+        made = Switches(tuple(active), result.servo_period, tuple(kinds), kind, sample + result.start, along, line, active, first)
+        self.counts.update(made.counts())
+        return made
+
+    def _axes(self, result: Result) -> list[str]:
+        some = [name for name in result.axes if any(one.axes[name].supervisor is not None for one in self._controllers)]
+        return list(result.axes) if self.changes else some
+
+    def _stretches(self, result: Result, axis: str) -> list[tuple[int, int, _Words, str]]:
+        """Return the parts of a block in which one controller holds: samples of the block, names, and why it took over."""
+        edges = [(0, _Words(self.controller.axes[axis], ""), "")]
+        for change in sorted(self.changes, key=lambda one: one.time):
+            sample = change.sample(self.servo_period)
+            label = Path(change.file).stem or f"from {change.time:g} s"
+            edges.append((sample, _Words(change.controller.axes[axis], label), f"the controller of {change.file or 'a change'} takes over"))
+        ends = [sample for sample, _, _ in edges[1:]] + [result.start + result.n_sample]
+        found = []
+        for (begin, names, why), end in zip(edges, ends, strict=True):
+            low, high = max(begin - result.start, 0), min(end - result.start, result.n_sample)
+            if low < high:
+                found.append((low, high, names, why if begin - result.start == low and why else ""))
+        return found
+
+    def _stretch(
+        self, result: Result, axis: str, span: tuple[int, int], words: tuple[_Words, str], held: Counter[str], kinds: dict[SwitchKind, int]
+    ) -> tuple[Index, Index, str]:
+        """Return samples and kinds of the switches within a stretch, and what was active before it."""
+        (start, stop), (names, why) = span, words
+        number, reason = _numbers(result, axis, start, stop)
+        times = np.bincount(number)
+        held.update({names.controller(int(n)): int(times[n]) for n in np.flatnonzero(times)})
+        # A run begins with number 0; of a part of one it is not known what was active before.
+        begins = axis not in self._active
+        last = (0 if result.start == 0 else int(number[0])) if begins else self._numbers[axis]
+        before = names.controller(last) if begins else self._active[axis]
+        where = np.flatnonzero(np.diff(number, prepend=number[0] if why else last))
+        earlier = np.where(where > 0, number[where - 1], last)
+        codes, inverse = np.unique((earlier * _MOST + number[where]) * _MOST + reason[where], return_inverse=True)
+        made = []
+        for code in codes:
+            one, other, because = int(code) // _MOST**2, int(code) // _MOST % _MOST, int(code) % _MOST
+            kind = SwitchKind(axis, names.controller(one), names.controller(other), names.reason(because, other))
+            made.append(kinds.setdefault(kind, len(kinds)))
+        sample, kind_of = where + start, np.array(made, dtype=np.int64)[inverse]
+        if why:
+            taking = SwitchKind(axis, before, names.controller(int(number[0])), why)
+            sample, kind_of = np.append(start, sample), np.append(kinds.setdefault(taking, len(kinds)), kind_of)
+        self._active[axis], self._numbers[axis] = names.controller(int(number[-1])), int(number[-1])
+        return sample, kind_of, before
+
+
+class _Words:
+    """What the controllers of an axis, and the reasons of its supervisor, are called."""
+
+    def __init__(self, parts: AxisController, label: str) -> None:
+        self.names, self.label = tuple(parts.controllers), label
+        self.reasons: tuple[str, ...] = getattr(parts.supervisor, "reasons", ())
+
+    def controller(self, number: int) -> str:
+        name = self.names[number] if 0 <= number < len(self.names) else f"number {number}"
+        if not self.label:
+            return name
+        return f"{self.label}: {name}" if len(self.names) > 1 else self.label
+
+    def reason(self, number: int, after: int) -> str:
+        if not 1 <= number <= len(self.reasons):
+            return "no reason given"
+        return self.reasons[number - 1].replace("{name}", self.controller(after))
+
+
+def _numbers(result: Result, axis: str, start: int, stop: int) -> tuple[Index, Index]:
+    """Return active controller and reason as whole numbers; a sample without one, as the last of a run that failed, keeps that before."""
+    if "active_controller" not in result:
+        return np.zeros(stop - start, dtype=np.int64), np.zeros(stop - start, dtype=np.int64)
+    column = result.axes.index(axis)
+    active = result["active_controller"][start:stop, column]
+    known = np.isfinite(active)
+    if not known.all():
+        active = np.nan_to_num(active[np.maximum.accumulate(np.where(known, np.arange(len(active)), 0))])
+    reason = result["switch_reason"][start:stop, column] if "switch_reason" in result else np.zeros(stop - start)
+    return np.clip(active, 0, _MOST - 1).astype(np.int64), np.clip(np.nan_to_num(reason), 0, _MOST - 1).astype(np.int64)

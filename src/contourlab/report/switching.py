@@ -1,0 +1,176 @@
+"""Which controller was active when, and why it was switched: lines of text, tables, and a strip over time and along the path."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from itertools import groupby
+
+import numpy as np
+from numpy.typing import NDArray
+
+from contourlab.loop.switches import Switches, SwitchKind
+from contourlab.report.charts import Chart, Curve, Panel
+from contourlab.report.data import ReportData, SchemeReport
+from contourlab.report.read import has, signal
+from contourlab.report.style import REFERENCE, scheme_style
+from contourlab.report.text import nominal
+
+__all__ = ["LISTED", "SwitchTable", "strip_charts", "switch_lines", "switch_tables"]
+
+Array = NDArray[np.float64]
+LISTED = 100
+"""Switches that a report lists one by one."""
+KINDS = 6  # of an axis' switches told in a line of text
+NARROWEST = 1.0 / 1500.0  # part of the picture's width: less would not be seen
+LANE, BAR = 0.2, 6.0
+
+
+@dataclass(frozen=True)
+class SwitchTable:
+    """The switches of one scheme.
+
+    Parameters
+    ----------
+    name : str
+    count : int
+    rows : tuple
+        Axis, change, reason, how often, share of the time for which the new controller was active, first time, its line.
+    listed : tuple
+        The first `LISTED` of them: time, sample, axis, change, reason, arc length, line.
+    """
+
+    name: str
+    count: int
+    rows: tuple[tuple[str, ...], ...]
+    listed: tuple[tuple[str, ...], ...]
+
+    @property
+    def left_out(self) -> int:
+        """How many are not listed."""
+        return self.count - len(self.listed)
+
+
+def switch_lines(data: ReportData) -> list[str]:
+    """Return one line for each axis that has several controllers, in ASCII: how often each took over, and why."""
+    found = []
+    for scheme in data.schemes:
+        if scheme.switches is None:
+            continue
+        counts = scheme.switches.counts()
+        for axis in scheme.switches.axes:
+            mine = {kind: count for kind, count in counts.items() if kind.axis == axis}
+            found.append(f"{scheme.name}: {axis}: {_in_words(mine, scheme.switches.first[axis])}")
+    return found
+
+
+def _in_words(counts: dict[SwitchKind, int], first: str) -> str:
+    total = sum(counts.values())
+    if not total:
+        return f"no switch, {first} is active all along"
+    shown = list(counts.items())[:KINDS]
+    parts = [
+        f"{before} -> {after} " + ", ".join(f"{count} ({kind.reason})" for kind, count in group)
+        for (before, after), group in groupby(sorted(shown, key=_pair), key=_pair)
+    ]
+    rest = total - sum(count for _, count in shown)
+    return f"{total} switch{'es' if total > 1 else ''}: {'; '.join(parts)}" + (f"; others {rest}" if rest else "")
+
+
+def _pair(item: tuple[SwitchKind, int]) -> tuple[str, str]:
+    return item[0].before, item[0].after
+
+
+def switch_tables(data: ReportData) -> tuple[SwitchTable, ...]:
+    """Return one table for each scheme with a supervisor."""
+    return tuple(_table(scheme.name, scheme.switches) for scheme in data.schemes if scheme.switches is not None)
+
+
+def _table(name: str, switches: Switches) -> SwitchTable:
+    first = {switches.kinds[k]: int(i) for k, i in zip(*np.unique(switches.kind, return_index=True), strict=True)}
+    rows = []
+    for kind, count in sorted(switches.counts().items(), key=lambda item: (switches.axes.index(item[0].axis), -item[1])):
+        held = switches.active[kind.axis]
+        share = f"{100.0 * held.get(kind.after, 0) / max(sum(held.values()), 1):.1f} %"
+        row = _moment(switches, first[kind])
+        rows.append((kind.axis, f"{kind.before} → {kind.after}", kind.reason, str(count), share, row[0], row[-1]))
+    rows += [
+        (axis, f"{switches.first[axis]} all along", "", "0", "100.0 %", "", "") for axis in switches.axes if not switches.of(axis).size
+    ]
+    listed = []
+    for i in range(min(len(switches), LISTED)):
+        kind, (time, place, line) = switches.kinds[switches.kind[i]], _moment(switches, i)
+        change = f"{kind.before} → {kind.after}"
+        listed.append((time, str(switches.sample[i]), kind.axis, change, kind.reason, place, line))
+    return SwitchTable(name, len(switches), tuple(rows), tuple(listed))
+
+
+def _moment(switches: Switches, i: int) -> tuple[str, str, str]:
+    """Return time, arc length and line of a switch in print; empty where they are not known."""
+    along, line = float(switches.arc_length[i]), int(switches.line[i])
+    place = nominal(along, "mm", 1e3) if np.isfinite(along) else ""
+    return nominal(float(switches.time[i]), "s"), place, str(line) if line else ""
+
+
+def strip_charts(data: ReportData) -> tuple[Chart, ...]:
+    """Return the active controllers of every scheme that has several: over time, and along the path."""
+    led = [scheme for scheme in data.schemes if scheme.switches is not None]
+    if not led:
+        return ()
+    names = list(dict.fromkeys(name for scheme in led for name in _names(scheme)))
+    looks = {name: _colour(i, len(names)) for i, name in enumerate(names)}
+    height = 46 + max(40 * len(scheme.switches.axes) for scheme in led if scheme.switches is not None)
+    how = "Stretches too short to be seen are drawn a little longer than they are."
+    over_time = tuple(_panel(scheme, looks, "time [s]") for scheme in led)
+    charts = [Chart("active-time", "Active controller over time", how, over_time, panel_height=height)]
+    if all(has(scheme.result, "arc_length") for scheme in led):
+        along = tuple(_panel(scheme, looks, "arc length [mm]") for scheme in led)
+        charts.append(Chart("active-arc", "Active controller along the path", how, along, panel_height=height))
+    return tuple(charts)
+
+
+def _names(scheme: SchemeReport) -> list[str]:
+    """Return the names of the controllers of a scheme, that which was first active before the others."""
+    assert scheme.switches is not None
+    held = [name for axis in scheme.switches.axes for name in scheme.switches.active[axis]]
+    return list(dict.fromkeys([*scheme.switches.first.values(), *held, *(kind.after for kind in scheme.switches.kinds)]))
+
+
+def _colour(index: int, count: int) -> str:
+    return REFERENCE if index == 0 else scheme_style(index - 1, max(count, 2))[0]
+
+
+def _panel(scheme: SchemeReport, looks: dict[str, str], label: str) -> Panel:
+    """Return the strip of one scheme: a row for each axis, in it a lane for each controller."""
+    switches, result = scheme.switches, scheme.result
+    assert switches is not None
+    if label.startswith("time"):
+        at, ends = switches.time, (result.start * result.servo_period, (result.start + result.n_sample) * result.servo_period)
+    else:
+        along = signal(result, "arc_length")
+        at, ends = switches.arc_length * 1e3, (float(along[0]) * 1e3, float(along[-1]) * 1e3)
+    lanes = _names(scheme)
+    lane_of = np.array([lanes.index(kind.after) for kind in switches.kinds], dtype=np.int64)
+    curves = []
+    for row, axis in enumerate(switches.axes):
+        mine = switches.of(axis)
+        after = lane_of[switches.kind[mine]]
+        active = np.append(lanes.index(switches.first[axis]), after)
+        edges = np.concatenate([[ends[0]], at[mine], [ends[1]]])
+        for lane, name in enumerate(lanes):
+            x = _bars(edges[:-1][active == lane], edges[1:][active == lane], NARROWEST * (ends[1] - ends[0]))
+            height = -float(row) + LANE * (lane - 0.5 * (len(lanes) - 1))
+            if x.size:
+                curves.append(Curve(x, np.where(np.isfinite(x), height, np.nan), name, looks[name], "solid", BAR))
+    ticks = tuple((-float(row), axis) for row, axis in enumerate(switches.axes))
+    reach = 0.5 + 0.5 * LANE * (len(lanes) - 1)
+    return Panel(label, scheme.name, tuple(curves), y_range=(-float(len(ticks) - 1) - reach, reach), y_ticks=ticks)
+
+
+def _bars(starts: Array, ends: Array, narrowest: float) -> Array:
+    """Return bars as a broken line: start, end, nan, start ...; those that would not be told apart are one."""
+    if not starts.size:
+        return starts
+    ends = np.maximum.accumulate(np.maximum(ends, starts + narrowest))
+    apart = np.append(True, starts[1:] - ends[:-1] > narrowest)
+    last = np.append(np.flatnonzero(apart)[1:] - 1, starts.size - 1)
+    return np.column_stack([starts[apart], ends[last], np.full(last.size, np.nan)]).ravel()[:-1]

@@ -1,0 +1,188 @@
+"""``contourlab backlash``: the gap of each axis as it can be measured, what it does to the loops, what to do about it."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from contourlab.session.stages import shown
+from contourlab.studies.backlash import AxisGap, BacklashStudy, Trial, backlash_study
+
+if TYPE_CHECKING:
+    from contourlab.analysis.limit_cycle_prediction import LimitCycle
+    from contourlab.analysis.periodic_orbit import PeriodicOrbit
+    from contourlab.components.contract import Component
+    from contourlab.loop import Machine
+
+__all__ = ["BacklashOutcome", "backlash_scenario"]
+
+HOLDING = "compensation"
+FEW = 0.05
+"""Part of a limit cycle's period that a servo period may be for a loop in continuous time to stand for a sampled one."""
+
+
+@dataclass(frozen=True)
+class BacklashOutcome:
+    """What the command prints: as JSON, and as text."""
+
+    summary: dict[str, Any]
+    text: str
+
+
+def backlash_scenario(
+    file: str | Path, *, schemes: Sequence[str] = (), plugins: Sequence[str | Path] = (), progress: bool = False
+) -> BacklashOutcome:
+    """Study the backlash of the schemes of a scenario.
+
+    Parameters
+    ----------
+    file : str or Path
+        A scenario whose machine has axes with backlash.
+    schemes : sequence of str
+        As of `contourlab.session.schemes.compare_schemes`; all by default.
+    plugins : sequence of str or Path
+        Python files with components.
+    progress : bool
+        Whether to show a bar.
+
+    Raises
+    ------
+    ComponentError
+        If no axis has backlash.
+    DivergenceError
+        If a run without a change runs away.
+    """
+    from contourlab.session.schemes import loaded
+
+    scenario = loaded(file, schemes, plugins)
+    texts, found = [], {}
+    with shown(progress) as stages:
+        for case in scenario.cases():
+            stages.begin(f"planning {case.name}")
+            reference = case.reference()
+            given: dict[str, Any] = {"seed": case.seed, "stage": stages.begin, "progress": stages.advance}
+            study = backlash_study(case.name, case.machine, case.controller, reference, **given)
+            texts.append("\n".join(_lines(study, case.machine)))
+            found[case.name] = _summary(study, case.machine)
+    return BacklashOutcome({"name": scenario.name, "schemes": found}, "\n\n".join(texts))
+
+
+def _microns(value: float) -> str:
+    return f"{value * 1e6:.3g} um"
+
+
+def _lines(study: BacklashStudy, machine: Machine) -> Iterator[str]:
+    yield study.name
+    for one in study.axes:
+        yield from _axis_lines(one, machine.servo_period)
+    if study.circle is not None:
+        seen = zip(study.circle.axes, study.circle.backlash, study.circle.deviation, strict=True)
+        told = ", ".join(f"{axis} {_microns(value)} +- {_microns(2.0 * deviation)}" for axis, value, deviation in seen)
+        yield f"  on the circle of the path, what the controller leaves: {told}"
+    yield "  part error, rms and largest:"
+    for trial in study.trials:
+        chosen = "  <- recommended" if trial is study.recommended else ""
+        if trial.metrics is None:
+            yield f"    {trial.name}: runs away"
+        else:
+            error = trial.metrics.part_error
+            yield f"    {trial.name}: {_microns(error.rms)}, {_microns(error.max)}{chosen}"
+    for remark in study.remarks:
+        yield f"  {remark}"
+    if study.recommended.parts:
+        yield "  to be put into the scenario:"
+        yield from (f"    {line}".rstrip() for line in _snippet(study.recommended, machine).splitlines())
+
+
+def _axis_lines(one: AxisGap, period: float) -> Iterator[str]:
+    yield f"  axis {one.axis}: free travel {_microns(one.gap)} in the machine file, lost motion with friction {_microns(one.lost_motion)}"
+    if one.pair is not None:
+        spread = _microns(2.0 * one.pair.lost_motion_deviation)
+        gap = "" if math.isnan(one.pair.gap) else f", of it free travel {_microns(one.pair.gap)}"
+        yield f"    from motor and load: lost motion {_microns(one.pair.lost_motion)} +- {spread}{gap}"
+    if one.motor_side is not None:
+        seen, deviation, confidence = one.motor_side
+        yield f"    from the motor alone: free travel {_microns(seen)} +- {_microns(2.0 * deviation)}, confidence {confidence:.2f}"
+    if one.prediction is not None:
+        cycles = [f"{_cycle(c, period)} ({c.validity.partition(':')[0]})" for c in one.prediction.cycles]
+        yield f"    limit cycles, describing function: {'; '.join(cycles) or 'none'}"
+    if one.orbits is not None:
+        orbits = [_cycle(orbit, period) for orbit in one.orbits.orbits]
+        yield f"    limit cycles, exact, without friction: {'; '.join(orbits) or 'none found'}"
+    for remark in one.remarks:
+        yield f"    {remark}"
+
+
+def _cycle(cycle: LimitCycle | PeriodicOrbit, period: float) -> str:
+    frequency = cycle.frequency / (2.0 * math.pi)
+    short = f" (roughly: {1.0 / (frequency * period):.2g} servo periods long)" if frequency * period > FEW else ""
+    return f"{'stable' if cycle.stable else 'unstable'}, {frequency:.4g} Hz, {_microns(cycle.amplitude)}{short}"
+
+
+def _snippet(trial: Trial, machine: Machine) -> str:
+    """Return the compensation as TOML."""
+    from contourlab.scenario.dump import component_table
+    from contourlab.scenario.toml_text import toml
+
+    def units(name: str) -> tuple[str, str]:
+        plant = machine.axis(name).plant
+        return plant.command_unit, plant.force_unit
+
+    axes = {name: {HOLDING: component_table(_rounded(part), units(name))} for name, part in trial.parts.items()}
+    return toml({"controller": {"axes": axes}})
+
+
+def _rounded(part: Component) -> Component:
+    """Return a component with numbers of three digits, as people write them."""
+    numbers = {name: float(f"{value:.3g}") for name, value in part.values().items() if isinstance(value, float) and math.isfinite(value)}
+    found: Component = part.replace(**numbers)
+    return found
+
+
+def _summary(study: BacklashStudy, machine: Machine) -> dict[str, Any]:
+    axes = {}
+    for one in study.axes:
+        pair = one.pair
+        axes[one.axis] = {
+            "backlash_gap": one.gap,
+            "lost_motion": one.lost_motion,
+            "from_motor_and_load": None
+            if pair is None
+            else {"lost_motion": pair.lost_motion, "deviation": pair.lost_motion_deviation, "gap": pair.gap},
+            "from_motor_alone": None
+            if one.motor_side is None
+            else dict(zip(("gap", "deviation", "confidence"), one.motor_side, strict=True)),
+            "describing_function": None
+            if one.prediction is None
+            else [
+                {"frequency": c.frequency / (2.0 * math.pi), "amplitude": c.amplitude, "stable": c.stable, "validity": c.validity}
+                for c in one.prediction.cycles
+            ],
+            "limit_cycles": None
+            if one.orbits is None
+            else [{"frequency": o.frequency / (2.0 * math.pi), "amplitude": o.amplitude, "stable": o.stable} for o in one.orbits.orbits],
+            "remarks": list(one.remarks),
+        }
+    trials = [
+        {
+            "name": t.name,
+            "part_error_rms": None if t.metrics is None else t.metrics.part_error.rms,
+            "part_error_max": None if t.metrics is None else t.metrics.part_error.max,
+        }
+        for t in study.trials
+    ]
+    recommended = study.recommended
+    text = _snippet(recommended, machine) if recommended.parts else None
+    circle = study.circle
+    on_circle = None if circle is None else dict(zip(circle.axes, zip(circle.backlash, circle.deviation, strict=True), strict=True))
+    return {
+        "axes": axes,
+        "on_circle": on_circle,
+        "trials": trials,
+        "recommended": recommended.name,
+        "toml": text,
+        "remarks": list(study.remarks),
+    }

@@ -1,0 +1,156 @@
+"""``contourlab backlash`` and scenarios with backlash, as typed."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Callable
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from contourlab.cli.main import main
+from contourlab.scenario import builtin_file, dump, load_scenario
+
+DRIVE = """
+name = "loose"
+
+[machine]
+name = "loose stage"
+servo_period = "1 ms"
+axes = ["x", "y"]
+
+[axes."*"]
+substeps = 4
+friction = {kind = "coulomb", coulomb = "40 N"}
+motor_sensor = {kind = "encoder", resolution = "0.125 um"}
+limits = {velocity = "20 m/min", acceleration = "5 m/s^2"}
+
+[axes."*".plant]
+kind = "two-inertia"
+motor_inertia = "52 kg*cm^2"
+load_inertia = "44 kg*cm^2"
+lead = "16 mm"
+stiffness = "950 N*m/rad"
+backlash_gap = "GAP"
+
+[controller.axes."*"]
+feedback = "motor"
+controller = {kind = "cascade", gains = {bandwidth = "150 rad/s", damping = 0.9, position_gain = "30 1/s"}}
+
+[contour]
+name = "circle"
+radius = "25 mm"
+
+[feed]
+feedrate = "8000 mm/min"
+"""
+
+
+def told(capsys: pytest.CaptureFixture[str], *words: str, code: int = 0) -> str:
+    assert main(list(words)) == code
+    return capsys.readouterr().out
+
+
+@pytest.fixture
+def written(tmp_path: Path) -> Callable[..., str]:
+    def write(text: str, name: str = "s.toml", gap: str = "50 um") -> str:
+        (tmp_path / name).write_text(text.replace("GAP", gap))
+        return str(tmp_path / name)
+
+    return write
+
+
+def test_gap_and_cure_of_a_loose_stage(written: Callable[..., str], capsys: pytest.CaptureFixture[str]) -> None:
+    found = json.loads(told(capsys, "backlash", written(DRIVE), "--json"))["schemes"]["base"]
+    for axis in "xy":
+        seen = found["axes"][axis]
+        assert seen["backlash_gap"] == pytest.approx(50e-6)
+        # 2 F_c/k on top: 80 N over 950 N m/rad (2 pi/16 mm)^2.
+        assert seen["lost_motion"] == pytest.approx(50e-6 + 80.0 / (950.0 * (2.0 * np.pi / 0.016) ** 2))
+        alone = seen["from_motor_alone"]
+        assert alone["gap"] == pytest.approx(50e-6, rel=0.1)
+        assert abs(alone["gap"] - 50e-6) <= 3.0 * alone["deviation"]
+    trials = {trial["name"]: trial["part_error_rms"] for trial in found["trials"]}
+    assert found["recommended"] in trials
+    assert trials[found["recommended"]] <= trials["as it is"]
+
+
+def test_what_is_recommended_can_be_put_into_the_scenario(written: Callable[..., str], capsys: pytest.CaptureFixture[str]) -> None:
+    rubbing = DRIVE.replace('"40 N"', '"250 N"').replace("8000 mm/min", "2000 mm/min")
+    found = json.loads(told(capsys, "backlash", written(rubbing), "--json"))["schemes"]["base"]
+    assert found["recommended"] != "as it is"
+    trials = {trial["name"]: trial["part_error_rms"] for trial in found["trials"]}
+    text = rubbing + "\n" + found["toml"]
+    case = load_scenario(written(text, "with.toml")).cases()[0]
+    assert all(case.controller.axes[axis].compensation is not None for axis in "xy")
+    report = json.loads(
+        told(capsys, "run", written(text, "with.toml"), "--json", "--out", str(Path(written(text, "with.toml")).parent / "o"))
+    )
+    here = report["schemes"]["base"]["metrics"]["part_error"]["rms"]
+    # The recommendation is printed with three digits.
+    assert here == pytest.approx(trials[found["recommended"]], rel=0.02)
+    assert here < 0.8 * trials["as it is"]
+
+
+def test_a_machine_without_backlash_is_refused_in_a_sentence(written: Callable[..., str], capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["backlash", written(DRIVE, gap="0 um")]) == 2
+    said = capsys.readouterr().err
+    assert "no axis with backlash" in said and "Traceback" not in said
+    assert main(["backlash", "builtin:demo-part.toml"]) == 2
+    assert "no axis with backlash" in capsys.readouterr().err
+
+
+MOTOR = 'feedback = "motor"'
+OTHER = 'others.gap = {kind = "cascade", position_gain = "1 1/s", velocity_gain = "1 N*m*s/mm"}'
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "said"),
+    [
+        ('"50 um"', '"-1 um"', "backlash_gap"),
+        ("substeps = 4", "substeps = 1", "at least"),
+        (MOTOR, 'feedback = "table"', "feedback"),
+        (MOTOR, f'{MOTOR}\nsupervisor = {{kind = "performance", thresholds = ["1 um"]}}', "supervisor"),
+        (MOTOR, f"{MOTOR}\n{OTHER}", "supervisor"),
+        (MOTOR, f'{MOTOR}\nsupervisor = {{kind = "estimator-based"}}\n{OTHER}', "gap_observer"),
+    ],
+)
+def test_what_cannot_be_is_told_with_its_key(
+    old: str, new: str, said: str, written: Callable[..., str], capsys: pytest.CaptureFixture[str], tmp_path: Path
+) -> None:
+    text = DRIVE.replace("GAP", "50 um").replace(old, new)
+    assert main(["run", written(text), "--out", str(tmp_path / "o")]) == 2
+    message = capsys.readouterr().err
+    assert said in message and "Traceback" not in message
+
+
+def test_a_moving_start_and_a_change_on_the_way_are_read_and_written_back(
+    written: Callable[..., str], capsys: pytest.CaptureFixture[str]
+) -> None:
+    Path(written(DRIVE)).with_name("other.toml").write_text(
+        '[controller.axes."*"]\nfeedback = "motor"\n'
+        'controller = {kind = "cascade", gains = {bandwidth = "80 rad/s", position_gain = "15 1/s"}}\n'
+    )
+    text = DRIVE + '\n[run]\nstart = "moving"\n'
+    text += 'changes = [{at = "0.5 s", controller = "other.toml", handover_time = "5 ms"}]\n'
+    case = load_scenario(written(text)).cases()[0]
+    assert case.moving and [c.time for c in case.changes] == [0.5] and case.changes[0].handover_time == 5e-3
+    again = load_scenario(written(dump(load_scenario(written(text))), "again.toml")).cases()[0]
+    assert again.changes[0].controller == case.changes[0].controller and again.moving
+    for wrong, said in (('at = "0.5 mm"', "at"), ('controller = "none.toml"', "none.toml"), ("at = -1", "at")):
+        key = wrong.partition(" ")[0]
+        broken = text.replace('at = "0.5 s"', wrong) if key == "at" else text.replace('controller = "other.toml"', wrong)
+        assert main(["run", written(broken), "--check"]) == 2
+        assert said in capsys.readouterr().err
+    learning = text + '\n[learning]\nlaw = {kind = "p-type", gain = 1}\n'
+    assert main(["run", written(learning), "--check"]) == 2
+    assert "learning" in capsys.readouterr().err
+
+
+@pytest.mark.slow
+def test_the_shipped_part_goes_as_its_page_says(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    out = told(capsys, "compare", str(builtin_file("backlash/part.toml")), "--json", "--out", str(tmp_path), code=1)
+    rms = {name: found["metrics"]["part_error"]["rms"] for name, found in json.loads(out)["schemes"].items()}
+    assert rms["scheme III"] < rms["CNC compensation"] < rms["PI cascade"]
+    assert rms["scheme III, observed"] < 1.2 * rms["scheme III"]

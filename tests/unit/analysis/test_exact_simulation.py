@@ -1,0 +1,181 @@
+"""Exact simulation of loops with a gap: closed forms, conservation, and an integrator that knows nothing of modes."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+import pytest
+from backlash_loops import FREE, HALF_GAP, J_L, J_M, K_S, PAPER, drive, integrated, paper_loop
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from scipy.linalg import expm
+
+from contourlab.analysis.exact_simulation import simulate_exact
+from contourlab.analysis.mode_flow import Motion
+from contourlab.analysis.small_exponential import exponentials
+from contourlab.analysis.two_inertia_loop import motor_pid, p_pi_cascade, two_inertia_loop
+from contourlab.errors import ParameterError
+
+
+def test_bounce_of_two_free_inertias() -> None:
+    """Contact lasts half a period of the spring and turns the relative velocity: all instants are closed forms."""
+    loop, v = two_inertia_loop(PAPER, FREE), 0.7
+    w = math.sqrt(K_S * (1.0 / J_M + 1.0 / J_L))
+    run = simulate_exact(loop, [0.0, v, 0.0, 0.0], 0.2)
+    first, crossing = HALF_GAP / v, 2.0 * HALF_GAP / v
+    wanted = [0.0]
+    while wanted[-1] < 0.2:
+        wanted += [first + len(wanted) // 2 * (crossing + math.pi / w)]
+        wanted += [wanted[-1] + math.pi / w]
+    assert run.times == pytest.approx([t for t in wanted if t < 0.2], rel=1e-12, abs=1e-14)
+    assert run.modes[:4].tolist() == [0, 1, 0, -1]
+    deepest = run.difference(first + 0.5 * math.pi / w)[0]
+    assert deepest == pytest.approx(HALF_GAP + v / w, rel=1e-12)
+
+
+@settings(max_examples=10, deadline=None)
+@given(start=st.tuples(*[st.floats(-1.0, 1.0)] * 4), spring=st.floats(1.0, 500.0), ratio=st.floats(0.05, 20.0), gap=st.floats(1e-4, 0.1))
+def test_no_energy_is_made_or_lost(start: tuple[float, ...], spring: float, ratio: float, gap: float) -> None:
+    """Two inertias, a spring to the reference and a spring behind a gap: the energy at every sample is that at the start."""
+    drive_ = drive(load_inertia=ratio * J_M, half_gap=gap)
+    loop = two_inertia_loop(drive_, motor_pid(spring, 0.0))
+    x0 = np.array(start) * [0.1, 5.0, 0.1, 5.0]
+    x = simulate_exact(loop, x0, 0.5).state(np.linspace(0.0, 0.5, 101))
+    d = x @ loop.c
+    deflection = d - np.clip(d, -gap, gap)
+    energy = 0.5 * (spring * x[:, 0] ** 2 + J_M * x[:, 1] ** 2 + ratio * J_M * x[:, 3] ** 2 + K_S * deflection**2)
+    assert energy == pytest.approx(energy[0], rel=1e-10, abs=1e-14)
+
+
+@pytest.mark.parametrize("feedback", [p_pi_cascade(100.0, 5.0), p_pi_cascade(60.0, 5.0, 200.0), p_pi_cascade(60.0, 1.0, 1400.0, "motor")])
+def test_agrees_with_an_integrator(feedback: object) -> None:
+    """DOP853 at 1e-12 over some dozens of contacts."""
+    loop = two_inertia_loop(drive(load_damping=0.01), feedback)  # type: ignore[arg-type]
+    start = np.zeros(loop.n)
+    start[2] = 0.03
+    times = np.linspace(0.0, 0.5, 51)
+    run = simulate_exact(loop, start, 0.5)
+    assert run.times.size > 20
+    other = integrated(loop, start, times)
+    assert np.abs(run.state(times) - other).max(axis=0) == pytest.approx(np.zeros(loop.n), abs=1e-7 * np.abs(other).max())
+
+
+def test_stiff_and_slow_at_once() -> None:
+    """The paper's loop: 1.9e5 1/s beside 0.2 1/s. In the gap, the motor's slow mode keeps its digits."""
+    loop = paper_loop()
+    rate = np.linalg.eigvals(loop.gap_matrix[:2, :2]).max()
+    start = np.array([1e-3, 1e-3 * rate, 0.0, 0.0])
+    run = simulate_exact(loop, start, 10.0)
+    assert run.modes.tolist() == [0]
+    assert run.state(10.0)[0, 0] == pytest.approx(1e-3 * math.exp(10.0 * rate), rel=1e-9)
+
+
+@pytest.mark.parametrize("damping", [0.02, 0.2, 2.0])
+def test_a_damped_shaft_never_pulls(damping: float) -> None:
+    """Nordin, Galic & Gutman: the torque has the sign of the side it acts on; and energy only falls, kinetic and twist of the shaft."""
+    loop = two_inertia_loop(drive(shaft_damping=damping), FREE)
+    run = simulate_exact(loop, [0.0, 2.0, 0.0, -1.0], 0.3)
+    times = np.linspace(0.0, 0.3, 4001)
+    torque, difference = run.torque(times), run.difference(times)
+    assert run.times.size > 4
+    # The dead zone with the same damper in contact would pull just before it lets go.
+    assert (torque * np.sign(difference) >= -1e-12 * np.abs(torque).max()).all()
+    x = run.state(times)
+    assert J_M * x[:, 1] + J_L * x[:, 3] == pytest.approx(2.0 * J_M - J_L, rel=1e-11)
+    kinetic = 0.5 * (J_M * x[:, 1] ** 2 + J_L * x[:, 3] ** 2)
+    free = np.abs(torque) == 0.0
+    assert (np.diff(kinetic[free]) <= 1e-12 * kinetic[0]).all()
+
+
+def test_first_contact_of_a_damped_shaft() -> None:
+    """One contact with a damped spring is a closed form: it ends where k z + d z' = 0, z = v/w exp(-s t) sin(w t)."""
+    d, v = 0.3, 0.9
+    loop = two_inertia_loop(drive(shaft_damping=d), FREE)
+    run = simulate_exact(loop, [HALF_GAP, v, 0.0, 0.0], 0.05)
+    m = 1.0 / (1.0 / J_M + 1.0 / J_L)
+    s = d / (2.0 * m)
+    w = math.sqrt(K_S / m - s * s)
+    end = (math.pi - math.atan2(d * w, K_S - d * s)) / w
+    assert run.modes[:2].tolist() == [1, 0]
+    assert run.times[1] == pytest.approx(end, rel=1e-11)
+    # The shaft relaxes in the gap at k/d from the twist it was left with.
+    twist = v / w * math.exp(-s * end) * math.sin(w * end)
+    later = run.spans[1].start[-2], run.flow.exponential(0, 1e-3) @ run.spans[1].start
+    assert later[0] == pytest.approx(twist, rel=1e-10)
+    assert later[1][-2] == pytest.approx(twist * math.exp(-1e-3 * K_S / d), rel=1e-10)
+
+
+def test_little_shaft_damping_is_the_dead_zone() -> None:
+    """The difference falls in proportion to the damping: order 1."""
+    start, times = [0.0, 2.0, 0.0, -1.0], np.linspace(0.0, 0.05, 101)
+    plain = simulate_exact(two_inertia_loop(PAPER, FREE), start, 0.05).state(times)
+    gaps = [
+        np.abs(simulate_exact(two_inertia_loop(drive(shaft_damping=d), FREE), start, 0.05).state(times) - plain).max()
+        for d in (4e-4, 2e-4, 1e-4)
+    ]
+    orders = np.log2(np.array(gaps[:-1]) / gaps[1:])
+    assert orders == pytest.approx([1.0, 1.0], abs=0.05)
+
+
+def test_references() -> None:
+    """Inside the gap a motor under PD with an acceleration term follows exactly: sine and ramp."""
+    loop = two_inertia_loop(PAPER, motor_pid(400.0, 3.0, 0.0, J_M))
+    amplitude, w = 0.5 * HALF_GAP, 40.0
+    run = simulate_exact(loop, [0.0, amplitude * w, 0.0, 0.0], 1.0, Motion.sine(amplitude, w))
+    t = np.linspace(0.0, 1.0, 57)
+    assert run.state(t)[:, 0] == pytest.approx(amplitude * np.sin(w * t), abs=1e-13)
+    slow = simulate_exact(loop, [0.0, 1e-3, 0.0, 0.0], 1.0, Motion.ramp(1e-3))
+    assert slow.state(t)[:, 0] == pytest.approx(1e-3 * t, abs=1e-13)
+    assert simulate_exact(loop, [0.001, 0.0, 0.0, 0.0], 1.0, Motion.constant(0.001)).state(1.0)[0, 0] == pytest.approx(0.001, rel=1e-12)
+
+
+def test_a_runaway_is_told() -> None:
+    run = simulate_exact(two_inertia_loop(PAPER, motor_pid(-100.0, 0.0)), [1e-3, 0.0, 0.0, 0.0], 10.0)
+    assert run.diverged
+    assert run.duration < 2.0
+
+
+@settings(max_examples=40, deadline=None)
+@given(entries=st.lists(st.floats(-3.0, 3.0), min_size=16, max_size=16), time=st.floats(0.0, 10.0))
+def test_exponentials_agree_with_another_algorithm(entries: list[float], time: float) -> None:
+    matrix = np.array(entries).reshape(4, 4)
+    wanted = expm(matrix * time)
+    assert exponentials(matrix, time) == pytest.approx(wanted, rel=1e-9, abs=1e-10 * np.abs(wanted).max())
+
+
+def test_exponential_of_slow_beside_fast() -> None:
+    """Upper triangular, rates of 2e5 and 0.2: the slow one keeps all its digits."""
+    found = exponentials(np.array([[-2e5, 1e3], [0.0, -0.2]]), [0.0, 1.0, 10.0])
+    assert found[:, 1, 1] == pytest.approx([1.0, math.exp(-0.2), math.exp(-2.0)], rel=1e-14)
+    assert found[2, 0, 1] == pytest.approx(1e3 / (2e5 - 0.2) * math.exp(-2.0), rel=1e-11)
+
+
+def test_bad_starts_are_refused() -> None:
+    loop = paper_loop()
+    with pytest.raises(ParameterError, match="start"):
+        simulate_exact(loop, [0.0, 1.0], 1.0)
+    with pytest.raises(ParameterError, match="duration"):
+        simulate_exact(loop, np.zeros(4), 0.0)
+    with pytest.raises(ParameterError, match="changes of mode"):
+        simulate_exact(two_inertia_loop(PAPER, FREE), [0.0, 1.0, 0.0, 0.0], 10.0, most=10)
+
+
+@settings(max_examples=10, deadline=None)
+@given(
+    gap=st.floats(-4.0, -1.0),
+    stiffness=st.floats(1.0, 5.0),
+    shaft=st.one_of(st.just(0.0), st.floats(1e-4, 1.0)),
+    gains=st.tuples(st.floats(0.0, 2.5), st.floats(-1.0, 1.5)),
+    speeds=st.tuples(st.floats(-3.0, 3.0), st.floats(-3.0, 3.0)),
+)
+def test_no_mode_is_left_late(gap: float, stiffness: float, shaft: float, gains: tuple[float, float], speeds: tuple[float, float]) -> None:
+    """At every sample the gap is not overrun in the gap, and no torque pulls in contact: no event was missed."""
+    plant = drive(half_gap=10.0**gap, stiffness=10.0**stiffness, shaft_damping=shaft, load_damping=0.01)
+    loop = two_inertia_loop(plant, p_pi_cascade(10.0 ** gains[0], 10.0 ** gains[1]))
+    run = simulate_exact(loop, [0.0, speeds[0], 0.0, speeds[1]], 0.3)
+    times = np.linspace(0.0, run.duration, 2001)
+    torque, twist, difference = run.torque(times), run.twist(times), run.difference(times)
+    mode = run.modes[np.searchsorted(run.times, times, side="right") - 1]
+    assert np.abs(difference - twist)[mode == 0].max(initial=0.0) <= plant.half_gap * (1.0 + 1e-8)
+    assert (torque * mode >= -1e-8 * np.abs(torque).max(initial=1e-300)).all()

@@ -1,0 +1,218 @@
+"""The list of switches says of every sample which controller was active, and why it became so."""
+
+from __future__ import annotations
+
+from collections import Counter
+from typing import Any
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from numpy.typing import NDArray
+
+import contourlab as cl
+from contourlab.components.controller.cascade import Cascade
+from contourlab.components.plant.two_inertia import TwoInertia
+from contourlab.components.supervisor.estimator_based import EstimatorBased
+from contourlab.components.supervisor.performance import Performance
+from contourlab.components.supervisor.pre_routed import PreRouted
+from contourlab.feed import route_from_program
+from contourlab.loop import Change
+from contourlab.loop.switches import Switches, SwitchKind, SwitchLog, switches_of
+
+PERIOD, GAP = 1e-3, 20e-6
+DRIVE = TwoInertia(motor_inertia=5.2e-3, load_inertia=4.4e-3, lead=0.016, stiffness=950.0, shaft_damping=0.05, backlash_gap=GAP)
+FAST = Cascade(**Cascade.tune(80.0, 0.9, *DRIVE.rigid_model(), 20.0))
+SLOW = Cascade(**Cascade.tune(40.0, 0.9, *DRIVE.rigid_model(), 10.0))
+Whole = NDArray[np.int64]
+
+
+def led(supervisor: Any, *others: str) -> cl.AxisController:
+    return cl.AxisController(FAST, feedback="motor", supervisor=supervisor, others=tuple((name, SLOW) for name in others))
+
+
+def recorded(active: Any, reason: Any, start: int = 0, **more: Any) -> cl.Result:
+    """Return a run of axes x, y ... that holds what supervisors did and nothing else."""
+    columns = {"active_controller": active, "switch_reason": reason, **more}
+    signals = {
+        name: cl.Signal(np.asarray(data, float), ("sample", "axis") if np.ndim(data) == 2 else ("sample",), "")
+        for name, data in columns.items()
+    }
+    return cl.Result("made", tuple("xyz"[: np.shape(active)[1]]), PERIOD, signals, start=start)
+
+
+def told(switches: Switches) -> list[tuple[int, str, str, str, str]]:
+    """Return the switches one by one: sample, axis, from, to, reason."""
+    kinds = [switches.kinds[k] for k in switches.kind]
+    return [(int(n), k.axis, k.before, k.after, k.reason) for n, k in zip(switches.sample, kinds, strict=True)]
+
+
+def test_a_list_that_can_be_checked_by_hand() -> None:
+    controller = cl.Controller({"x": led(Performance(thresholds=(1e-5,)), "gap"), "y": cl.AxisController(FAST)})
+    active = np.array([[0, 0], [1, 0], [1, 0], [0, 0], [0, 0], [1, 0]])
+    reason = np.array([[0, 0], [2, 0], [0, 0], [1, 0], [0, 0], [2, 0]])
+    found = switches_of(recorded(active, reason, arc_length=np.arange(6) * 0.5), controller)
+    assert found is not None and found.axes == ("x",) and found.first == {"x": "controller"}
+    fell, rose = "the measure fell below a threshold", "the measure rose past a threshold"
+    assert told(found) == [(1, "x", "controller", "gap", fell), (3, "x", "gap", "controller", rose), (5, "x", "controller", "gap", fell)]
+    np.testing.assert_allclose(found.time, [1e-3, 3e-3, 5e-3])
+    np.testing.assert_allclose(found.arc_length, [0.5, 1.5, 2.5])
+    assert found.active == {"x": {"controller": 3, "gap": 3}}
+    assert found.counts() == {SwitchKind("x", "controller", "gap", fell): 2, SwitchKind("x", "gap", "controller", rose): 1}
+
+
+def test_a_run_without_a_supervisor_has_no_list() -> None:
+    controller = cl.Controller(dict.fromkeys("xy", cl.AxisController(FAST)))
+    assert switches_of(cl.Result("made", ("x", "y"), PERIOD, {}), controller) is None
+
+
+def test_a_supervisor_may_switch_at_the_very_first_sample() -> None:
+    """A run begins with number 0; of a part of a run it is not known what was active before."""
+    controller = cl.Controller({"x": led(EstimatorBased(), "gap")})
+    result = recorded([[1], [1], [0]], [[1], [0], [3]])
+    whole, part = switches_of(result, controller), switches_of(result.window(1, 3), controller)
+    assert whole is not None and part is not None
+    assert told(whole) == [
+        (0, "x", "controller", "gap", "the observer sees the gap"),
+        (2, "x", "gap", "controller", "the observer is not sure enough"),
+    ]
+    assert told(part) == told(whole)[1:] and part.first == {"x": "gap"}
+
+
+def test_a_reason_may_name_the_controller_that_takes_over() -> None:
+    class Named(PreRouted):
+        reasons = ("the route has {name} here",)
+
+    controller = cl.Controller({"x": led(Named(places=(0.0, 1.0, 2.0), numbers=(0.0, 1.0, 2.0)), "light", "heavy")})
+    found = switches_of(recorded([[0], [1], [2]], [[0], [1], [1]]), controller)
+    assert found is not None
+    assert [kind.reason for kind in found.kinds] == ["the route has light here", "the route has heavy here"]
+
+
+def test_what_a_stranger_s_supervisor_gives_besides_is_told_as_it_is() -> None:
+    """A number that no controller has, a reason that is not in its list, and no number in the last sample of a run that failed."""
+    controller = cl.Controller({"x": led(Performance(thresholds=(1e-5,)), "gap")})
+    found = switches_of(recorded([[0], [7], [1], [np.nan]], [[0], [9], [0], [np.nan]]), controller)
+    assert found is not None
+    assert told(found) == [(1, "x", "controller", "number 7", "no reason given"), (2, "x", "number 7", "gap", "no reason given")]
+
+
+def rebuilt(switches: Switches, axis: str, n: int) -> list[str]:
+    """Return which controller was active at each sample, from the list alone."""
+    names, now = [], switches.first[axis]
+    changes = {sample: after for sample, name, _, after, _ in told(switches) if name == axis}
+    for k in range(n):
+        now = changes.get(k, now)
+        names.append(now)
+    return names
+
+
+numbers = st.integers(1, 60).flatmap(lambda n: st.lists(st.lists(st.integers(0, 2), min_size=2, max_size=2), min_size=n, max_size=n))
+
+
+@settings(deadline=None, max_examples=60)
+@given(numbers, st.lists(st.integers(1, 9), min_size=1, max_size=60))
+def test_blocks_of_any_length_give_the_list_of_the_whole_and_the_list_gives_the_signal(rows: list[list[int]], lengths: list[int]) -> None:
+    active = np.array(rows)
+    reason = (np.diff(active, axis=0, prepend=0) != 0) * (1 + (active > 0))
+    supervisor = Performance(thresholds=(1e-6, 1e-5))
+    controller = cl.Controller(dict.fromkeys("xy", led(supervisor, "light", "heavy")))
+    result = recorded(active, reason)
+    whole = switches_of(result, controller)
+    assert whole is not None
+    for axis, column in (("x", 0), ("y", 1)):
+        assert rebuilt(whole, axis, len(rows)) == [("controller", "light", "heavy")[number] for number in active[:, column]]
+    log, parts, edge = SwitchLog(controller, PERIOD), [], 0
+    while edge < len(rows):
+        step = lengths[len(parts) % len(lengths)]
+        parts.append(log.add(result.window(edge, min(edge + step, len(rows)))))
+        edge += step
+    assert [one for part in parts for one in told(part)] == told(whole)
+    assert log.counts == Counter(whole.counts())
+    held = sum((Counter(part.active["x"]) for part in parts), Counter())
+    assert held == Counter(whole.active["x"]) and held.total() == len(rows)
+
+
+def test_the_list_of_a_run_agrees_with_what_moved() -> None:
+    """At each switch the measure has just passed its threshold by the hysteresis, and two are never closer than the dwell time."""
+    supervisor = Performance(thresholds=(0.5 * GAP,), hysteresis=1e-6, dwell_time=4e-3)
+    axes = tuple(cl.Axis(name, DRIVE, substeps=4) for name in "xy")
+    reference = cl.uniform(cl.contour("circle", radius=0.02), 1.0, 2, PERIOD)
+    controller = cl.Controller(dict.fromkeys("xy", led(supervisor, "gap")))
+    run = cl.simulate(cl.Machine("stage", axes, PERIOD), controller, reference)
+    found = switches_of(run, controller, reference)
+    assert found is not None and len(found) > 20
+    apart = np.abs(run["motor_position"] - run["axis_position"])
+    for sample, axis, before, after, reason in told(found):
+        seen = apart[sample, "xy".index(axis)]
+        if after == "gap":
+            assert before == "controller" and reason == "the measure fell below a threshold" and seen <= 0.5 * GAP + 1e-6
+        else:
+            assert after == "controller" and reason == "the measure rose past a threshold" and seen >= 0.5 * GAP - 1e-6
+    for axis in "xy":
+        assert np.diff(found.sample[found.of(axis)]).min() >= 4
+
+
+def test_switches_are_told_by_the_line_of_the_program() -> None:
+    """Route by arc length: the first corner of a square is 10 mm along, where line 3 begins."""
+    program = cl.parse_program("G21 G90 G61 F6000\nG1 X10\nG1 Y10\nG1 X0\nG1 Y0\nM2\n")
+    limits = cl.AxisLimits([0.2, 0.2], [2.0, 2.0], [100.0, 100.0])
+    reference = cl.plan(route_from_program(program, ("x", "y")), limits, PERIOD)
+    controller = cl.Controller(dict.fromkeys("xy", led(PreRouted(places=(0.01, 0.03), numbers=(1.0, 0.0)), "light")))
+    axes = tuple(cl.Axis(name, DRIVE, substeps=4) for name in "xy")
+    run = cl.simulate(cl.Machine("stage", axes, PERIOD), controller, reference)
+    found = switches_of(run, controller, reference)
+    assert found is not None
+    assert [(one[1], one[3]) for one in told(found)] == [("x", "light"), ("y", "light"), ("x", "controller"), ("y", "controller")]
+    assert found.line.tolist() == [3, 3, 5, 5]
+    along = run["arc_length"]
+    for sample, edge in zip(found.sample, (0.01, 0.01, 0.03, 0.03), strict=True):
+        assert along[sample - 1] < edge <= along[sample]
+
+
+@pytest.mark.parametrize("block", [1 << 16, 300])
+def test_a_controller_that_takes_over_is_a_switch_too(block: int) -> None:
+    supervisor = Performance(thresholds=(0.5 * GAP,), hysteresis=1e-6)
+    first = cl.Controller(dict.fromkeys("xy", led(supervisor, "gap")))
+    then = cl.Controller(dict.fromkeys("xy", led(supervisor, "free")))
+    changes = (Change(0.6, then, file="folder/second.toml"),)
+    axes = tuple(cl.Axis(name, DRIVE, substeps=4) for name in "xy")
+    machine, reference = cl.Machine("stage", axes, PERIOD), cl.uniform(cl.contour("circle", radius=0.02), 1.0, 1, PERIOD)
+    run = cl.simulate(machine, first, reference, changes=changes)
+    log = SwitchLog(first, PERIOD, reference, changes)
+    found = [one for k in range(0, run.n_sample, block) for one in told(log.add(run.window(k, min(k + block, run.n_sample))))]
+    taken = [one for one in found if "takes over" in one[4]]
+    assert [(sample, axis, reason) for sample, axis, _, _, reason in taken] == [
+        (600, axis, "the controller of folder/second.toml takes over") for axis in "xy"
+    ]
+    for sample, _, before, after, _ in found:
+        assert (before in ("controller", "gap")) == (sample <= 600)
+        assert (after in ("second: controller", "second: free")) == (sample >= 600)
+
+
+@pytest.mark.parametrize("supervised_first", [True, False])
+def test_switches_are_listed_where_only_one_of_two_controllers_has_a_supervisor(supervised_first: bool) -> None:
+    """The list up to the change, or from it on, is that of the supervisor: the other one switches nothing."""
+    several = cl.Controller(dict.fromkeys("xy", led(Performance(thresholds=(0.5 * GAP,), hysteresis=1e-6), "gap")))
+    single = cl.Controller(dict.fromkeys("xy", cl.AxisController(FAST, feedback="motor")))
+    first, then = (several, single) if supervised_first else (single, several)
+    axes = tuple(cl.Axis(name, DRIVE, substeps=4) for name in "xy")
+    reference = cl.uniform(cl.contour("circle", radius=0.02), 1.0, 1, PERIOD)
+    changes = (Change(0.5, then, file="second.toml"),)
+    run = cl.simulate(cl.Machine("stage", axes, PERIOD), first, reference, changes=changes)
+    found = switches_of(run, first, reference, changes)
+    assert found is not None
+    own = [sample for sample, *_, reason in told(found) if reason.startswith("the measure")]
+    assert len(own) > 6 and all((sample < 500) == supervised_first for sample in own)
+    assert sum("takes over" in reason for *_, reason in told(found)) == 2
+    assert not run["active_controller"][slice(500, None) if supervised_first else slice(500)].any()
+
+
+def test_an_axis_with_one_controller_is_listed_where_another_takes_its_place() -> None:
+    first, then = (cl.Controller({"x": cl.AxisController(kind, feedback="motor")}) for kind in (FAST, SLOW))
+    result = cl.Result("made", ("x",), PERIOD, {"position": cl.Signal(np.zeros((10, 1)), ("sample", "axis"), "m")})
+    found = switches_of(result, first, changes=(Change(4e-3, then, file="slow.toml"), Change(7.5e-3, first)))
+    assert found is not None
+    assert [one[:4] for one in told(found)] == [(4, "x", "controller", "slow"), (8, "x", "slow", "from 0.0075 s")]
+    assert found.active == {"x": {"controller": 4, "slow": 4, "from 0.0075 s": 2}}
