@@ -1,9 +1,10 @@
-"""Drives with backlash: what their loop costs beside that of rigid axes, single and in lanes, per step and servo sub-step.
+"""Drives with backlash: what their loop costs beside that of rigid axes, and what helps on real part programs.
 
-    python benchmarks/backlash.py [--rounds N] [--json FILE]
+    python benchmarks/backlash.py [--rounds N] [--only cost,parts] [--json FILE]
 
-Both loops have the same parts (encoder, filtered difference, observer, cascade, Stribeck friction, a contour-error estimator) and differ in
-their plants alone; they are measured by turns in one run. README.md beside this file says what each column means.
+Cost, per step and servo sub-step, single and in lanes: both loops have the same parts (encoder, filtered difference, observer, cascade,
+Stribeck friction, a contour-error estimator) and differ in their plants alone; they are measured by turns in one run. Parts: the schemes of
+builtin:backlash/part.toml on programs of the reference data beside the repository. README.md beside this file says what each column means.
 """
 
 from __future__ import annotations
@@ -13,6 +14,8 @@ import json
 import statistics
 import time
 from collections.abc import Callable
+from dataclasses import replace
+from itertools import product
 from pathlib import Path
 from typing import Any
 
@@ -26,12 +29,17 @@ from contourlab.feed import Reference, uniform
 from contourlab.geometry import contour
 from contourlab.loop import Axis, AxisController, Controller, Limits, Machine
 from contourlab.loop.template import build
+from contourlab.scenario import builtin_file
+from contourlab.scenario.load import parse_scenario
+from contourlab.studies.compare import run_case
 
 PERIOD, SECONDS = 1e-4, 4.0
 TURN = 2.0 * np.pi / 0.016
 MASS = 9.6e-3 * TURN * TURN
 FRICTION: dict[str, Any] = {"coulomb": 40.0, "breakaway": 60.0, "stribeck_velocity": 2e-3}
 LANES = 32
+SHARED = Path(__file__).resolve().parents[2] / "shared" / "gcode"
+PROGRAMS = ("linuxcnc__nc_files_3dtest.ngc", "linuxcnc__nc_files_cds.ngc", "linuxcnc__nc_files_tort.ngc")
 
 
 def machine(kind: str, law: str, substeps: int) -> Machine:
@@ -43,11 +51,7 @@ def machine(kind: str, law: str, substeps: int) -> Machine:
         plant = component("plant", "two-inertia")(**values, backlash_gap=25e-6)
     sensor = component("sensor", "encoder")(resolution=1e-7)
     axis = Axis("x", plant, component("friction", law)(**FRICTION), sensor=sensor, limits=Limits(following_error=1.0), substeps=substeps)
-    return Machine(
-        kind,
-        (axis, Axis("y", *(getattr(axis, n) for n in ("plant", "friction", "drive", "sensor")), limits=axis.limits, substeps=substeps)),
-        PERIOD,
-    )
+    return Machine(kind, (axis, replace(axis, name="y")), PERIOD)
 
 
 def controller() -> Controller:
@@ -83,30 +87,73 @@ def timer(kind: str, law: str, substeps: int, width: int, reference: Reference) 
     return run
 
 
+def cost(console: Console, rounds: int) -> list[dict[str, Any]]:
+    """Time both loops by turns; return the rows."""
+    reference = uniform(contour("circle", radius=0.025), 1.0, int(SECONDS), PERIOD)
+    table = Table("friction", "substeps", "lanes", "rigid [ns]", "two-inertia [ns]", "ratio", "least, most")
+    rows = []
+    for law, substeps, width in product(("coulomb", "smooth-coulomb"), (1, 4), (1, LANES)):
+        pair = [timer(kind, law, substeps, width, reference) for kind in ("rigid", "two-inertia")]
+        found = [tuple(run() for run in pair) for _ in range(rounds)]
+        ratios = sorted(loose / rigid for rigid, loose in found)
+        rigid, loose = (statistics.median(column) for column in zip(*found, strict=True))
+        ratio = statistics.median(ratios)
+        rows.append({"friction": law, "substeps": substeps, "lanes": width, "rigid_ns": rigid, "two_inertia_ns": loose, "ratio": ratio})
+        spread = f"{ratios[0]:.2f}, {ratios[-1]:.2f}"
+        table.add_row(law, str(substeps), str(width), f"{rigid:.0f}", f"{loose:.0f}", f"{ratio:.2f}", spread)
+    console.print(table)
+    return rows
+
+
+def scenario_of(program: Path) -> str:
+    """Return the shipped scenario with another program, fitted into the machine's travel."""
+    text = builtin_file("backlash/part.toml").read_text()
+    lines = [line for line in text.splitlines() if not line.startswith(("program =", "machine ="))]
+    at = lines.index("[run]")
+    motion = ["[program]", f"file = {json.dumps(str(program))}", "fit = true", "require_end = false", ""]
+    motion += ["[feed]", 'path_control = "blend"', 'corner_tolerance = "5 um"', ""]
+    return "\n".join(['machine = "builtin:backlash/xyz-twin"', *lines[:at], *motion, *lines[at:]])
+
+
+def parts(console: Console) -> list[dict[str, Any]]:
+    """Run every scheme on every program; return the rows."""
+    table = Table("program", "scheme", "part error, rms [um]", "largest [um]", "largest spike at a reversal [um]", "switches")
+    rows = []
+    for name in PROGRAMS:
+        program = SHARED / name
+        if not program.is_file():
+            console.print(f"{name}: not there, left out")
+            continue
+        for case in parse_scenario(scenario_of(program), str(program.with_suffix(".toml"))).cases():
+            found = run_case(case, explain=False)
+            switched = found.result.signals.get("switch_reason")
+            row = {
+                "program": name,
+                "scheme": case.name,
+                "rms": found.metrics.part_error.rms * 1e6,
+                "max": found.metrics.part_error.max * 1e6,
+                "spike": max((abs(spike.height) for spike in found.spikes), default=0.0) * 1e6,
+                "switches": 0 if switched is None else int(np.count_nonzero(switched.data)),
+            }
+            rows.append(row)
+            table.add_row(name, case.name, f"{row['rms']:.1f}", f"{row['max']:.0f}", f"{row['spike']:.0f}", str(row["switches"]))
+    console.print(table)
+    return rows
+
+
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--rounds", type=int, default=9)
+    parser.add_argument("--only", default="cost,parts")
     parser.add_argument("--json", type=Path)
     given = parser.parse_args()
-    reference = uniform(contour("circle", radius=0.025), 1.0, int(SECONDS), PERIOD)
-    table = Table("friction", "substeps", "lanes", "rigid, ns", "two-inertia, ns", "ratio", "ratio, least and most")
-    rows = []
-    for law in ("coulomb", "smooth-coulomb"):
-        for substeps in (1, 4):
-            for width in (1, LANES):
-                pair = [timer(kind, law, substeps, width, reference) for kind in ("rigid", "two-inertia")]
-                found = [tuple(run() for run in pair) for _ in range(given.rounds)]
-                ratios = sorted(loose / rigid for rigid, loose in found)
-                rigid, loose = (statistics.median(column) for column in zip(*found, strict=True))
-                ratio = statistics.median(ratios)
-                rows.append(
-                    {"friction": law, "substeps": substeps, "lanes": width, "rigid_ns": rigid, "two_inertia_ns": loose, "ratio": ratio}
-                )
-                spread = f"{ratios[0]:.2f} .. {ratios[-1]:.2f}"
-                table.add_row(law, str(substeps), str(width), f"{rigid:.0f}", f"{loose:.0f}", f"{ratio:.2f}", spread)
-    Console().print(table)
+    console, chosen = Console(), given.only.split(",")
+    found = {
+        "cost": cost(console, given.rounds) if "cost" in chosen else [],
+        "parts": parts(console) if "parts" in chosen else [],
+    }
     if given.json:
-        given.json.write_text(json.dumps(rows, indent=2) + "\n")
+        given.json.write_text(json.dumps(found, indent=2) + "\n")
 
 
 if __name__ == "__main__":
