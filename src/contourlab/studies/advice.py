@@ -15,6 +15,7 @@ from contourlab.errors import ContourlabError
 from contourlab.feed import Reference
 from contourlab.loop import AxisController, Controller, Machine, simulate
 from contourlab.metrics import evaluation_window, judge
+from contourlab.studies.compensate import lost_motion_of, offset_of, wants_offset
 
 __all__ = ["advice", "candidates"]
 
@@ -87,6 +88,8 @@ def candidates(machine: Machine, controller: Controller) -> list[tuple[str, Cont
     if controller.coupling is None and len(machine.axes) > 1:
         coupled = replace(controller, estimator=Newton(), coupling=ModifiedReference())
         found.append(("coupling the axes by a modified reference", coupled))
+    compensated = every(lambda name, part: _compensated(machine, name, part))
+    found.append(("compensating the backlash by an offset on reversal", compensated))
     # A change that changes nothing is not worth a run.
     return [(words, changed) for words, changed in found if changed != controller]
 
@@ -128,6 +131,11 @@ def _faster_observer(name: str, part: AxisController) -> AxisController:
     if part.observer is None or bandwidth is None:
         return part
     return replace(part, observer=part.observer.replace(bandwidth=1.5 * bandwidth))
+
+
+def _compensated(machine: Machine, name: str, part: AxisController) -> AxisController:
+    axis = machine.axis(name)
+    return replace(part, compensation=offset_of(axis, lost_motion_of(axis))[0]) if wants_offset(axis, part) else part
 
 
 def _model_of(machine: Machine, name: str) -> tuple[float, float]:

@@ -7,8 +7,6 @@ from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, field, replace
 
 from contourlab.analysis import BacklashLoop, OrbitSearch, Prediction, axis_backlash_loop, find_orbits, predict_limit_cycles
-from contourlab.components.compensation.backlash_inverse import BacklashInverse
-from contourlab.components.compensation.backlash_offset import BacklashOffset
 from contourlab.components.contract import Component
 from contourlab.components.gap_observer.multiple_model import MultipleModel
 from contourlab.components.plant.two_inertia import TwoInertia
@@ -17,6 +15,7 @@ from contourlab.feed import Reference
 from contourlab.loop import Axis, Controller, Machine, simulate
 from contourlab.metrics import CircleBacklash, LostMotion, Metrics, backlash_of_runs, circles_of, judge, lost_motion_from_pair, summarise
 from contourlab.result import Result
+from contourlab.studies.compensate import lost_motion_of, offset_of
 
 __all__ = ["AxisGap", "BacklashStudy", "Trial", "backlash_study", "observer_of"]
 
@@ -248,7 +247,7 @@ def _axis_gap(machine: Machine, controller: Controller, axis: Axis, result: Resu
         prediction, orbits = _cycles(loop)
     except ComponentError as error:
         said.append(f"limit cycles not looked for: {error}")
-    return AxisGap(axis.name, gap, gap + 2.0 * friction / stiffness, pair, motor_side, prediction, orbits, tuple(said))
+    return AxisGap(axis.name, gap, lost_motion_of(axis), pair, motor_side, prediction, orbits, tuple(said))
 
 
 def _cycles(loop: BacklashLoop) -> tuple[Prediction | None, OrbitSearch]:
@@ -261,17 +260,9 @@ def _candidates(machine: Machine, controller: Controller, axes: list[AxisGap]) -
     open_to = [one for one in axes if controller.axes[one.axis].feedback == "motor" and one.estimate > 0.0]
     if not open_to:
         return
-    offset: dict[str, Component] = {}
-    inverse: dict[str, Component] = {}
-    for one in open_to:
-        most = machine.axis(one.axis).limits.acceleration
-        acceleration = most if math.isfinite(most) else 1.0
-        # As fast as the axis may be accelerated: half of the way up, half of it down.
-        speed = math.sqrt(acceleration * one.estimate)
-        offset[one.axis] = BacklashOffset(backlash_gap=one.estimate, backlash_velocity=speed, backlash_acceleration=acceleration)
-        inverse[one.axis] = BacklashInverse(backlash_gap=one.estimate, jump_velocity=speed)
-    yield "backlash-offset", offset
-    yield "backlash-inverse", inverse
+    made = {one.axis: offset_of(machine.axis(one.axis), one.estimate) for one in open_to}
+    yield "backlash-offset", {name: parts[0] for name, parts in made.items()}
+    yield "backlash-inverse", {name: parts[1] for name, parts in made.items()}
 
 
 def _having(controller: Controller, parts: Mapping[str, Component]) -> Controller:

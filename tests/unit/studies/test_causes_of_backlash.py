@@ -53,3 +53,18 @@ def test_what_reckons_with_the_gap_is_told_that_it_has_gone() -> None:
     assert compensation is not None and compensation.values()["backlash_gap"] == 0.0
     again, same = without_backlash(tight, controller)
     assert again is tight and same is controller
+
+
+def test_an_offset_is_tried_where_nothing_takes_the_gap_up() -> None:
+    from contourlab.studies.advice import advice, candidates
+
+    machine, controller, reference = rig(DRIVE)
+    words = "compensating the backlash by an offset on reversal"
+    assert words in {said for said, _ in candidates(machine, controller)}
+    judged = cl.judge(cl.simulate(machine, controller, reference), reference)
+    # Past the start from rest into a moving reference.
+    said = advice(machine, controller, reference, float(np.abs(judged["part_error"]).max()))
+    assert said
+    offset = BacklashOffset(backlash_gap=60e-6, backlash_velocity=0.01, backlash_acceleration=1.0)
+    assert words not in {said for said, _ in candidates(*rig(DRIVE, offset)[:2])}
+    assert words not in {said for said, _ in candidates(*rig(DRIVE.replace(backlash_gap=0.0))[:2])}
