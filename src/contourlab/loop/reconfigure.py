@@ -2,7 +2,9 @@
 
 All of its components are compiled before the run begins. At the sample of the change, between two ticks, its schedule is laid out anew, and
 every node that both have (the plants above all, with what is in the delay of the drives) goes on from where it stands; what only the new
-one has begins as at rest where the axes are. Commands are handed over without a jump, see `contourlab.loop.supervision`.
+one has begins as at rest where the axes are. A controller takes over what the one before it remembers, its integral in the command that it
+gives, so that what friction and loads ask for is not lost; what is left of a difference in the commands is handed over, see
+`contourlab.loop.supervision`.
 """
 
 from __future__ import annotations
@@ -13,13 +15,16 @@ from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from contourlab.engine.runner import Group, make_group
 from contourlab.engine.schedule import Node
+from contourlab.engine.step import record
 from contourlab.errors import ParameterError
 from contourlab.feed import Reference
 from contourlab.loop.machine import Controller, Machine
 from contourlab.loop.template import Loop, build
+from contourlab.primitives import Clock
 
 __all__ = ["Change", "Prepared", "prepared", "taken_over"]
 
@@ -105,22 +110,62 @@ def taken_over(
     known = {node.name: j for j, node in enumerate(running.schedule.nodes)}
     for i, node in enumerate(loop.schedule.nodes):
         j = known.get(node.name, -1)
-        if j >= 0 and len(running.rings[j]) == len(group.rings[i]) and _goes_on(running.schedule.nodes[j], node):
+        if j < 0:
+            continue
+        before = running.schedule.nodes[j]
+        if before.step == node.step and len(running.rings[j]) == len(group.rings[i]):
             group.state[i][:] = running.state[j]
             group.rings[i][:] = running.rings[j]
             rows = sum(port.rows for port in node.step.outputs)
             to, off = loop.schedule.first_row[i], running.schedule.first_row[j]
             group.signals[to : to + rows] = running.signals[off : off + rows]
+        if _is_controller(node) and not _same(before, node):
+            _carry(before, running.state[j], node, group.state[i], _accepted(running, node.name))
     group.tick = running.tick
     return loop, group
 
 
-_OWN = ("controller", "other_", "supervisor", "handover", "observer", "gap_observer", "compensation", "feedforward")
+def _is_controller(node: Node) -> bool:
+    return node.step.name.startswith("controller/")
 
 
-def _goes_on(before: Node, node: Node) -> bool:
-    """Tell whether a node takes over what another one remembers; a controller with other gains begins anew: its integral means another."""
-    if before.step != node.step:
-        return False
-    own = node.name.rpartition(".")[2].startswith(_OWN)
-    return not own or all(np.array_equal(before.parameters[name], node.parameters[name]) for name in node.parameters)
+def _same(before: Node, node: Node) -> bool:
+    return before.step == node.step and all(np.array_equal(before.parameters[name], node.parameters[name]) for name in node.parameters)
+
+
+def _accepted(running: Group, node: str) -> float:
+    """Return the command that the drive of a node's axis took last."""
+    drive = f"{node.partition('.')[0]}.drive"
+    known = running.schedule.row_of
+    return float(running.signals[known.get(f"{drive}.accepted", known[f"{drive}.applied"]), 0])
+
+
+def _carry(before: Node, old: NDArray[np.float64], node: Node, new: NDArray[np.float64], accepted: float) -> None:
+    """Lay into a controller's states what another one remembers under the same names; its integral so that it gives the same command."""
+    rows = {port.name: row for row, port in enumerate(before.step.states) if not port.size}
+    for row, port in enumerate(node.step.states):
+        if port.name == "last_command":
+            new[row] = accepted
+        elif port.name == "integral" and port.name in rows:
+            worth, own = _worth(before), _worth(node)
+            new[row] = old[rows[port.name]] * worth / own if own else 0.0
+        elif port.name in rows and not port.size:
+            new[row] = old[rows[port.name]]
+
+
+def _worth(node: Node) -> float:
+    """Return the command that a unit of a controller's integral gives."""
+    step = node.step
+    if step.tables or step.ring or any(port.size for port in (*step.states, *step.inputs)):
+        return 0.0
+    par = step.par_type(**{name: float(np.ravel(node.parameters[name])[0]) for name in step.parameters})
+    state, inputs = (record(tuple(port.name for port in ports)) for ports in (step.states, step.inputs))
+    at_rest = state(*(0.0 for _ in step.states))
+    nothing, clock = inputs(*(0.0 for _ in step.inputs)), Clock(0.0, 0.0, 1e-9)
+    wound = at_rest._replace(integral=NUDGE) if "integral" in at_rest._fields else at_rest
+    given = [step.function(par, x, nothing, clock)[1][0] for x in (at_rest, wound)]
+    return float(given[1] - given[0]) / NUDGE
+
+
+NUDGE = 1e-9
+"""Of an integral, small enough for no limit to be met."""

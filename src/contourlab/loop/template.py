@@ -40,7 +40,7 @@ from contourlab.loop.mixing import sum_step
 from contourlab.loop.mounting import add_plants
 from contourlab.loop.recorded import recorded
 from contourlab.loop.sensing import Sensing
-from contourlab.loop.supervision import handover_parameters, handover_step
+from contourlab.loop.supervision import TOLD, conditioned, handover_parameters, handover_step
 from contourlab.loop.tool import stream_of
 from contourlab.loop.watch import watch_node
 
@@ -213,12 +213,21 @@ class Builder:
         mine, prefix = self.controller.axes[name], f"controller.axes.{name}"
         if mine.supervisor is not None:
             self.add(f"{name}.supervisor", mine.supervisor, f"{prefix}.supervisor", self.wires_of(mine.supervisor, name, offered), at)
-        for label, part in mine.controllers.items():
-            first = label == "controller"
-            node, key = (f"{name}.controller", "controller") if first else (f"{name}.other_{label}", f"others.{label}")
-            self.add(node, part, f"{prefix}.{key}", self.wires_of(part, name, offered), at)
-        if self.command(name) == f"{name}.handover.command":
+        handed = self.command(name) == f"{name}.handover.command"
+        for number, (label, part) in enumerate(mine.controllers.items()):
+            node, key = (f"{name}.other_{label}", f"others.{label}") if number else (f"{name}.controller", "controller")
+            if handed:
+                offered = {**offered, "accepted": self.told(name, node, number)}
+            made = conditioned(part) if mine.others else part
+            self.add(node, made, f"{prefix}.{key}", self.wires_of(made, name, offered), at)
+        if handed:
             self.hand_over(name)
+
+    def told(self, name: str, node: str, number: int) -> str:
+        """Add what tells a controller how much of its command was accepted; return the wire."""
+        late: dict[str, Any] = {port: Late(f"{name}.handover.{port}") for port in ("active", "offset")}
+        self.nodes.append(Node(f"{node}_told", TOLD, {**late, "accepted": self.accepted(name), "number": float(number)}))
+        return f"{node}_told.accepted"
 
     def hand_over(self, name: str) -> None:
         """Add the node that passes on the command of the active controller."""

@@ -62,18 +62,33 @@ def test_a_controller_supervised_beside_its_copy_runs_as_it_does_alone(circle: c
 
 
 def test_a_command_does_not_jump_at_a_switch_with_hand_over(circle: cl.Reference) -> None:
-    at = 0.02 * np.pi  # half of the circle
+    at, first = 0.02 * np.pi, Cascade(**GAINS)  # half of the circle
+    slow = Cascade(**{**SLOW, "velocity_feedforward": 0.0})
+    alone = cl.simulate(machine(), both(controller=first), circle)
 
     def jump(handover_time: float) -> float:
+        """Return by how much the command at the switch differs from that of the controller that is switched off."""
         supervisor = PreRouted(places=(at,), numbers=(1.0,), handover_time=handover_time)
-        cascades = {"controller": Cascade(**GAINS), "others": (("slow", Cascade(**{**SLOW, "velocity_feedforward": 0.0})),)}
-        run = cl.simulate(machine(), both(**cascades, supervisor=supervisor), circle)
+        run = cl.simulate(machine(), both(controller=first, others=(("slow", slow),), supervisor=supervisor), circle)
         k = int(np.flatnonzero(run["switch_reason"][:, 0])[0])
         assert run["arc_length"][k - 1] < at <= run["arc_length"][k]
-        return float(np.abs(run["command"][k] - run["command"][k - 1]).max())
+        return float(np.abs(run["command"][k] - alone["command"][k]).max())
 
-    assert jump(0.02) < 1e-14  # rounding: the offset is what was accepted less what is wanted
+    assert jump(0.02) < 1e-14
     assert jump(0.0) > 0.1
+
+
+@pytest.mark.parametrize("handover_time", [0.0, 5e-3, 0.05])
+def test_switching_to_a_copy_changes_nothing(handover_time: float, circle: cl.Reference) -> None:
+    """Whatever its anti-windup: its integral has followed, and nothing that is added at the hand-over is taken for a limit of the drive."""
+    for words in ("hold", "back-calculation"):
+        cascade = Cascade(**GAINS, anti_windup=words)
+        supervisor = PreRouted(places=(0.01, 0.1, 0.2), numbers=(1.0, 0.0, 1.0), handover_time=handover_time)
+        switched = both(controller=cascade, others=(("copy", cascade),), supervisor=supervisor)
+        alone, beside = (cl.simulate(machine(), made, circle) for made in (both(controller=cascade), switched))
+        assert np.count_nonzero(beside["switch_reason"][:, 0]) == 3
+        # Not active, a copy is led by what was carried out, one tick late.
+        assert beside["axis_position"] == pytest.approx(alone["axis_position"], abs=2e-6)
 
 
 def test_contact_and_gap_controllers_are_switched_where_the_drive_says_so(circle: cl.Reference) -> None:
@@ -183,6 +198,10 @@ def test_another_controller_takes_over_at_its_sample_without_a_jump(circle: cl.R
         assert not np.array_equal(run["command"][k + 20], alone["command"][k + 20])
     jumps = {time: np.abs(run["command"][k] - run["command"][k - 1]).max() for time, run in made.items()}
     assert jumps[0.02] < 1e-14 and jumps[0.0] > 0.1
+    # What friction asks for is carried over: a hair's breadth in the gains is one in the motion.
+    hair = both(controller=Cascade(**{**GAINS, "position_gain": 1.0001 * GAINS["position_gain"]}))
+    near = cl.simulate(machine(), first, circle, changes=[Change(0.6995, hair, 0.01)])
+    assert near["axis_position"] == pytest.approx(alone["axis_position"], abs=1e-6)
     # In the end both follow with the lag of the slow one: v/K_v.
     speed = 2.0 * np.pi * 0.02
     for run in made.values():
