@@ -154,3 +154,28 @@ def test_the_shipped_part_goes_as_its_page_says(tmp_path: Path, capsys: pytest.C
     rms = {name: found["metrics"]["part_error"]["rms"] for name, found in json.loads(out)["schemes"].items()}
     assert rms["scheme III"] < rms["CNC compensation"] < rms["PI cascade"]
     assert rms["scheme III, observed"] < 1.2 * rms["scheme III"]
+
+
+def test_what_has_no_effect_or_the_wrong_one_is_said(
+    written: Callable[..., str], capsys: pytest.CaptureFixture[str], tmp_path: Path
+) -> None:
+    offset = (
+        'compensation = {kind = "backlash-offset", backlash_gap = "50 um", backlash_velocity = "5 mm/s", backlash_acceleration = "1 m/s^2"}'
+    )
+    text = DRIVE.replace(MOTOR, f'velocity_feedback = "motor"\n{offset}').replace("30 1/s", "8 1/s")
+    text += '\n[run]\nchanges = [{at = "100 s", controller = "other.toml"}]\n'
+    Path(written(DRIVE)).with_name("other.toml").write_text(
+        '[controller.axes."*"]\ncontroller = {kind = "cascade", gains = {bandwidth = "80 rad/s"}}\n'
+    )
+    out = told(capsys, "run", written(text), "--out", str(tmp_path / "o"))
+    assert "counts the backlash twice" in out and "does not come about" in out
+    route = f'{MOTOR}\n{OTHER}\nsupervisor = {{kind = "pre-routed", places = ["1 m"], numbers = [1]}}'
+    assert "1000 mm on" in told(capsys, "run", written(DRIVE.replace(MOTOR, route)), "--out", str(tmp_path / "o"))
+    lines = f'{MOTOR}\n{OTHER}\nsupervisor = {{kind = "pre-routed", by = "line", lines = [3], numbers = [1]}}'
+    assert "no program" in told(capsys, "run", written(DRIVE.replace(MOTOR, lines)), "--out", str(tmp_path / "o"))
+
+
+def test_a_supervisor_without_a_kind_is_the_performance_based_one(written: Callable[..., str]) -> None:
+    text = DRIVE.replace(MOTOR, f'{MOTOR}\n{OTHER}\nsupervisor = {{thresholds = ["25 um"]}}')
+    supervisor = load_scenario(written(text)).cases()[0].controller.axes["x"].supervisor
+    assert supervisor is not None and supervisor.kind == "performance"

@@ -82,6 +82,7 @@ def axis_backlash_loop(axis: Axis, controller: AxisController, servo_period: flo
         shaft_damping=float(values.damper_value),
         e=b[:, :3],
         contact_a=in_contact[0] if controller.others else None,
+        contact_e=in_contact[1][:, :3] if controller.others else None,
         states=names,
     )
 

@@ -60,6 +60,8 @@ class BacklashLoop:
         What the reference, its velocity and its acceleration do; zero if left out.
     contact_a : ndarray (n, n), optional
         Dynamics without torque while in contact, of a scheme that switches controllers; `a` if left out.
+    contact_e : ndarray (n, 3), optional
+        What the reference does while in contact; `e` if left out.
     states : tuple of str, optional
         Names, for sentences.
 
@@ -77,11 +79,19 @@ class BacklashLoop:
     shaft_damping: float = 0.0
     e: Array | None = None
     contact_a: Array | None = None
+    contact_e: Array | None = None
     states: tuple[str, ...] = ()
 
     def __post_init__(self) -> None:
         n = len(np.atleast_1d(self.b))
-        for name, shape in {"a": (n, n), "b": (n,), "c": (n,), "e": (n, N_REFERENCE), "contact_a": (n, n)}.items():
+        for name, shape in {
+            "a": (n, n),
+            "b": (n,),
+            "c": (n,),
+            "e": (n, N_REFERENCE),
+            "contact_a": (n, n),
+            "contact_e": (n, N_REFERENCE),
+        }.items():
             given = getattr(self, name)
             if given is not None:
                 object.__setattr__(self, name, _checked(name, given, shape))
@@ -111,6 +121,10 @@ class BacklashLoop:
     def reference_input(self) -> Array:
         """`e`, zeros where none was given (n, 3)."""
         return np.zeros((self.n, N_REFERENCE)) if self.e is None else self.e
+
+    def reference_input_in(self, gap: bool) -> Array:
+        """What the reference does in the gap, or in contact (n, 3)."""
+        return self.reference_input if gap or self.contact_e is None else self.contact_e
 
     @property
     def rate(self) -> Array:

@@ -128,7 +128,7 @@ class Flow:
         loop, n, q = self.loop, self.n, len(self.reference.start)
         m = np.zeros((self.size, self.size))
         m[:n, :n] = loop.a if mode == GAP or loop.contact_a is None else loop.contact_a
-        m[:n, -q:] = loop.reference_input @ self.reference.output
+        m[:n, -q:] = loop.reference_input_in(mode == GAP) @ self.reference.output
         m[-q:, -q:] = self.reference.s
         m[:n] -= np.outer(loop.b, self.torque_row(mode))
         if self.twisted:

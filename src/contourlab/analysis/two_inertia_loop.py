@@ -192,12 +192,13 @@ def two_inertia_loop(drive: TwoInertias, feedback: Feedback, contact_feedback: F
     b, c = np.zeros(n), np.zeros(n)
     b[:4], c[:4] = drive.torque, drive.difference
     names = (*MECHANICAL, *(f"integral {i + 1}" for i in range(feedback.n_integral)))
-    loop = BacklashLoop(a, b, c, drive.stiffness, drive.half_gap, drive.shaft_damping, e, None, names)
+    loop = BacklashLoop(a, b, c, drive.stiffness, drive.half_gap, drive.shaft_damping, e, states=names)
     if contact_feedback is None:
         return loop
     if contact_feedback.n_integral != feedback.n_integral:
         raise ParameterError("contact_feedback", f"{contact_feedback.n_integral} integrals", f"with {feedback.n_integral}, as in the gap")
-    return replace(loop, contact_a=_closed(drive, contact_feedback)[0])
+    contact_a, contact_e = _closed(drive, contact_feedback)
+    return replace(loop, contact_a=contact_a, contact_e=contact_e)
 
 
 def _closed(drive: TwoInertias, feedback: Feedback) -> tuple[Array, Array]:

@@ -29,6 +29,9 @@ from contourlab.scenario.tree import DESIGNED, Leaf, Node, Table, hint
 
 __all__ = ["build_axis", "build_controller", "build_machine"]
 
+SUPERVISOR = "performance"
+"""Kind of a supervisor that names none."""
+
 
 def build_axis(table: Table, name: str) -> Axis:
     """Return an axis from its table.
@@ -173,7 +176,10 @@ def _axis_controller(table: Table, machine: Machine, name: str) -> AxisControlle
     parts: dict[str, Any] = {}
     for slot in ("predictor", "velocity", "observer", "gap_observer", "compensation", "supervisor"):
         if slot in table.entries:
-            parts[slot] = read_component(table.entries[slot], slot, units, optional=slot != "velocity")
+            node = table.entries[slot]
+            if slot == "supervisor" and isinstance(node, Table) and "kind" not in node.entries:
+                node = node.having(kind=Leaf(SUPERVISOR, node.file, node.at("kind")))
+            parts[slot] = read_component(node, slot, units, optional=slot != "velocity")
     model = _model(machine, axis, parts.get("observer"))
     parts["controller"] = _position(table.entries["controller"], units, model)
     if "feedforward" in table.entries:

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any
 
 from contourlab.session.stages import shown
 from contourlab.studies.backlash import AxisGap, BacklashStudy, Trial, backlash_study
+from contourlab.units import from_si, to_si
 
 if TYPE_CHECKING:
     from contourlab.analysis.limit_cycle_prediction import LimitCycle
@@ -102,7 +103,7 @@ def _axis_lines(one: AxisGap, period: float) -> Iterator[str]:
     if one.pair is not None:
         spread = _microns(2.0 * one.pair.lost_motion_deviation)
         gap = "" if math.isnan(one.pair.gap) else f", of it free travel {_microns(one.pair.gap)}"
-        yield f"    from motor and load: lost motion {_microns(one.pair.lost_motion)} +- {spread}{gap}"
+        yield f"    from motor and load in the run: lost motion {_microns(one.pair.lost_motion)} (scatter {spread}){gap}"
     if one.motor_side is not None:
         seen, deviation, confidence = one.motor_side
         yield f"    from the motor alone: free travel {_microns(seen)} +- {_microns(2.0 * deviation)}, confidence {confidence:.2f}"
@@ -111,7 +112,8 @@ def _axis_lines(one: AxisGap, period: float) -> Iterator[str]:
         yield f"    limit cycles, describing function: {'; '.join(cycles) or 'none'}"
     if one.orbits is not None:
         orbits = [_cycle(orbit, period) for orbit in one.orbits.orbits]
-        yield f"    limit cycles, exact, without friction: {'; '.join(orbits) or 'none found'}"
+        free = "without friction" + (", half gaps of the laws, hysteresis and hand-over" if one.prediction is None else "")
+        yield f"    limit cycles, exact, {free}: {'; '.join(orbits) or 'none found'}"
     for remark in one.remarks:
         yield f"    {remark}"
 
@@ -131,15 +133,20 @@ def _snippet(trial: Trial, machine: Machine) -> str:
         plant = machine.axis(name).plant
         return plant.command_unit, plant.force_unit
 
-    axes = {name: {HOLDING: component_table(_rounded(part), units(name))} for name, part in trial.parts.items()}
+    axes = {name: {HOLDING: component_table(_rounded(part, units(name)), units(name))} for name, part in trial.parts.items()}
     return toml({"controller": {"axes": axes}})
 
 
-def _rounded(part: Component) -> Component:
-    """Return a component with numbers of three digits, as people write them."""
-    numbers = {name: float(f"{value:.3g}") for name, value in part.values().items() if isinstance(value, float) and math.isfinite(value)}
-    found: Component = part.replace(**numbers)
-    return found
+def _rounded(part: Component, units: tuple[str, str]) -> Component:
+    """Return a component with numbers of three digits in the units that people write them in."""
+    found = {}
+    for name, parameter in ((name, known.for_plant(*units)) for name, known in type(part).parameters.items()):
+        value = getattr(part, name)
+        if isinstance(value, float) and math.isfinite(value) and not parameter.whole:
+            shown = parameter.display or parameter.unit
+            found[name] = to_si(f"{from_si(value, shown):.3g} {shown}", parameter.unit) if shown else float(f"{value:.3g}")
+    made: Component = part.replace(**found)
+    return made
 
 
 def _summary(study: BacklashStudy, machine: Machine) -> dict[str, Any]:

@@ -6,6 +6,8 @@ import math
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, field, replace
 
+import numpy as np
+
 from contourlab.analysis import BacklashLoop, OrbitSearch, Prediction, axis_backlash_loop, find_orbits, predict_limit_cycles
 from contourlab.components.contract import Component
 from contourlab.components.gap_observer.multiple_model import MultipleModel
@@ -115,6 +117,7 @@ def observer_of(axis: Axis, servo_period: float, carried_mass: float = 0.0) -> M
     if "resolution" in axis.motor_sensor.parameters:
         known["resolution"] = axis.motor_sensor.values()["resolution"]
     known |= {"unmodelled_force": _unmodelled(axis), "uncertainty": UNSURE}
+    known["largest_gap"] = max(MultipleModel.parameters["largest_gap"].default, 5.0 * plant.gap_at(0.0))
     values = plant.constants()
     fast = math.sqrt(values.stiffness_value * (values.motor_mobility + values.load_mobility)) * servo_period
     return MultipleModel(**known, substeps=float(min(max(math.ceil(fast / 0.35), 1), 32)))
@@ -167,8 +170,9 @@ def backlash_study(
 
     loose = [axis for axis in machine.axes if isinstance(axis.plant, TwoInertia) and axis.plant.gap_at(0.0) > 0.0]
     if not loose:
-        kinds = ", ".join(axis.plant.kind for axis in machine.axes)
-        raise ComponentError(f"{machine.name} has no axis with backlash on a two-inertia plant: its plants are {kinds}")
+        others = sorted({axis.plant.kind for axis in machine.axes if axis.plant.two_sided and not isinstance(axis.plant, TwoInertia)})
+        why = f": of drives with backlash this study knows two-inertia, not {', '.join(others)}" if others else ""
+        raise ComponentError(f"{machine.name} has no axis with backlash{why}")
     begin(f"simulating {name} with observers of its gaps")
     watched, refusals = _watched(machine, controller, loose)
     result = run(watched, OBSERVED if watched is not controller else ())
@@ -231,8 +235,12 @@ def _uses_load(mine: object) -> bool:
 def _axis_gap(machine: Machine, controller: Controller, axis: Axis, result: Result, remarks: tuple[str, ...]) -> AxisGap:
     j, plant = machine.axis_names.index(axis.name), machine.loaded_plant(axis.name)
     assert isinstance(plant, TwoInertia)  # only such an axis is asked about
-    friction = float(axis.friction.values().get("coulomb", 0.0))
-    stiffness = float(plant.constants().stiffness_value)
+    values = plant.constants()
+    stiffness = float(values.stiffness_value)
+    moving = np.abs(result["axis_velocity"][:, j])
+    speed = float(moving[moving > 0.1 * moving.max()].mean()) if moving.any() else 0.0
+    viscous = float(values.load_decay / values.load_mobility) + float(axis.friction.values().get("viscous", 0.0))
+    friction = float(axis.friction.values().get("coulomb", 0.0)) + viscous * speed
     gap, said = plant.gap_at(0.0), list(remarks)
     pair = motor_side = prediction = orbits = None
     try:

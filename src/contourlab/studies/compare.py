@@ -17,6 +17,7 @@ from contourlab.metrics import CircleFigures, Metrics, Spike, circles_of, judge,
 from contourlab.result import Result
 from contourlab.studies.cost import tick_cost
 from contourlab.studies.learn import LearnedTable, LearningRun, Stopping, learn
+from contourlab.studies.remarks import remarks
 from contourlab.studies.verdict import Verdict, verdict
 
 __all__ = ["AxisBode", "Case", "Learning", "Outcome", "run_case"]
@@ -157,7 +158,8 @@ class Outcome:
     @property
     def warnings(self) -> tuple[str, ...]:
         """What analysis warns of: an unstable coupling, and learning that grows."""
-        return (*filter(None, (self.unstable,)), *(() if self.foretold is None else self.foretold.warnings))
+        asked = remarks(self.case.machine, self.case.controller, self.reference, self.case.changes)
+        return (*filter(None, (self.unstable,)), *asked, *(() if self.foretold is None else self.foretold.warnings))
 
 
 def run_case(

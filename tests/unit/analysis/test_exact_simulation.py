@@ -179,3 +179,23 @@ def test_no_mode_is_left_late(gap: float, stiffness: float, shaft: float, gains:
     mode = run.modes[np.searchsorted(run.times, times, side="right") - 1]
     assert np.abs(difference - twist)[mode == 0].max(initial=0.0) <= plant.half_gap * (1.0 + 1e-8)
     assert (torque * mode >= -1e-8 * np.abs(torque).max(initial=1e-300)).all()
+
+
+def test_each_controller_has_its_own_reference() -> None:
+    """Up to the first loss of contact a switched loop is that of its contact controller, reference and all."""
+    from scipy.integrate import solve_ivp
+
+    drive = TwoInertias(5.2e-3, 4.4e-3, 950.0, 0.005, load_damping=0.05)
+    in_gap, in_contact = motor_pid(20.0, 2.0), motor_pid(200.0, 4.0)
+    switched = two_inertia_loop(drive, in_gap, in_contact)
+    start = np.array([0.02, 0.0, 0.0, 0.0])  # the shaft wound up by 0.015 rad
+
+    def rates(_: float, x: np.ndarray) -> list[float]:
+        torque = 950.0 * (x[0] - x[2] - 0.005)
+        command = 200.0 * (0.5 - x[0]) - 4.0 * x[1]
+        return [x[1], (command - torque) / 5.2e-3, x[3], (torque - 0.05 * x[3]) / 4.4e-3]
+
+    run = simulate_exact(switched, start, 0.004, Motion.constant(0.5))
+    assert set(np.asarray(run.modes).tolist()) == {1}
+    known = solve_ivp(rates, (0.0, 0.004), start, method="DOP853", rtol=1e-12, atol=1e-14).y[:, -1]
+    assert run.state([0.004])[0] == pytest.approx(known, rel=1e-8)

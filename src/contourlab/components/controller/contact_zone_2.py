@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from contourlab.components.controller.zone_law import TorqueGains
+from contourlab.components.controller.zone_law import TypeTwo
 
 __all__ = ["ContactZone2"]
 
 
-class ContactZone2(TorqueGains):
+class ContactZone2(TypeTwo):
     """u = J_m r_a - K_1' (w_m - r_v) - K_2' (theta_m - r -+ beta): type I with gains that are torques.
 
     References

@@ -18,7 +18,7 @@ from contourlab.components.contract import Component, LinearModel, Port, param, 
 from contourlab.components.controller.anti_windup import ANTI_WINDUP, integral_rise, recovery_part
 from contourlab.primitives import select
 
-__all__ = ["InertiaGains", "Integral", "TorqueGains", "ZoneLaw", "zone_step"]
+__all__ = ["InertiaGains", "Integral", "TorqueGains", "TypeTwo", "ZoneLaw", "zone_step"]
 
 
 def _difference(inp: Any) -> float:
@@ -80,9 +80,9 @@ class ZoneLaw(Component):
     holds the load against the flank that drives it) or acceleration (where inertia does); where that is zero, the last one holds. With
     ``direction = "none"`` the law knows no gap.
 
-    Printed, the half gap also stands in the rate term, where it has the wrong dimension: ``reading = "literal"``. It is meant as the
-    derivative of the moved target, which is zero but for its jumps, and is left out otherwise. A gap observer's estimate goes before
-    `backlash_gap`.
+    Printed, the half gap also stands in the rate term of types I and II, where it has the wrong dimension: ``reading = "literal"``. It is
+    meant as the derivative of the moved target, which is zero but for its jumps, and is left out otherwise. A gap observer's estimate
+    goes before `backlash_gap`.
     """
 
     family = "controller"
@@ -111,12 +111,6 @@ class ZoneLaw(Component):
     lead: float = param(unit="m", minimum=0.0, exclusive=True, display="mm", doc="travel per turn of the screw, l")
     backlash_gap: float = param(default=0.0, unit="m", minimum=0.0, display="um", doc="free travel in all that it reckons with, 2 beta")
     direction: str = text_param(default="difference", choices=tuple(DIRECTIONS), doc="what tells the flank to press on")
-    reading: str = text_param(
-        default="corrected",
-        choices=("corrected", "literal"),
-        doc="whether the half gap also stands in the rate term, as printed",
-        source="Shahin, ElMaraghy & ElBeheiry, eqs 10, 12, 14 and 15",
-    )
 
     def derive(self, par: Any, dt: float) -> tuple[Any, ...]:
         return (2.0 * math.pi / par.lead,)
@@ -144,7 +138,16 @@ def zone_step(
     law: ZoneLaw, *, follows_load: bool = False, rise: Callable[..., float] | None = None, to_flank: bool = False
 ) -> Callable[..., Any]:
     """Return the step of a law; `rise` is how its integral is summed up, if it has one, `to_flank` whether that knows the half gap."""
-    return _make(follows_load, law.per_inertia, law.reading == "literal", law.direction, rise, to_flank)
+    return _make(follows_load, law.per_inertia, law.values().get("reading") == "literal", law.direction, rise, to_flank)
+
+
+def _reading() -> Any:
+    return text_param(
+        default="corrected",
+        choices=("corrected", "literal"),
+        doc="whether the half gap also stands in the rate term, as printed",
+        source="Shahin, ElMaraghy & ElBeheiry, eqs 10, 12, 14 and 15",
+    )
 
 
 class InertiaGains(ZoneLaw):
@@ -152,6 +155,7 @@ class InertiaGains(ZoneLaw):
 
     per_inertia = True
 
+    reading: str = _reading()
     rate_gain: float = param(unit="1/s", minimum=0.0, doc="on the motor's rate")
     position_gain: float = param(unit="1/s^2", minimum=0.0, doc="on the motor's angle")
 
@@ -176,6 +180,12 @@ class TorqueGains(ZoneLaw):
     def designed(wishes: Mapping[str, float], model_gain: float, model_damping: float) -> dict[str, float]:
         inertia, w, zeta = wishes["inertia"], wishes["natural_frequency"], wishes["damping"]
         return {"rate_gain": 2.0 * zeta * w * inertia, "position_gain": w * w * inertia}
+
+
+class TypeTwo(TorqueGains):
+    """Laws of type II."""
+
+    reading: str = _reading()
 
 
 class Integral(TorqueGains):

@@ -93,7 +93,9 @@ class Performance(Supervisor):
     def __init__(self, **values: Any) -> None:
         super().__init__(**values)
         if list(self.thresholds) != sorted(set(self.thresholds)):
-            raise ParameterError("thresholds", f"{list(self.thresholds)}", "rising", "m")
+            raise ParameterError("thresholds", f"{list(self.thresholds)} m", "rising")
+        if not self.hysteresis < self.thresholds[0]:
+            raise ParameterError("hysteresis", f"{self.hysteresis:g}", f"< {self.thresholds[0]:g}, the first threshold", "m")
 
     def derive(self, par: Any, dt: float) -> tuple[Any, ...]:
         time = np.asarray(par.averaging_time, dtype=float)
