@@ -14,7 +14,7 @@ from scipy.linalg import expm
 from contourlab.analysis.exact_simulation import simulate_exact
 from contourlab.analysis.mode_flow import Motion
 from contourlab.analysis.small_exponential import exponentials
-from contourlab.analysis.two_inertia_loop import motor_pid, p_pi_cascade, two_inertia_loop
+from contourlab.analysis.two_inertia_loop import TwoInertias, motor_pid, p_pi_cascade, two_inertia_loop
 from contourlab.errors import ParameterError
 
 
@@ -185,9 +185,9 @@ def test_each_controller_has_its_own_reference() -> None:
     """Up to the first loss of contact a switched loop is that of its contact controller, reference and all."""
     from scipy.integrate import solve_ivp
 
-    drive = TwoInertias(5.2e-3, 4.4e-3, 950.0, 0.005, load_damping=0.05)
+    plant = TwoInertias(5.2e-3, 4.4e-3, 950.0, 0.005, load_damping=0.05)
     in_gap, in_contact = motor_pid(20.0, 2.0), motor_pid(200.0, 4.0)
-    switched = two_inertia_loop(drive, in_gap, in_contact)
+    switched = two_inertia_loop(plant, in_gap, in_contact)
     start = np.array([0.02, 0.0, 0.0, 0.0])  # the shaft wound up by 0.015 rad
 
     def rates(_: float, x: np.ndarray) -> list[float]:
