@@ -179,3 +179,17 @@ def test_a_supervisor_without_a_kind_is_the_performance_based_one(written: Calla
     text = DRIVE.replace(MOTOR, f'{MOTOR}\n{OTHER}\nsupervisor = {{thresholds = ["25 um"]}}')
     supervisor = load_scenario(written(text)).cases()[0].controller.axes["x"].supervisor
     assert supervisor is not None and supervisor.kind == "performance"
+
+
+def test_an_observer_that_is_sure_and_wrong_is_told_on(written: Callable[..., str], capsys: pytest.CaptureFixture[str]) -> None:
+    """33 kg on a lead of 10 mm with 103 N at 1 ms: friction holds the load while the motor crosses, and the gap is taken for a smaller one."""
+    text = DRIVE.replace('lead = "16 mm"', 'lead = "10 mm"').replace('motor_inertia = "52 kg*cm^2"', 'motor_inertia = "2 kg*cm^2"')
+    text = (
+        text.replace('load_inertia = "44 kg*cm^2"', 'mass = "33 kg"').replace('"950 N*m/rad"', '"253 N*m/rad"').replace('"40 N"', '"103 N"')
+    )
+    text = text.replace("substeps = 4", "substeps = 8").replace("150 rad/s", "100 rad/s").replace("30 1/s", "25 1/s")
+    found = json.loads(told(capsys, "backlash", written(text.replace("8000 mm/min", "4000 mm/min"), gap="80 um"), "--json"))
+    for axis in found["schemes"]["base"]["axes"].values():
+        alone = axis["from_motor_alone"]
+        wrong = abs(alone["gap"] - 80e-6) > max(3.0 * alone["deviation"], 20e-6) and alone["confidence"] >= 0.9
+        assert wrong == any("sure and wrong" in remark for remark in axis["remarks"])

@@ -250,6 +250,8 @@ def _axis_gap(machine: Machine, controller: Controller, axis: Axis, result: Resu
     if "gap_estimate" in result.signals and not remarks:
         gap_seen, deviation, confidence = (float(result[name][-1, j]) for name in OBSERVED)
         motor_side = (gap_seen, deviation, confidence)
+        if confidence >= 0.9 and abs(gap_seen - gap) > max(3.0 * deviation, 0.25 * gap):
+            said.append("the observer is sure and wrong here, by the machine file: no supervisor or compensation is to be built on it")
     try:
         loop = axis_backlash_loop(axis, controller.axes[axis.name], machine.servo_period, machine.carried_mass(axis.name))
         prediction, orbits = _cycles(loop)
