@@ -182,7 +182,7 @@ def test_a_supervisor_without_a_kind_is_the_performance_based_one(written: Calla
 
 
 def test_an_observer_that_is_sure_and_wrong_is_told_on(written: Callable[..., str], capsys: pytest.CaptureFixture[str]) -> None:
-    """33 kg on a lead of 10 mm with 103 N at 1 ms: friction holds the load while the motor crosses, and the gap is taken for a smaller one."""
+    """33 kg on a lead of 10 mm with 103 N at 1 ms: friction holds the load while the motor crosses, and the gap is taken for smaller."""
     text = DRIVE.replace('lead = "16 mm"', 'lead = "10 mm"').replace('motor_inertia = "52 kg*cm^2"', 'motor_inertia = "2 kg*cm^2"')
     text = (
         text.replace('load_inertia = "44 kg*cm^2"', 'mass = "33 kg"').replace('"950 N*m/rad"', '"253 N*m/rad"').replace('"40 N"', '"103 N"')
