@@ -13,6 +13,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from contourlab.components.plant.plant import Plant
 from contourlab.engine.runner import Group, make_group
 from contourlab.engine.schedule import Late, Node
 from contourlab.errors import ParameterError
@@ -179,7 +180,24 @@ def _checked(machine: Machine, controller: Controller, variants: Mapping[str, Ar
     lengths = {len(values) for values in columns.values()}
     if len(lengths) != 1 or 0 in lengths:
         raise ParameterError("variants", f"arrays of lengths {sorted(lengths)}", "given, and all of one length of 1 or more")
+    _check_substeps(machine, columns)
     return columns, lengths.pop()
+
+
+def _check_substeps(machine: Machine, columns: Mapping[str, Array]) -> None:
+    """Refuse a variant of a plant that its axis' sub-steps cannot follow, as a machine refuses it."""
+    for axis in machine.axes:
+        head = f"axes.{axis.name}.plant."
+        changed = {name.removeprefix(head): values for name, values in columns.items() if name.startswith(head)}
+        if not changed or type(axis.plant).fewest_substeps is Plant.fewest_substeps:
+            continue
+        for row in np.unique(np.column_stack(list(changed.values())), axis=0).tolist():
+            plant = machine.loaded_plant(axis.name).replace(**dict(zip(changed, row, strict=True)))
+            wanted, why = plant.fewest_substeps(machine.servo_period)
+            if axis.substeps < wanted:
+                raise ParameterError(
+                    f"axes.{axis.name}.substeps", f"{axis.substeps}", f"at least {wanted} for {why}, in one of the variants"
+                )
 
 
 def judge_node(machine: Machine, reference: Reference, view: PathView, window: tuple[int, int] | None) -> Node:

@@ -228,3 +228,8 @@ def test_what_is_fed_forward_on_both_sides_is_that_of_a_drive_that_follows(circl
     made = feedforward_command(sensed, zones(), circle)
     block = circle.block(0, circle.n_sample)
     assert made == pytest.approx(9.6e-3 * 2.0 * np.pi / 0.016 * block.acceleration, abs=1e-9)
+
+
+def test_a_batch_refuses_a_shaft_that_its_substeps_cannot_follow(circle: cl.Reference) -> None:
+    with pytest.raises(ParameterError, match=r"axes\.x\.substeps = 4: must be at least \d+ .* in one of the variants"):
+        cl.simulate_batch(machine(), both(controller=Cascade(**GAINS)), circle, {"axes.x.plant.stiffness": [950.0, 1e6]})
