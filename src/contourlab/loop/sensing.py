@@ -15,7 +15,7 @@ from contourlab.primitives import select
 if TYPE_CHECKING:
     from contourlab.loop.template import Builder
 
-__all__ = ["Sensing"]
+__all__ = ["SURE", "Sensing"]
 
 
 class Sensing:
@@ -41,7 +41,8 @@ class Sensing:
         if self.mine.predictor is not None:
             wires = {"position": self.measured, "applied": builder.accepted(self.name)}
             builder.add(f"{self.name}.predictor", self.mine.predictor, f"{prefix}.predictor", wires, at)
-        self.velocity  # noqa: B018 (it is worked out ahead of all that may ask for it)
+        # Worked out ahead of all that may ask for it.
+        self.velocity_on(self.mine.velocity_feedback)
 
     def _add_sensors(self) -> None:
         for side, slot in zip(SIDES, ("sensor", "motor_sensor"), strict=True):

@@ -14,7 +14,8 @@ from contourlab.components.gap_observer.multiple_model import MultipleModel
 from contourlab.components.plant.two_inertia import TwoInertia
 from contourlab.errors import ComponentError, DivergenceError, ParameterError, ResultError
 from contourlab.feed import Reference
-from contourlab.loop import Axis, Controller, Machine, simulate
+from contourlab.loop import Axis, AxisController, Controller, Machine, simulate
+from contourlab.loop.sensing import SURE
 from contourlab.metrics import CircleBacklash, LostMotion, Metrics, backlash_of_runs, circles_of, judge, lost_motion_from_pair, summarise
 from contourlab.result import Result
 from contourlab.studies.compensate import lost_motion_of, offset_of
@@ -225,9 +226,9 @@ def _watched(machine: Machine, controller: Controller, loose: list[Axis]) -> tup
     return (controller if changed == dict(controller.axes) else replace(controller, axes=changed)), refusals
 
 
-def _uses_load(mine: object) -> bool:
+def _uses_load(mine: AxisController) -> bool:
     """Tell whether a controller, supervisor or compensation of an axis reads the load, or the gap, which an observer would speak for."""
-    parts = [*mine.controllers.values(), mine.supervisor, mine.compensation]  # type: ignore[attr-defined]
+    parts = [*mine.controllers.values(), mine.supervisor, mine.compensation]
     ports = {port.name for part in parts if part is not None for port in part.inputs}
     return bool(ports & {"load_position", "load_velocity", "gap_estimate"})
 
@@ -250,7 +251,7 @@ def _axis_gap(machine: Machine, controller: Controller, axis: Axis, result: Resu
     if "gap_estimate" in result.signals and not remarks:
         gap_seen, deviation, confidence = (float(result[name][-1, j]) for name in OBSERVED)
         motor_side = (gap_seen, deviation, confidence)
-        if confidence >= 0.9 and abs(gap_seen - gap) > max(3.0 * deviation, 0.25 * gap):
+        if confidence >= SURE and abs(gap_seen - gap) > max(3.0 * deviation, 0.25 * gap):
             said.append("the observer is sure and wrong here, by the machine file: no supervisor or compensation is to be built on it")
     try:
         loop = axis_backlash_loop(axis, controller.axes[axis.name], machine.servo_period, machine.carried_mass(axis.name))

@@ -46,7 +46,7 @@ def without_friction(machine: Machine) -> Machine:
 
 def without_backlash(machine: Machine, controller: Controller) -> tuple[Machine, Controller]:
     """Return the machine without free travel between motors and loads, under a controller that reckons with none."""
-    if not any(a.plant.two_sided and a.plant.linear() != a.plant for a in machine.axes):
+    if all(a.plant.linear() == a.plant for a in machine.axes):
         return machine, controller
     tight = replace(machine, axes=tuple(replace(a, plant=a.plant.linear()) for a in machine.axes))
     return tight, replace(controller, axes={name: _unaware(mine) for name, mine in controller.axes.items()})

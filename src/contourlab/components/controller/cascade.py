@@ -14,19 +14,25 @@ from contourlab.components.controller.anti_windup import ANTI_WINDUP, integral_r
 from contourlab.errors import ParameterError
 from contourlab.primitives import clip
 
-__all__ = ["Cascade"]
+__all__ = ["Cascade", "cascade_step"]
 
 
 @cache
-def _make(anti_windup: str) -> Any:
+def cascade_step(anti_windup: str, over_load: bool = False) -> Any:
+    """Return the step of a cascade; `over_load` is that of `load-side-cascade`: position of the load, velocity of the motor, damping."""
     rise = integral_rise(anti_windup)
 
     def step(par: Any, x: Any, inp: Any, clock: Any) -> Any:
-        wanted = par.position_gain * (inp.reference - inp.position) + par.velocity_feedforward * inp.reference_velocity
-        speed_error = wanted - inp.velocity
+        position = inp.load_position if over_load else inp.position
+        velocity = inp.motor_velocity if over_load else inp.velocity
+        wanted = par.position_gain * (inp.reference - position) + par.velocity_feedforward * inp.reference_velocity
+        speed_error = wanted - velocity
         integral = x.integral + rise(clock.dt * par.integral_rate * speed_error, x.last_command - inp.accepted, par.recovery)
         forward = par.acceleration_feedforward * inp.reference_acceleration + inp.feedforward
-        command = par.velocity_gain * speed_error + integral + forward - inp.disturbance_estimate
+        command = par.velocity_gain * speed_error + integral + forward
+        if over_load:
+            command = command - par.damping_gain * (velocity - inp.load_velocity)
+        command = command - inp.disturbance_estimate
         return (integral, command), (clip(command, -par.command_limit, par.command_limit),)
 
     return step
@@ -93,7 +99,7 @@ class Cascade(Component):
         return par.velocity_gain / par.integral_time, recovery_part(par.tracking_time, dt)
 
     def step_function(self) -> Any:
-        return _make(self.anti_windup)
+        return cascade_step(self.anti_windup)
 
     wishes = {
         "bandwidth": param(unit="rad/s", minimum=0.0, exclusive=True, doc="of the velocity loop"),

@@ -2,33 +2,14 @@
 
 from __future__ import annotations
 
-from functools import cache
 from typing import Any
 
 import numpy as np
 
 from contourlab.components.contract import LinearModel, Port, param
-from contourlab.components.controller.anti_windup import integral_rise
-from contourlab.components.controller.cascade import Cascade
-from contourlab.primitives import clip
+from contourlab.components.controller.cascade import Cascade, cascade_step
 
 __all__ = ["LoadSideCascade"]
-
-
-@cache
-def _make(anti_windup: str) -> Any:
-    rise = integral_rise(anti_windup)
-
-    def step(par: Any, x: Any, inp: Any, clock: Any) -> Any:
-        wanted = par.position_gain * (inp.reference - inp.load_position) + par.velocity_feedforward * inp.reference_velocity
-        speed_error = wanted - inp.motor_velocity
-        integral = x.integral + rise(clock.dt * par.integral_rate * speed_error, x.last_command - inp.accepted, par.recovery)
-        forward = par.acceleration_feedforward * inp.reference_acceleration + inp.feedforward
-        damping = par.damping_gain * (inp.motor_velocity - inp.load_velocity)
-        command = par.velocity_gain * speed_error + integral + forward - damping - inp.disturbance_estimate
-        return (integral, command), (clip(command, -par.command_limit, par.command_limit),)
-
-    return step
 
 
 class LoadSideCascade(Cascade):
@@ -64,7 +45,7 @@ class LoadSideCascade(Cascade):
     )
 
     def step_function(self) -> Any:
-        return _make(self.anti_windup)
+        return cascade_step(self.anti_windup, over_load=True)
 
     def linearize(self) -> LinearModel:
         """Return the model away from the limits."""

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from contourlab.components.chain_mechanics import JOINT, chain_step
 from contourlab.components.contract import LinearModel, Port, param, text_param
 from contourlab.components.plant.plant import Plant
-from contourlab.components.plant.two_inertia import COARSEST
+from contourlab.components.plant.two_inertia import COARSEST, TwoInertia
 from contourlab.errors import ComponentError, ParameterError
 
 __all__ = ["InertiaChain"]
@@ -42,16 +42,7 @@ class InertiaChain(Plant):
     force_unit = "N"
     two_sided = True
     rest_depends = ("start_in_gap", "lead")
-    inputs = (Port("command"), Port("load"))
-    outputs = (
-        Port("position"),
-        Port("velocity"),
-        Port("acceleration"),
-        Port("motor_position"),
-        Port("motor_velocity"),
-        Port("gap_state"),
-        Port("shaft_force"),
-    )
+    inputs, outputs = TwoInertia.inputs, TwoInertia.outputs
     example = {
         "inertias": (3e-3, 2.2e-3, 4.4e-3),
         "mass": 30.0,

@@ -26,16 +26,19 @@ class SingleMass(Plant):
     @staticmethod
     def mobility(par: Any) -> float:
         """Return the acceleration per force [m/s^2 per force unit]."""
+        # What tells one plant from another.
         raise NotImplementedError
 
     @staticmethod
     def decay(par: Any) -> float:
         """Return the rate at which a free motion decays [1/s]."""
+        # What tells one plant from another.
         raise NotImplementedError
 
     @staticmethod
     def drive_force(par: Any, command: float) -> float:
         """Return the force of the drive."""
+        # What tells one plant from another.
         raise NotImplementedError
 
     def at_rest(self, position: float) -> tuple[dict[str, float], dict[str, float]]:
