@@ -1,12 +1,15 @@
 """What all tests share. Machine code is kept in the user's cache between runs; CONTOURLAB_CACHE names another folder."""
 
 import os
+import signal
 from pathlib import Path
 
 import pytest
 from hypothesis import settings
 
 os.environ.setdefault("MPLBACKEND", "Agg")
+# A shell starts what runs in its background deaf to Ctrl-C, and whatever is started from there too; tests send it.
+signal.signal(signal.SIGINT, signal.default_int_handler)
 
 # Deadlines measure the machine, not the code. CI tries the same examples every time, so that its answer belongs to the commit.
 settings.register_profile("people", deadline=None)

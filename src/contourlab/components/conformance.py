@@ -181,9 +181,9 @@ def _linked(part: Component) -> tuple[Step, dict[str, Any], dict[str, Any]]:
 def _sized(step: Step) -> Step:
     """Return the step with its tuples held against its ports: a vector of the wrong length would shift or leave out numbers in silence."""
 
-    def function(par: Any, x: Any, inp: Any, clock: Any) -> Any:
-        returned = step.function(par, x, inp, clock)
-        for what, ports, values in (("state", step.states, returned[0]), ("output", step.outputs, returned[1])):
+    def function(*given: Any) -> Any:
+        returned = step.function(*given)
+        for what, ports, values in (("state", step.own_states, returned[0]), ("output", step.outputs, returned[1])):
             if len(values) != len(ports):
                 raise ValueError(f"{len(values)} {what}s are returned, {len(ports)} declared")
             for port, value in zip(ports, values, strict=True):

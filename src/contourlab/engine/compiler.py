@@ -20,7 +20,7 @@ from numba.core.errors import NumbaError, UnsupportedBytecodeError
 from contourlab import primitives
 from contourlab.engine import intrinsics, memory, tuples
 from contourlab.engine.intrinsics import INLINE, OPTIONS, lane_maths, scalar_maths
-from contourlab.engine.step import Port, Step, record
+from contourlab.engine.step import Bank, Port, Step, record, rows
 from contourlab.errors import EngineError
 from contourlab.native import store
 
@@ -76,6 +76,8 @@ def source_key(step: Step, width: int) -> str:
     """Return the key of a step's machine code: its transitive sources, layout, lanes, and the tool chain."""
     seen: dict[Any, None] = {}
     _walk(step.function, seen)
+    if step.bank:
+        _walk(step.bank.function, seen)
     words: list[str] = [repr(step.layout), wrapper_source(step, width), _engine_sources(), store.toolchain()]
     for function in seen:
         words += _code_words(function.__code__)
@@ -154,23 +156,37 @@ def wrapper_source(step: Step, width: int) -> str:
         head += [f"    slot = (truncate(k) & mask) * {width}"]
         body += [f"        store_ring(ring, slot + i, inputs[{index}])"]
         par += "(ring + 8 * i, mask), "
-    states = f"State({_read(contiguous('state', 'x'), step.states)})" if step.states else "()"
+    states = f"State({_read(contiguous('state', 'x'), step.own_states)})" if step.own_states else "()"
     inputs = f"Input({_read(lambda row: f'load_input(source{row}, i)', step.inputs)})" if step.inputs else "()"
     lines = ["def component(par, table, x, inp, out, k, t, dt):", *head, f"    for i in range({width}):"]
     lines += [f"        inputs = {inputs}", *body]
-    lines += [f"        x_next, y = step({f'Par({par})' if par else '()'}, {states}, inputs, Clock(k, t, dt))"]
-    lines += _write("store_state", "x", "x_next", step.states, width)
+    lines += [f"        values, states, clock = {f'Par({par})' if par else '()'}, {states}, Clock(k, t, dt)"]
+    if step.bank:
+        lines += _bank_source(step.bank, rows(step.own_states), width)
+    lines += [f"        x_next, y = step(values, states, inputs, clock{', found' if step.bank else ''})"]
+    lines += _write("store_state", "x", "x_next", step.own_states, width)
     lines += _write("store_output", "out", "y", step.outputs, width)
     return "\n".join(lines) + "\n"
 
 
+def _bank_source(bank: Bank, first: int, width: int) -> list[str]:
+    """Return source that runs the members of a bank, whose states start at row `first`, in the loop over lanes."""
+    lines = [f"        nothing = ({'0.0, ' * bank.n_found})", "        found = nothing", f"        for m in range({bank.count}):"]
+    lines += [f"            base = ({first} + m * {bank.size}) * {width} + i"]
+    lines += [f"            before = ({''.join(f'load_state(x, base + {j * width}), ' for j in range(bank.size))})"]
+    lines += ["            kept, found = member(values, states, before, found, float(m), inputs, clock)"]
+    return lines + [f"            store_state(x, base + {j * width}, kept[{j}])" for j in range(bank.size)]
+
+
 def _compile(step: Step, width: int) -> Any:
     scope: dict[str, Any] = {name: getattr(memory, name) for name in dir(memory) if name.startswith(("load_", "store_"))}
+    specialised = _Specialiser(width).function
     scope.update(
         truncate=memory.truncate,
-        step=_Specialiser(width).function(step.function),
+        step=specialised(step.function),
+        member=specialised(step.bank.function) if step.bank else None,
         Par=step.par_type,
-        State=record(tuple(port.name for port in step.states)),
+        State=record(tuple(port.name for port in step.own_states)),
         Input=record(tuple(port.name for port in step.inputs)),
         Clock=primitives.Clock,
     )

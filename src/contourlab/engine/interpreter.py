@@ -7,7 +7,7 @@ from numpy.typing import NDArray
 
 from contourlab.engine.runner import Group
 from contourlab.engine.schedule import Schedule
-from contourlab.engine.step import pack, record, unpack
+from contourlab.engine.step import Bank, pack, record, rows, unpack
 from contourlab.primitives import Clock
 
 Array = NDArray[np.float64]
@@ -27,7 +27,8 @@ class InterpretedGroup(Group):
         super().__init__(schedule, width, lanes)
         self._sources = schedule.sources
         self._first = schedule.first_row
-        self._types = [(record(tuple(p.name for p in n.step.states)), record(tuple(p.name for p in n.step.inputs))) for n in schedule.nodes]
+        steps = [node.step for node in schedule.nodes]
+        self._types = [tuple(record(tuple(p.name for p in ports)) for ports in (s.own_states, s.inputs)) for s in steps]
         self.refresh()
 
     def refresh(self) -> None:
@@ -70,9 +71,20 @@ class InterpretedGroup(Group):
         inputs = input_type(*unpack(step.inputs, taken))
         if step.ring:
             self.rings[n][int(clock.k) % len(self.rings[n]), lane] = getattr(inputs, step.ring)
-        states = state_type(*unpack(step.states, self.state[n][:, lane].tolist()))
-        x_next, y = step.function(self._par[n][lane], states, inputs, clock)
-        self.state[n][:, lane] = pack(step.states, x_next)
+        kept = self.state[n][:, lane]
+        states, par = state_type(*unpack(step.own_states, kept.tolist())), self._par[n][lane]
+        found = (self._run_bank(step.bank, kept[rows(step.own_states) :], par, states, inputs, clock),) if step.bank else ()
+        x_next, y = step.function(par, states, inputs, clock, *found)
+        own = pack(step.own_states, x_next)
+        kept[: len(own)] = own
         first = self._first[n]
         flat = pack(step.outputs, y)
         self.signals[first : first + len(flat), lane] = flat
+
+    @staticmethod
+    def _run_bank(bank: Bank, kept: Array, par: object, states: object, inputs: object, clock: Clock) -> tuple[float, ...]:
+        """Advance the members in their part of the states, and return what the last one found."""
+        found = (0.0,) * bank.n_found
+        for i, member in enumerate(kept.reshape(bank.count, bank.size)):
+            member[:], found = bank.function(par, states, tuple(member.tolist()), found, float(i), inputs, clock)
+        return found

@@ -8,7 +8,7 @@ from dataclasses import dataclass, field
 from functools import cache
 from typing import Any
 
-__all__ = ["Port", "Step", "record"]
+__all__ = ["Bank", "Port", "Step", "record"]
 
 StepFunction = Callable[..., tuple[tuple[Any, ...], tuple[Any, ...]]]
 
@@ -24,6 +24,33 @@ class Port:
     def rows(self) -> int:
         """Number of rows of the signal table that it takes."""
         return self.size if self.size > 0 else 1
+
+
+@dataclass(frozen=True)
+class Bank:
+    """Alike members of a step, run one after the other in each tick before the step itself: compiled once, however many there are.
+
+    Parameters
+    ----------
+    function : callable
+        ``function(par, x, kept, found, index, inp, clock) -> (kept_next, found_next)``, x the states of the step that are not the members'.
+    count : int
+        Number of members; `index` counts them from 0.0.
+    size : int
+        Length of `kept`, what a member remembers: its part of the last port of the step's states.
+    n_found : int
+        Length of `found`, which goes from member to member, zeros to the first, and from the last to the step.
+    """
+
+    function: StepFunction
+    count: int
+    size: int
+    n_found: int
+
+    @property
+    def port(self) -> Port:
+        """The state in which a step keeps its members, one behind the other."""
+        return Port("members", self.count * self.size)
 
 
 @dataclass(frozen=True)
@@ -44,6 +71,9 @@ class Step:
         Input port whose past is kept and read with ``delayed(par.ring, ...)``; empty for none.
     states, inputs, outputs : tuple of Port
         In the order in which the function takes and returns them.
+    bank : Bank
+        Members that run before the function, which then is called as ``function(par, x, inp, clock, found)`` with what they found, and
+        neither sees nor returns the last of the states, theirs.
     """
 
     name: str
@@ -54,6 +84,7 @@ class Step:
     states: tuple[Port, ...] = ()
     inputs: tuple[Port, ...] = ()
     outputs: tuple[Port, ...] = ()
+    bank: Bank | None = None
     par_type: Any = field(init=False, repr=False, compare=False)
     n_state: int = field(init=False, repr=False, compare=False)
     _hash: int = field(init=False, repr=False, compare=False)
@@ -63,15 +94,21 @@ class Step:
         object.__setattr__(self, "par_type", record(fields))
         object.__setattr__(self, "n_state", rows(self.states))
         # A run looks up the compiled form of each of its steps: the deep hash is worked out once.
-        object.__setattr__(self, "_hash", hash((self.name, self.function, self.layout)))
+        object.__setattr__(self, "_hash", hash((self.name, self.function, self.bank, self.layout)))
 
     def __hash__(self) -> int:
         return self._hash
 
     @property
+    def own_states(self) -> tuple[Port, ...]:
+        """The states that the function itself takes and returns: all but those of the members of a bank."""
+        return self.states[:-1] if self.bank else self.states
+
+    @property
     def layout(self) -> tuple[Any, ...]:
         """Everything besides the function that decides what code is made."""
-        return (self.parameters, self.tables, self.ring, self.states, self.inputs, self.outputs)
+        bank = (self.bank.count, self.bank.size, self.bank.n_found) if self.bank else ()
+        return (self.parameters, self.tables, self.ring, self.states, self.inputs, self.outputs, bank)
 
 
 def rows(ports: Iterable[Port]) -> int:

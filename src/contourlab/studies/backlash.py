@@ -121,7 +121,7 @@ def observer_of(axis: Axis, servo_period: float, carried_mass: float = 0.0) -> M
     known["largest_gap"] = max(MultipleModel.parameters["largest_gap"].default, 5.0 * plant.gap_at(0.0))
     values = plant.constants()
     fast = math.sqrt(values.stiffness_value * (values.motor_mobility + values.load_mobility)) * servo_period
-    return MultipleModel(**known, substeps=float(min(max(math.ceil(fast / 0.35), 1), 32)))
+    return MultipleModel(**known, substeps=float(min(max(math.ceil(fast / 0.25), 1), 32)))
 
 
 def _unmodelled(axis: Axis) -> float:

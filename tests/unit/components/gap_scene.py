@@ -31,17 +31,25 @@ OFF = {"load_inertia": 4.4e-3, "coulomb": RUB, "load_damping": 7e-4, "torque_gai
 """What the observer may have wrong."""
 
 
-def observer(**values: Any) -> Any:
-    return make("gap_observer", "multiple-model", **{**DRIVE, "coulomb": RUB, "resolution": RESOLUTION, **values})
+LIGHT = {"motor_inertia": 2e-4, "mass": 33.0, "lead": 0.01, "stiffness": 253.0, "shaft_damping": 0.008, "load_damping": 4.13e-3}
+"""A drive whose guides, at 40 N and more, hold the load before its inertia has thrown it across the gap."""
 
 
-def scene(feed: float, period: float, gap: float = 50e-6, watching: Any = None) -> tuple[cl.Machine, cl.Controller, Any]:
+def observer(drive: dict[str, float] = DRIVE, **values: Any) -> Any:
+    return make("gap_observer", "multiple-model", **{**drive, "coulomb": RUB, "resolution": RESOLUTION, **values})
+
+
+def scene(
+    feed: float, period: float, gap: float = 50e-6, watching: Any = None, drive: dict[str, float] = DRIVE, rub: float = RUB
+) -> tuple[cl.Machine, cl.Controller, Any]:
     """Return machine, controller and reference of a circle at `feed` [mm/min]."""
-    plant, friction = make("plant", "two-inertia", **DRIVE, backlash_gap=gap), make("friction", "coulomb", coulomb=RUB)
+    plant, friction = make("plant", "two-inertia", **drive, backlash_gap=gap), make("friction", "coulomb", coulomb=rub)
     encoder = make("sensor", "encoder", resolution=RESOLUTION)
     axes = tuple(cl.Axis(name, plant, friction, motor_sensor=encoder, substeps=max(1, round(period / 1.25e-4))) for name in "xy")
+    turn = 2.0 * math.pi / drive["lead"]
+    inertia = drive["motor_inertia"] + drive.get("load_inertia", 0.0) + drive.get("mass", 0.0) / turn**2
     servo = cl.AxisController(
-        make("controller", "cascade", **Cascade.tune(150.0, 0.7, 1.0 / (9.6e-3 * TURN), 0.0, 30.0)),
+        make("controller", "cascade", **Cascade.tune(150.0, 0.7, 1.0 / (inertia * turn), 0.0, 30.0)),
         velocity=make("velocity", "filtered-difference", bandwidth=3000.0),
         feedback="motor",
         velocity_feedback="motor",
@@ -66,9 +74,22 @@ def estimates(feed: float, period: float, gaps: Array, part: float, seeds: int) 
     return batch.signals["gap_estimate"][-1].reshape(shape), batch.signals["gap_deviation"][-1].reshape(shape)
 
 
-def recorded(feed: float, period: float, gap: float) -> dict[str, Array]:
+def drawn(random: np.random.Generator) -> tuple[dict[str, float], float, float, float]:
+    """Return a drive, its guides' friction [N], its gap [m] and a feed [mm/min], drawn from what feed drives are."""
+    lead = random.choice([5e-3, 10e-3, 16e-3, 20e-3])
+    turn = 2.0 * math.pi / lead
+    rotor = 10.0 ** random.uniform(-4.0, -2.2) * turn**2
+    mass, pole = rotor * 10.0 ** random.uniform(-1.0, 0.7), random.uniform(600.0, 1900.0)
+    reduced = rotor * mass / (rotor + mass)
+    shaft = {"stiffness": pole**2 * reduced / turn**2, "shaft_damping": 0.04 * pole * reduced / turn**2}
+    drive = {"motor_inertia": rotor / turn**2, "mass": mass, "lead": lead, **shaft, "motor_damping": 1e-4, "load_damping": 1e-4}
+    gap, feed = math.exp(random.uniform(math.log(8e-6), math.log(120e-6))), random.choice([1000.0, 2000.0, 4000.0, 8000.0])
+    return drive, mass * 10.0 ** random.uniform(-1.5, 0.6), gap, feed
+
+
+def recorded(feed: float, period: float, gap: float, drive: dict[str, float] = DRIVE, rub: float = RUB) -> dict[str, Array]:
     """Return what a run without an observer was like, of the y axis: what an observer would be fed, and the truth."""
-    result = cl.simulate(*scene(feed, period, gap))
+    result = cl.simulate(*scene(feed, period, gap, None, drive, rub))
     applied = result["applied_command"][:, 1]
     return {
         "motor_position": RESOLUTION * np.rint(result["motor_position"][:, 1] / RESOLUTION),

@@ -9,11 +9,12 @@ from typing import Any
 import numpy as np
 import pytest
 from component_rig import Array, run_alone
-from gap_scene import estimates, observer, recorded
+from gap_scene import LIGHT, drawn, estimates, observer, recorded, scene
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from scipy.special import ndtr
 
+import contourlab as cl
 from contourlab.components.gap_observer import load_filter
 from contourlab.errors import ParameterError
 
@@ -69,6 +70,21 @@ def test_friction_and_flank_are_moments_of_the_normal_law(x: float, s: float) ->
     assert mean == pytest.approx(weight @ value, abs=1e-6 * s)
     assert slope == pytest.approx(weight @ (x + s * n > 0.0), abs=2e-4)
     assert rest == pytest.approx(weight @ value**2 - (weight @ value) ** 2 - slope**2 * s * s, abs=1e-5 * s * s)
+
+
+@given(st.floats(-3e-3, 3e-3), st.floats(0.0, 2e-3), st.floats(1e-5, 1e-3))
+def test_what_friction_leaves_of_a_speed(speed: float, threshold: float, s: float) -> None:
+    """Mean, slope and what the slope leaves of the variance, by quadrature; without friction all is left, and nothing is noise."""
+    n = np.linspace(-9.0, 9.0, 40_001)
+    weight = np.exp(-0.5 * n * n)
+    weight /= weight.sum()
+    v = speed + s * n
+    value = np.sign(v) * np.maximum(np.abs(v) - threshold, 0.0)
+    mean, slope, _, rest = load_filter._rubbed(speed, threshold, s)
+    assert mean == pytest.approx(weight @ value, abs=1e-6 * s)
+    assert slope == pytest.approx(weight @ (np.abs(v) > threshold), abs=2e-4)
+    assert rest == pytest.approx(max(weight @ value**2 - (weight @ value) ** 2 - slope**2 * s * s, 0.0), abs=1e-5 * s * s)
+    assert load_filter._rubbed(speed, 0.0, s)[3] == pytest.approx(0.0, abs=1e-6 * s * s)
 
 
 @settings(max_examples=40)
@@ -148,6 +164,21 @@ def test_a_gap_that_was_not_crossed_is_not_known(run: dict[str, Array], seen: di
     assert np.all((seen["confidence"] >= 0.0) & (seen["confidence"] <= 1.0))
 
 
+@pytest.mark.parametrize(("rub", "gap"), [(40.0, 50e-6), (103.0, 80e-6)])
+def test_a_gap_that_is_crossed_while_friction_holds_the_load(rub: float, gap: float) -> None:
+    run = recorded(4000.0, 2.5e-4, gap, LIGHT, rub)
+    said = run_alone(observer(LIGHT, coulomb=rub), {name: run[name] for name in ("motor_position", "applied")}, period=2.5e-4, jit=True)
+    assert said["gap"][-1] == pytest.approx(gap, rel=0.03)
+    assert said["gap_deviation"][-1] < 0.05 * gap
+    assert said["confidence"][-1] > 0.95
+
+
+def test_a_gap_beyond_the_largest_guess_is_not_called_a_smaller_one(run: dict[str, Array]) -> None:
+    said = run_alone(observer(largest_gap=30e-6), {name: run[name] for name in ("motor_position", "applied")}, jit=True)
+    assert said["confidence"][-1] == 0.0
+    assert said["gap_deviation"][-1] == pytest.approx(said["gap_deviation"][0])
+
+
 @settings(max_examples=25, deadline=None)
 @given(st.integers(0, 2**32 - 1), st.floats(-9.0, 3.0), st.floats(-3.0, 6.0))
 def test_whatever_it_is_fed_its_outputs_are_finite(seed: int, place: float, push: float) -> None:
@@ -180,3 +211,22 @@ def test_gaps_from_the_motor_side_after_one_circle(feed: float) -> None:
 def test_what_makes_no_observer_is_said(values: dict[str, float], name: str) -> None:
     with pytest.raises(ParameterError, match=name):
         observer(**values)
+
+
+@pytest.mark.slow
+def test_gaps_of_drives_drawn_at_random() -> None:
+    """Sixty axes after a circle at 1 ms: found, or said to be unknown; what is neither within 10 % nor in its interval is rare."""
+    random = np.random.default_rng(7)
+    found = wrong = 0
+    for _ in range(30):
+        drive, rub, gap, feed = drawn(random)
+        watching = observer(drive, coulomb=rub, substeps=8.0)
+        circle = scene(feed, 1e-3, gap, watching, drive, rub)
+        result = cl.simulate(*circle, signals=("gap_estimate", "gap_deviation"), on_failure="return")
+        if not result.status.ok:  # too fast a loop for so light a rotor
+            continue
+        off, deviation = np.abs(result["gap_estimate"][-1] - gap), result["gap_deviation"][-1]
+        found += np.count_nonzero((off < 0.1 * gap) & (deviation < 0.1 * gap))
+        wrong += np.count_nonzero((off > 0.1 * gap) & (off > 1.96 * deviation))
+    assert found >= 36
+    assert wrong <= 3

@@ -11,7 +11,7 @@ from contourlab import primitives
 from contourlab.engine import compiler
 from contourlab.engine.runner import make_group
 from contourlab.engine.schedule import Late, Node, Schedule
-from contourlab.engine.step import Port, Step
+from contourlab.engine.step import Bank, Port, Step
 from contourlab.errors import EngineError
 from contourlab.native import store
 from contourlab.primitives import (
@@ -141,6 +141,33 @@ def test_vectors_and_tables(jit, width):
     )
     assert np.array_equal(log[0, :3, 0], 2 * a - (b - a) + 3 * b)
     assert log[0, 3, 0] == a @ b + 30.0
+
+
+def members(constant):
+    """Return a step of four members that each sum their own multiple of what comes in; the last number that they hand on is their count."""
+
+    def member(par, x, kept, found, index, inp, clock):
+        total = kept[0] + constant * index * inp.u
+        return (total, x.ticks), (found[0] + par.factor * total, found[1] + 1.0)
+
+    def judge(par, x, inp, clock, found):
+        return (x.ticks + 1.0,), (found[0], found[1])
+
+    bank = Bank(member, 4, 2, 2)
+    ports = {"states": (Port("ticks"), bank.port), "inputs": (Port("u"),), "outputs": (Port("y"), Port("count"))}
+    return Step("members", judge, ("factor",), **ports, bank=bank)
+
+
+@pytest.mark.parametrize(("jit", "width"), FORMS)
+def test_alike_members_run_one_after_the_other(jit, width):
+    """Member i sums i u: together 6 u, by the factor of the lane; each keeps its own, and sees the states of the step as they were."""
+    factors = np.linspace(1.0, 2.0, width)
+    schedule = Schedule((Node("m", members(1.0), {"u": "in.u"}, {"factor": factors}),), (Port("u"),), 1.0, 1)
+    group = make_group(schedule, width, slice(0, width), jit)
+    log = group.run(np.array([[1.0], [2.0], [-5.0]]), [schedule.row("m.y"), schedule.row("m.count")])
+    assert log[:, 0] == pytest.approx(6.0 * np.outer([1.0, 3.0, -2.0], factors))
+    assert np.all(log[:, 1] == 4.0)
+    assert group.state[0][:, -1].tolist() == [3.0, 0.0, 2.0, -2.0, 2.0, -4.0, 2.0, -6.0, 2.0]
 
 
 def test_a_lane_does_not_depend_on_its_neighbours():
@@ -276,6 +303,8 @@ def test_key_follows_the_source_of_callees():
     assert compiler.source_key(made(2.0), 1) == compiler.source_key(made(2.0), 1)
     assert compiler.source_key(made(2.0), 1) != compiler.source_key(made(3.0), 1)
     assert compiler.source_key(made(2.0), 1) != compiler.source_key(made(2.0), 32)
+    assert compiler.source_key(members(2.0), 1) == compiler.source_key(members(2.0), 1)
+    assert compiler.source_key(members(2.0), 1) != compiler.source_key(members(3.0), 1)
 
 
 def test_cache_survives_rubbish_and_a_second_process_would_read_it(tmp_path, monkeypatch):

@@ -66,7 +66,9 @@ def _rubbed(speed: float, threshold: float, s: float) -> tuple[float, float, flo
     """
     ahead, in_ahead, rest_ahead = _flank(speed - threshold, s, 40.0)
     behind, in_behind, rest_behind = _flank(-speed - threshold, s, 40.0)
-    return ahead - behind, in_ahead + in_behind, in_behind - in_ahead, rest_ahead + rest_behind
+    # The two are never at once, and so not independent; without friction they leave nothing.
+    both = 2.0 * (ahead * behind - s * s * in_ahead * in_behind)
+    return ahead - behind, in_ahead + in_behind, in_behind - in_ahead, maximum(rest_ahead + rest_behind + both, 0.0)
 
 
 def touching(x: Vector, c: Vector) -> tuple[float, float, float]:

@@ -22,9 +22,9 @@ from contourlab.components.gap_observer.load_filter import (
     sane,
     started,
 )
-from contourlab.engine.step import Step
+from contourlab.engine.step import Bank, Step
 from contourlab.errors import ParameterError
-from contourlab.primitives import add, clip, exp, lincomb, maximum, minimum, scale, select, sqrt
+from contourlab.primitives import clip, exp, lincomb, maximum, minimum, scale, select, sqrt
 
 __all__ = ["MultipleModel"]
 
@@ -34,6 +34,10 @@ MODEL_ERROR = 0.01
 """Part of the gap that the deviation never falls below: sub-steps and linearisation are no better."""
 MISFIT = SCORE + 1
 """Behind that, the mean of its squared deviations: 1 or less where the model holds."""
+KEPT = MISFIT + 1
+"""Numbers that a filter keeps."""
+N_MOMENTS = 7
+"""Sums of the mixture: weight, gap, its square, place and speed of the load, either flank."""
 MISFITTING = 2.0
 """Mean of the leading filter's squared deviations at which nothing that was learnt is kept."""
 JUDGED = 0.5
@@ -59,11 +63,12 @@ class MultipleModel(Component):
     Until contact has lasted without a break once, the gap is what it was guessed; from there all filters start from the flank that is
     touched. The deviation is wide until the other flank has been touched as well. Filters that have lost their way start again beside the
     leading one; where the leading one fails to foretell the encoder, all that was learnt is dropped. `confidence` is the probability that
-    the gap state is what it says, times that of a gap within `tolerance` of the one it says. What was learnt fades over `memory`.
+    the gap state is what it says, times that of a gap within `tolerance` of the one it says. What was learnt fades over `memory`. Once
+    the leading filter has been led beyond `largest_gap`, nothing is said any more.
 
-    Valid where the drive is the two-inertia one and moves across its gap. Choose `substeps` so that the shaft turns less than 0.35 rad of
-    its oscillation in each, sqrt(K (1/M_m + 1/M_l)) T/substeps. Where the inertia of a load that slows down just balances its friction,
-    contact fades away rather than ends, and the gap is found too wide, by more than the deviation says.
+    Valid where the drive is the two-inertia one and moves across its gap. Choose `substeps` so that the shaft turns less than 0.25 rad of
+    its oscillation in each, sqrt(K (1/M_m + 1/M_l)) T/substeps, and `hypotheses` so that guesses differ by 15 % at most: a filter that is
+    led far beyond its guess before it meets the flank trusts itself too early.
 
     References
     ----------
@@ -84,6 +89,17 @@ class MultipleModel(Component):
         Port("load_position"),
         Port("load_velocity"),
     )
+    states = (
+        Port("ticks"),
+        Port("last_position"),
+        Port("contact"),
+        Port("sound"),
+        Port("side"),
+        Port("settled"),
+        Port("again"),
+        Port("beyond"),
+        Port("leader", KEPT),
+    )
     derived = (
         "force_value",
         "motor_mobility",
@@ -94,7 +110,7 @@ class MultipleModel(Component):
         "load_drag",
         "encoder_noise",
         "force_noise",
-        "ratio",
+        "spread",
         "fading",
         "spacing",
         "judging",
@@ -116,9 +132,9 @@ class MultipleModel(Component):
         "resolution": 1e-3,
         "smallest_gap": 1e-3,
         "largest_gap": 10e-3,
-        "unmodelled_force": 200.0,
+        "unmodelled_force": 5000.0,
         "memory": 1.0,
-        "hypotheses": 3.0,
+        "hypotheses": 2.0,
         "substeps": 1.0,
     }
 
@@ -157,7 +173,7 @@ class MultipleModel(Component):
     largest_gap: float = param(default=150e-6, unit="m", minimum=0.0, exclusive=True, display="um", doc="of the last guess")
     tolerance: float = param(default=0.25, minimum=0.0, maximum=1.0, exclusive=True, doc="error of the gap that `confidence` allows for")
     memory: float = param(default=60.0, unit="s", minimum=0.0, exclusive=True, doc="over which what was learnt fades")
-    hypotheses: float = param(default=8.0, minimum=2.0, maximum=16.0, whole=True, structural=True, doc="guesses of the gap")
+    hypotheses: float = param(default=32.0, minimum=2.0, maximum=64.0, whole=True, structural=True, doc="guesses of the gap")
     substeps: float = param(default=2.0, minimum=1.0, maximum=32.0, whole=True, structural=True, doc="of the model in a servo period")
 
     def __init__(self, **values: Any) -> None:
@@ -168,20 +184,20 @@ class MultipleModel(Component):
             raise ParameterError("largest_gap", f"{self.largest_gap:g}", f"> smallest_gap = {self.smallest_gap:g}", "m")
 
     def make_step(self, n_axis: int = 1) -> Step:
-        """Return the step, whose states are as many filters as there are hypotheses."""
-        n = int(self.hypotheses)
-        filters = tuple(Port(f"filter_{i}", MISFIT + 1) for i in range(n))
-        states = (Port("ticks"), Port("last_position"), Port("contact"), Port("sound"), *filters)
+        """Return the step, whose bank has as many filters as there are hypotheses."""
+        follow = _follower(int(self.substeps))
+        bank = Bank(follow, int(self.hypotheses), KEPT, KEPT + N_MOMENTS)
         parameters = (*self.numeric(), *self.derived)
-        function = _make(n, int(self.substeps))
-        return Step(f"{self.family}/{self.kind}", function, parameters, (), "", states, self.inputs, self.outputs)
+        states = (*self.states, bank.port)
+        return Step(f"{self.family}/{self.kind}", _judge, parameters, (), "", states, self.inputs, self.outputs, bank)
 
     def derive(self, par: Any, dt: float) -> tuple[Any, ...]:
         turn = 2.0 * math.pi / par.lead
         square = turn * turn
         motor, load = par.motor_inertia * square, par.load_inertia * square + par.mass
         n = int(self.hypotheses)
-        ratio = (par.largest_gap / par.smallest_gap) ** (1.0 / (n - 1))
+        spread = np.log(par.largest_gap / par.smallest_gap) / (n - 1)
+        ratio = np.exp(spread)
         # Half the way to the next guess.
         spacing = 0.5 * (ratio - 1.0)
         first = sum(par.smallest_gap * ratio**i for i in range(n)) / n
@@ -197,7 +213,7 @@ class MultipleModel(Component):
             # Twice that of even rounding: at low speed successive errors are alike.
             par.resolution * par.resolution / 6.0,
             2.0 * CORRELATION * par.unmodelled_force * par.unmodelled_force,
-            ratio,
+            spread,
             np.minimum(dt / par.memory, 0.5),
             spacing,
             min(dt / JUDGED, 0.5),
@@ -207,56 +223,58 @@ class MultipleModel(Component):
 
 
 @cache
-def _make(n: int, substeps: int) -> Any:
-    def follow(par: Any, kept: Any, running: float, speed: float, guess: float, inp: Any, dt: float) -> Any:
-        """Return mean, covariance, score and misfit of a filter a tick later, in one tuple as they are kept."""
-        fresh, wide = started(inp.motor_position, speed, guess, par.spacing * guess, par.encoder_noise, dt)
-        x = _mixed(running, kept[:N_STATE], fresh)
-        c = _mixed(running, kept[N_STATE:SCORE], wide)
+def _follower(substeps: int) -> Any:
+    def follow(par: Any, x: Any, kept: Any, found: Any, index: float, inp: Any, clock: Any) -> Any:
+        """Return a filter a tick later, and with it the leading one and the moments of those up to it."""
+        guess = par.smallest_gap * exp(index * par.spread)
+        begun = _renewed(par, _counted(kept, x.leader), x, guess)
+        # Two readings tell where the motor is and how fast; the filters run from the third.
+        running, speed = maximum(x.ticks - 1.0, 0.0), minimum(x.ticks, 1.0) * (inp.motor_position - x.last_position) / clock.dt
+        fresh, wide = started(inp.motor_position, speed, guess, par.spacing * guess, par.encoder_noise, clock.dt)
+        mean = _mixed(running, begun[:N_STATE], fresh)
+        c = _mixed(running, begun[N_STATE:SCORE], wide)
         for _ in range(substeps):
-            x, c = advance(par, x, c, inp.applied, dt / substeps)
-        x, c, likeliness, surprise = corrected(par, x, faded(par, x, c), inp.motor_position)
-        misfit = kept[MISFIT] + par.judging * (surprise - kept[MISFIT])
-        going = sane(x, c)
-        score = (1.0 - par.fading) * kept[SCORE] + likeliness - 10.0 * LOST * (1.0 - going)
-        return *_mixed(going, x, fresh), *_mixed(going, c, wide), score, misfit
+            mean, c = advance(par, mean, c, inp.applied, clock.dt / substeps)
+        mean, c, likeliness, surprise = corrected(par, mean, faded(par, mean, c), inp.motor_position)
+        misfit = begun[MISFIT] + par.judging * (surprise - begun[MISFIT])
+        going = sane(mean, c)
+        score = (1.0 - par.fading) * begun[SCORE] + likeliness - 10.0 * LOST * (1.0 - going)
+        now = _whole(_mixed(going, mean, fresh), _mixed(going, c, wide), score, misfit)
+        return now, _joined(now, found, index)
 
-    names = (add, scale, minimum, maximum, _scored, _better, _side, _waited, _renewed, _moments, _told)
-    scope: dict[str, Any] = {"__name__": __name__, "follow": follow, **{used.__name__: used for used in names}}
-    exec(_source(n), scope)
-    return scope["step"]
-
-
-def _source(n: int) -> str:
-    """Return the step over n filters, written out, as a step has neither lists nor loops over unlike things."""
-    every = range(n)
-    lines = ["guess_0 = par.smallest_gap", *(f"guess_{i} = guess_{i - 1} * par.ratio" for i in every[1:])]
-    # Two readings tell where the motor is and how fast; the filters run from the third.
-    lines += ["running, two = maximum(x.ticks - 1.0, 0.0), minimum(x.ticks, 1.0)"]
-    lines += ["speed = two * (inp.motor_position - x.last_position) / clock.dt"]
-    lines += [f"seen_{i} = follow(par, x.filter_{i}, running, speed, guess_{i}, inp, clock.dt)" for i in every]
-    lines += [f"best = seen_0[{SCORE}]", *(f"best = maximum(best, seen_{i}[{SCORE}])" for i in every[1:])]
-    lines += [f"kept_{i} = _scored(seen_{i}, best)" for i in every]
-    lines += ["leader = kept_0", *(f"leader = _better(leader, kept_{i})" for i in every[1:])]
-    lines += ["side = _side(leader)", "contact, sound, settled, again = _waited(x, side, leader, clock.dt)"]
-    lines += [f"new_{i} = _renewed(par, kept_{i}, leader, side, settled, again, guess_{i})" for i in every]
-    lines += ["total = _moments(new_0)", *(f"total = add(total, _moments(new_{i}))" for i in every[1:])]
-    states = ("minimum(x.ticks + 1.0, 2.0)", "inp.motor_position", "contact", "sound", *(f"new_{i}" for i in every))
-    lines += [f"return ({', '.join(states)}), _told(par, total, sound)\n"]
-    return "\n    ".join(["def step(par, x, inp, clock):", *lines])
+    return follow
 
 
 def _mixed(part: float, one: Any, other: Any) -> Any:
     return lincomb(part, one, 1.0 - part, other)
 
 
-def _scored(seen: Any, best: float) -> Any:
-    """Return a filter with its score counted from the best one's; far enough behind, it is no matter how far."""
-    return *seen[:SCORE], maximum(seen[SCORE] - best, -10.0 * LOST), seen[MISFIT]
+def _whole(mean: Any, c: Any, score: float, misfit: float) -> Any:
+    return *mean, *c, score, misfit
 
 
-def _better(leader: Any, kept: Any) -> Any:
-    return _mixed(select(kept[SCORE] > leader[SCORE], 1.0, 0.0), kept, leader)
+def _counted(kept: Any, leader: Any) -> Any:
+    """Return a filter with its score counted from the leading one's; far enough behind, it is no matter how far."""
+    return *kept[:SCORE], maximum(kept[SCORE] - leader[SCORE], -10.0 * LOST), kept[MISFIT]
+
+
+def _joined(kept: Any, found: Any, index: float) -> Any:
+    """Return the leading one of the filters so far, and the sums of the mixture by weights that count from its score."""
+    leader, total = found[:KEPT], found[KEPT:]
+    behind = select(index > 0.0, leader[SCORE] - kept[SCORE], -10.0 * LOST)
+    better = select(behind < 0.0, 1.0, 0.0)
+    weights = exp(minimum(behind, 0.0)), exp(minimum(-behind, 0.0))
+    return *_mixed(better, kept, leader), *lincomb(weights[0], total, weights[1], _moments(kept))
+
+
+def _judge(par: Any, x: Any, inp: Any, clock: Any, found: Any) -> Any:
+    """Return states and outputs once all filters have followed."""
+    leader, total = found[:KEPT], found[KEPT:]
+    side = _side(leader)
+    contact, sound, settled, again = _waited(x, side, leader, clock.dt)
+    beyond = select(leader[4] > par.largest_gap * (1.0 + par.spacing), 1.0, x.beyond)
+    states = minimum(x.ticks + 1.0, 2.0), inp.motor_position, contact, sound, side, settled, again, beyond, leader
+    return states, _told(par, total, x.sound * (1.0 - beyond))
 
 
 def _side(leader: Any) -> float:
@@ -273,19 +291,20 @@ def _waited(x: Any, side: float, leader: Any, dt: float) -> tuple[float, float, 
     return contact * (1.0 - again), maximum(again, x.sound), settled, again
 
 
-def _renewed(par: Any, kept: Any, leader: Any, side: float, settled: float, again: float, guess: float) -> Any:
+def _renewed(par: Any, kept: Any, x: Any, guess: float) -> Any:
     """Return a filter; started again beside the leading one where it has lost its way, or with all the others."""
-    lost = select(kept[SCORE] < -LOST, settled, 0.0)
-    x, c = restarted(leader[:N_STATE], leader[N_STATE:SCORE], side, guess, par.spacing * guess, par.uncertainty, 1.0 - again)
-    misfit = again + (1.0 - again) * leader[MISFIT]
-    return _mixed(maximum(lost, again), (*x, *c, -0.5 * LOST * (1.0 - again), misfit), kept)
+    lost = select(kept[SCORE] < -LOST, x.settled, 0.0)
+    mean, c = x.leader[:N_STATE], x.leader[N_STATE:SCORE]
+    mean, c = restarted(mean, c, x.side, guess, par.spacing * guess, par.uncertainty, 1.0 - x.again)
+    misfit = x.again + (1.0 - x.again) * x.leader[MISFIT]
+    return _mixed(maximum(lost, x.again), (*mean, *c, -0.5 * LOST * (1.0 - x.again), misfit), kept)
 
 
 def _moments(kept: Any) -> Any:
-    """Return what a filter adds to the sums of the mixture, by its weight."""
-    x, c = kept[:N_STATE], kept[N_STATE:SCORE]
-    ahead, behind = flanks(x, c)
-    return scale(exp(kept[SCORE]), (1.0, x[4], x[4] * x[4] + maximum(c[26], 0.0), x[2], x[3], ahead, behind))
+    """Return what a filter adds to the sums of the mixture, per weight."""
+    mean, c = kept[:N_STATE], kept[N_STATE:SCORE]
+    ahead, behind = flanks(mean, c)
+    return 1.0, mean[4], mean[4] * mean[4] + maximum(c[26], 0.0), mean[2], mean[3], ahead, behind
 
 
 def _told(par: Any, total: Any, sound: float) -> Any:
