@@ -175,7 +175,7 @@ def test_a_gap_that_is_crossed_while_friction_holds_the_load(rub: float, gap: fl
 
 def test_a_gap_beyond_the_largest_guess_is_not_called_a_smaller_one(run: dict[str, Array]) -> None:
     said = run_alone(observer(largest_gap=30e-6), {name: run[name] for name in ("motor_position", "applied")}, jit=True)
-    assert said["confidence"][-1] == 0.0
+    assert said["confidence"][-1] < 0.5
     assert said["gap_deviation"][-1] == pytest.approx(said["gap_deviation"][0])
 
 

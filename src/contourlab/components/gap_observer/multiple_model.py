@@ -64,7 +64,7 @@ class MultipleModel(Component):
     touched. The deviation is wide until the other flank has been touched as well. Filters that have lost their way start again beside the
     leading one; where the leading one fails to foretell the encoder, all that was learnt is dropped. `confidence` is the probability that
     the gap state is what it says, times that of a gap within `tolerance` of the one it says. What was learnt fades over `memory`. Once
-    the leading filter has been led beyond `largest_gap`, nothing is said any more.
+    the leading filter has been led beyond `largest_gap`, the guesses alone are told.
 
     Valid where the drive is the two-inertia one and moves across its gap. Choose `substeps` so that the shaft turns less than 0.25 rad of
     its oscillation in each, sqrt(K (1/M_m + 1/M_l)) T/substeps, and `hypotheses` so that guesses differ by 15 % at most: a filter that is
@@ -132,9 +132,9 @@ class MultipleModel(Component):
         "resolution": 1e-3,
         "smallest_gap": 1e-3,
         "largest_gap": 10e-3,
-        "unmodelled_force": 5000.0,
+        "unmodelled_force": 200.0,
         "memory": 1.0,
-        "hypotheses": 2.0,
+        "hypotheses": 3.0,
         "substeps": 1.0,
     }
 
@@ -316,5 +316,5 @@ def _told(par: Any, total: Any, sound: float) -> Any:
     sure = select(state > 0.0, ahead, select(state < 0.0, behind, 1.0 - ahead - behind))
     # A picometre, as a gap that is known to be none is no division by zero.
     _, within = normal_law(par.tolerance * gap / (deviation + 1e-12))
-    confidence = sound * clip(sure, 0.0, 1.0) * clip(2.0 * within - 1.0, 0.0, 1.0)
+    confidence = clip(sure, 0.0, 1.0) * clip(2.0 * within - 1.0, 0.0, 1.0)
     return state, gap, deviation, confidence, position, velocity
