@@ -60,7 +60,7 @@ def axis_backlash_loop(axis: Axis, controller: AxisController, servo_period: flo
         If there is no gap, or a component has no linear model.
     """
     plant = axis.plant.loaded(carried_mass)
-    if not isinstance(plant, TwoInertia) or not plant.gap_at(0.0) > 0.0:
+    if not isinstance(plant, TwoInertia) or not plant.widest_gap > 0.0:
         raise ComponentError(f"axis {axis.name}: its plant is no two-inertia drive with backlash, so there is no gap to analyse")
     if controller.predictor is not None:
         raise ComponentError(f"axis {axis.name}: predictor {controller.predictor.kind} has no linear model in continuous time")
@@ -78,7 +78,7 @@ def axis_backlash_loop(axis: Axis, controller: AxisController, servo_period: flo
         b=-b[:, 3],
         c=c,
         stiffness=float(values.stiffness_value),
-        half_gap=0.5 * plant.gap_at(0.0),
+        half_gap=0.5 * plant.widest_gap,
         shaft_damping=float(values.damper_value),
         e=b[:, :3],
         contact_a=in_contact[0] if controller.others else None,

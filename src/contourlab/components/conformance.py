@@ -14,7 +14,7 @@ from contourlab.components.learning_check import learning_fault
 from contourlab.components.linear_check import linear_fault
 from contourlab.engine.runner import Group, make_group
 from contourlab.engine.schedule import Node, Schedule
-from contourlab.engine.step import Step, rows
+from contourlab.engine.step import Bank, Step, rows
 from contourlab.errors import ComponentError, ContourlabError, EngineError
 from contourlab.primitives import Table
 
@@ -191,7 +191,18 @@ def _sized(step: Step) -> Step:
                     raise ValueError(f"{len(value)} numbers are returned for {what} {port.name}, which has {port.size}")
         return returned
 
-    return replace(step, function=function)
+    return replace(step, function=function, bank=_sized_bank(step.bank) if step.bank else None)
+
+
+def _sized_bank(bank: Bank) -> Bank:
+    def member(*given: Any) -> Any:
+        kept, found = bank.function(*given)
+        for what, values, wanted in (("kept", kept, bank.size), ("found", found, bank.n_found)):
+            if len(values) != wanted:
+                raise ValueError(f"{len(values)} numbers are {what} by a member, {wanted} declared")
+        return kept, found
+
+    return replace(bank, function=member)
 
 
 def _group(part: Component, jit: bool, width: int = 1) -> Group:

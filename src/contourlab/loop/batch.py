@@ -13,6 +13,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from contourlab.components.contract import Component
 from contourlab.components.plant.plant import Plant
 from contourlab.engine.runner import Group, make_group
 from contourlab.engine.schedule import Late, Node
@@ -173,15 +174,39 @@ def _checked(machine: Machine, controller: Controller, variants: Mapping[str, Ar
         if name not in known:
             raise ParameterError("variants", name, "a parameter of the machine or controller, such as " + ", ".join(list(known)[:3]))
         part, parameter = known[name]
-        columns[name] = np.atleast_1d(np.asarray(values, dtype=float))
-        # The extremes speak for all; a NaN is both.
-        for value in (columns[name].min(), columns[name].max()) if columns[name].size else ():
-            part.parameters[parameter].check(float(value))
+        try:
+            columns[name] = np.atleast_1d(np.asarray(values, dtype=float))
+            # The extremes speak for all; a NaN is both.
+            for value in (columns[name].min(), columns[name].max()) if columns[name].size else ():
+                part.parameters[parameter].check(float(value))
+        except ParameterError as error:
+            error.add_note(f"In the variants of {name}.")
+            raise
+        except (TypeError, ValueError) as error:
+            raise ParameterError("variants", f"{name} = {values!r:.60}", "numbers, one for each variant") from error
     lengths = {len(values) for values in columns.values()}
     if len(lengths) != 1 or 0 in lengths:
         raise ParameterError("variants", f"arrays of lengths {sorted(lengths)}", "given, and all of one length of 1 or more")
+    _check_together(known, columns)
     _check_substeps(machine, columns)
     return columns, lengths.pop()
+
+
+def _check_together(known: Mapping[str, tuple[Component, str]], columns: Mapping[str, Array]) -> None:
+    """Refuse variants whose parameters do not go together, as the part itself refuses them."""
+    heads = {name.rpartition(".")[0] for name in columns}
+    for head in sorted(heads):
+        mine = {name: values for name, values in columns.items() if name.rpartition(".")[0] == head}
+        part = known[next(iter(mine))][0]
+        if type(part).__init__ is Component.__init__:
+            continue
+        names = [known[name][1] for name in mine]
+        for row in np.unique(np.column_stack(list(mine.values())), axis=0).tolist():
+            try:
+                part.replace(**dict(zip(names, row, strict=True)))
+            except ParameterError as error:
+                error.add_note(f"In the variants of {head}.")
+                raise
 
 
 def _check_substeps(machine: Machine, columns: Mapping[str, Array]) -> None:

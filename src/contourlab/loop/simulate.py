@@ -251,6 +251,8 @@ def _wanted(loops: Sequence[Loop], signals: Sequence[str] | None) -> frozenset[s
     """Return the signals to keep, out of those that every controller has, and what supervisors do, if any controller has one."""
     known = {*_GIVEN, "tool_position", *frozenset.intersection(*(frozenset(loop.signals) for loop in loops))}
     known |= {name for loop in loops for name in loop.signals if name in _SUPERVISED}
+    if signals is not None and not signals:
+        raise ParameterError("signals", "()", "one name or more, or None for all that there are")
     for name in signals or ():
         if name not in known:
             raise ParameterError("signals", repr(name), "one of " + ", ".join(sorted(known)))

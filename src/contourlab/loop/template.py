@@ -181,6 +181,9 @@ class Builder:
             offered: dict[str, Any] = {signal: f"in.{signal}[{j}]" for signal in EXTERNALS}
             offered |= {AHEAD: f"in.{AHEAD}[{j}]", "arc_length": "in.arc_length", "applied": applied, "accepted": self.accepted(name)}
             offered[SOURCE_LINE] = f"in.{SOURCE_LINE}[{j}]"
+            if mine.gap_observer is not None and not axis.plant.two_sided:
+                bound = "left out: this axis' drive is rigid, and has no gap"
+                raise ParameterError(f"controller.axes.{name}.gap_observer", repr(mine.gap_observer.kind), bound)
             for slot in ("gap_observer", "feedforward", "compensation"):
                 part = getattr(mine, slot)
                 if part is not None:

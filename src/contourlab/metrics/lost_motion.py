@@ -151,6 +151,8 @@ def _records(motor: ArrayLike, load: ArrayLike, force: ArrayLike | None) -> tupl
     if m.ndim != 1 or not m.shape == p.shape == f.shape:
         shapes = f"{m.shape} and {p.shape}" + ("" if force is None else f" and {f.shape}")
         raise ResultError(f"motor and load of shapes {shapes}: one number a sample, and as many of each, are wanted")
+    if not m.size:
+        raise ResultError("motor and load hold no samples")
     if not (np.isfinite(m).all() and np.isfinite(p).all() and np.isfinite(f).all()):
         raise ResultError("motor, load or force hold numbers that are not finite")
     return m, p, f

@@ -7,6 +7,7 @@ from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, field, replace
 
 import numpy as np
+from numpy.typing import NDArray
 
 from contourlab.analysis import BacklashLoop, OrbitSearch, Prediction, axis_backlash_loop, find_orbits, predict_limit_cycles
 from contourlab.components.contract import Component
@@ -34,7 +35,7 @@ class AxisGap:
     ----------
     axis : str
     gap : float [m]
-        Free travel of the machine file, where the axis stands at zero.
+        Free travel of the machine file where the axis turns round, on average.
     lost_motion : float [m]
         That, and what friction winds the shaft up by on either side.
     pair : LostMotion or None
@@ -90,8 +91,8 @@ class BacklashStudy:
         return self.trials[self.best]
 
 
-STRIBECK, DISTURBED = 0.2, 0.2
-"""Parts of what breakaway is above Coulomb friction, and of Coulomb friction where there is a disturbance, that act as unmodelled force."""
+STRIBECK = 0.2
+"""Part of what breakaway is above Coulomb friction that acts as unmodelled force."""
 UNSURE = 0.1
 """Of what the observer is told of torque, inertia and friction: no machine file is better."""
 WORTH = 0.02
@@ -118,7 +119,10 @@ def observer_of(axis: Axis, servo_period: float, carried_mass: float = 0.0) -> M
     if "resolution" in axis.motor_sensor.parameters:
         known["resolution"] = axis.motor_sensor.values()["resolution"]
     known |= {"unmodelled_force": _unmodelled(axis), "uncertainty": UNSURE}
-    known["largest_gap"] = max(MultipleModel.parameters["largest_gap"].default, 5.0 * plant.gap_at(0.0))
+    known["largest_gap"] = max(MultipleModel.parameters["largest_gap"].default, 5.0 * plant.widest_gap)
+    # Guesses 15 % apart at most, in one of two numbers: each takes machine code of its own.
+    known["hypotheses"] = 32.0 if known["largest_gap"] < 4e-4 else 64.0
+    known["load_damping"] += float(axis.friction.values().get("viscous", 0.0)) * (plant.lead / (2.0 * math.pi)) ** 2
     values = plant.constants()
     fast = math.sqrt(values.stiffness_value * (values.motor_mobility + values.load_mobility)) * servo_period
     return MultipleModel(**known, substeps=float(min(max(math.ceil(fast / 0.25), 1), 32)))
@@ -128,7 +132,14 @@ def _unmodelled(axis: Axis) -> float:
     friction = axis.friction.values()
     coulomb = float(friction.get("coulomb", 0.0))
     beyond = STRIBECK * max(float(friction.get("breakaway", 0.0)) - coulomb, 0.0)
-    return max(1.0, beyond, 0.0 if axis.disturbance is None else DISTURBED * coulomb)
+    return max(1.0, beyond, 0.0 if axis.disturbance is None else _largest_force(axis.disturbance))
+
+
+def _largest_force(disturbance: Component) -> float:
+    """Return the largest of the forces [N] that a disturbance is described by."""
+    kinds, values = disturbance.parameters, disturbance.values()
+    forces = [values[name] for name, kind in kinds.items() if kind.unit == "{force}" and name in values]
+    return max((float(np.abs(np.ravel(force)).max(initial=0.0)) for force in forces), default=0.0)
 
 
 def backlash_study(
@@ -169,14 +180,15 @@ def backlash_study(
         told = None if progress is None else lambda done: progress(done, reference.n_sample)
         return simulate(machine, machine_controller, reference, seed=seed, signals=(*SIGNALS, *extra), progress=told)
 
-    loose = [axis for axis in machine.axes if isinstance(axis.plant, TwoInertia) and axis.plant.gap_at(0.0) > 0.0]
+    loose = [axis for axis in machine.axes if isinstance(axis.plant, TwoInertia) and axis.plant.widest_gap > 0.0]
     if not loose:
         others = sorted({axis.plant.kind for axis in machine.axes if axis.plant.two_sided and not isinstance(axis.plant, TwoInertia)})
         why = f": of drives with backlash this study knows two-inertia, not {', '.join(others)}" if others else ""
         raise ComponentError(f"{machine.name} has no axis with backlash{why}")
     begin(f"simulating {name} with observers of its gaps")
     watched, refusals = _watched(machine, controller, loose)
-    result = run(watched, OBSERVED if watched is not controller else ())
+    observed = any(mine.gap_observer is not None for mine in watched.axes.values())
+    result = run(watched, OBSERVED if observed else ())
     axes = []
     for axis in loose:
         begin(f"looking for limit cycles of axis {axis.name}")
@@ -186,7 +198,9 @@ def backlash_study(
     for label, parts in _candidates(machine, controller, axes):
         begin(f"simulating {name} with {label}")
         trials.append(Trial(label, parts, _figures(run, _having(controller, parts), reference)))
-    remarks = tuple(_remarks(controller, axes))
+    chains = [axis.name for axis in machine.axes if axis.plant.two_sided and not isinstance(axis.plant, TwoInertia)]
+    left = (f"of axes {', '.join(chains)} nothing is told: this study knows two-inertia drives alone",) if chains else ()
+    remarks = (*_remarks(controller, axes), *left)
     return BacklashStudy(name, tuple(axes), tuple(trials), _best(trials), remarks, _on_circles(judged, reference, machine))
 
 
@@ -242,7 +256,7 @@ def _axis_gap(machine: Machine, controller: Controller, axis: Axis, result: Resu
     speed = float(moving[moving > 0.1 * moving.max()].mean()) if moving.any() else 0.0
     viscous = float(values.load_decay / values.load_mobility) + float(axis.friction.values().get("viscous", 0.0))
     friction = float(axis.friction.values().get("coulomb", 0.0)) + viscous * speed
-    gap, said = plant.gap_at(0.0), list(remarks)
+    gap, said = _gap_where_it_turns(plant, result["axis_velocity"][:, j], result["axis_position"][:, j]), list(remarks)
     pair = motor_side = prediction = orbits = None
     try:
         pair = lost_motion_from_pair(result["motor_position"][:, j], result["axis_position"][:, j], friction=friction, stiffness=stiffness)
@@ -259,6 +273,13 @@ def _axis_gap(machine: Machine, controller: Controller, axis: Axis, result: Resu
     except ComponentError as error:
         said.append(f"limit cycles not looked for: {error}")
     return AxisGap(axis.name, gap, lost_motion_of(axis), pair, motor_side, prediction, orbits, tuple(said))
+
+
+def _gap_where_it_turns(plant: TwoInertia, velocity: NDArray[np.float64], position: NDArray[np.float64]) -> float:
+    """Return the mean free travel [m] of the machine file where the axis turns round; the widest where it never does."""
+    forward = velocity[velocity != 0.0] > 0.0
+    turns = position[velocity != 0.0][1:][forward[1:] != forward[:-1]]
+    return float(np.mean([plant.gap_at(float(place)) for place in turns])) if turns.size else plant.widest_gap
 
 
 def _cycles(loop: BacklashLoop) -> tuple[Prediction | None, OrbitSearch]:

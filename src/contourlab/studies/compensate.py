@@ -14,10 +14,10 @@ __all__ = ["lost_motion_of", "offset_of", "wants_offset"]
 
 def lost_motion_of(axis: Axis) -> float:
     """Return the lost motion of an axis [m]: its free travel, and what friction winds the shaft up by on either side; 0 without a gap."""
-    if not isinstance(axis.plant, TwoInertia) or not axis.plant.gap_at(0.0) > 0.0:
+    if not isinstance(axis.plant, TwoInertia) or not axis.plant.widest_gap > 0.0:
         return 0.0
     friction = float(axis.friction.values().get("coulomb", 0.0))
-    return axis.plant.gap_at(0.0) + 2.0 * friction / float(axis.plant.constants().stiffness_value)
+    return axis.plant.widest_gap + 2.0 * friction / float(axis.plant.constants().stiffness_value)
 
 
 def wants_offset(axis: Axis, mine: AxisController) -> bool:

@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 import pytest
-from component_rig import Array, run_alone
+from component_rig import Array, make, run_alone
 from gap_scene import LIGHT, drawn, estimates, observer, recorded, scene
 from hypothesis import given, settings
 from hypothesis import strategies as st
@@ -179,6 +179,21 @@ def test_a_gap_beyond_the_largest_guess_is_not_called_a_smaller_one(run: dict[st
     assert said["gap_deviation"][-1] == pytest.approx(said["gap_deviation"][0])
 
 
+def test_a_gap_below_the_smallest_guess_is_not_called_a_larger_one(run: dict[str, Array]) -> None:
+    said = run_alone(observer(smallest_gap=80e-6), {name: run[name] for name in ("motor_position", "applied")}, jit=True)
+    assert said["confidence"][-1] < 0.9 and 1.96 * said["gap_deviation"][-1] > said["gap"][-1] - 80e-6
+
+
+def test_a_glitch_of_the_encoder_is_got_over(run: dict[str, Array]) -> None:
+    """Five circles, in the second one reading that is 10 mm off: unknown there, and known again at the end."""
+    fed = {name: np.tile(run[name], 5) for name in ("motor_position", "applied")}
+    n = len(run["applied"])
+    fed["motor_position"][n + n // 2] += 10e-3
+    said = run_alone(observer(), fed, jit=True)
+    assert [said["confidence"][k * n - 1] > 0.95 for k in (1, 2, 5)] == [True, False, True]
+    assert said["gap"][[n - 1, 5 * n - 1]] == pytest.approx(50e-6, rel=0.03)
+
+
 @settings(max_examples=25, deadline=None)
 @given(st.integers(0, 2**32 - 1), st.floats(-9.0, 3.0), st.floats(-3.0, 6.0))
 def test_whatever_it_is_fed_its_outputs_are_finite(seed: int, place: float, push: float) -> None:
@@ -230,3 +245,22 @@ def test_gaps_of_drives_drawn_at_random() -> None:
         wrong += np.count_nonzero((off > 0.1 * gap) & (off > 1.96 * deviation))
     assert found >= 36
     assert wrong <= 3
+
+
+def test_variants_that_do_not_go_together_are_refused() -> None:
+    circle = scene(4000.0, 1e-3, watching=observer())
+    for name, value in (("largest_gap", 4e-6), ("smallest_gap", 2e-4), ("load_inertia", 0.0)):
+        with pytest.raises(ParameterError, match=name) as refusal:
+            cl.simulate_batch(*circle, {f"controller.axes.x.gap_observer.{name}": [value]}, judge=False)
+        assert refusal.value.__notes__ == ["In the variants of controller.axes.x.gap_observer."]
+    with pytest.raises(ParameterError, match="numbers, one for each variant"):
+        cl.simulate_batch(*circle, {"axes.x.plant.backlash_gap": ["wide"]}, judge=False)
+
+
+def test_a_rigid_axis_has_no_gap_to_observe() -> None:
+    machine, controller, reference = scene(4000.0, 1e-3, watching=observer())
+    rigid = cl.Axis("x", make("plant", "mass-damper", mass=100.0, force_constant=1.0))
+    with pytest.raises(ParameterError, match="this axis' drive is rigid"):
+        cl.simulate(cl.Machine("stiff", (rigid, machine.axes[1]), 1e-3), controller, reference)
+    with pytest.raises(ParameterError, match="one name or more"):
+        cl.simulate(machine, controller, reference, signals=())

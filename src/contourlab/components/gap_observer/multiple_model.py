@@ -42,6 +42,8 @@ MISFITTING = 2.0
 """Mean of the leading filter's squared deviations at which nothing that was learnt is kept."""
 JUDGED = 0.5
 """Seconds over which that mean is taken."""
+DOUBTED = 5.0
+"""Seconds for which nothing is believed once a gap was met that is none of those guessed."""
 SETTLED = 0.03
 """Seconds of contact without a break after which a flank is known: a few periods of a shaft that rebounds."""
 LOST = 50.0
@@ -63,8 +65,9 @@ class MultipleModel(Component):
     Until contact has lasted without a break once, the gap is what it was guessed; from there all filters start from the flank that is
     touched. The deviation is wide until the other flank has been touched as well. Filters that have lost their way start again beside the
     leading one; where the leading one fails to foretell the encoder, all that was learnt is dropped. `confidence` is the probability that
-    the gap state is what it says, times that of a gap within `tolerance` of the one it says. What was learnt fades over `memory`. Once
-    the leading filter has been led beyond `largest_gap`, the guesses alone are told.
+    the gap state is what it says, times that of a gap within `tolerance` of the one it says; half of that where the gap is merely guessed.
+    What was learnt fades over `memory`. When the leading filter is led above `largest_gap` or below `smallest_gap`, the guesses alone are
+    told for a while, then all starts anew.
 
     Valid where the drive is the two-inertia one and moves across its gap. Choose `substeps` so that the shaft turns less than 0.25 rad of
     its oscillation in each, sqrt(K (1/M_m + 1/M_l)) T/substeps, and `hypotheses` so that guesses differ by 15 % at most: a filter that is
@@ -97,7 +100,7 @@ class MultipleModel(Component):
         Port("side"),
         Port("settled"),
         Port("again"),
-        Port("beyond"),
+        Port("doubt"),
         Port("leader", KEPT),
     )
     derived = (
@@ -272,15 +275,24 @@ def _judge(par: Any, x: Any, inp: Any, clock: Any, found: Any) -> Any:
     leader, total = found[:KEPT], found[KEPT:]
     side = _side(leader)
     contact, sound, settled, again = _waited(x, side, leader, clock.dt)
-    beyond = select(leader[4] > par.largest_gap * (1.0 + par.spacing), 1.0, x.beyond)
-    states = minimum(x.ticks + 1.0, 2.0), inp.motor_position, contact, sound, side, settled, again, beyond, leader
-    return states, _told(par, total, x.sound * (1.0 - beyond))
+    doubt = _doubt(par, x, leader[4], settled, clock.dt)
+    # Once doubt is over, what was learnt meanwhile is dropped.
+    again = maximum(again, select(x.doubt > 0.0, 1.0, 0.0) * select(doubt > 0.0, 0.0, 1.0))
+    states = minimum(x.ticks + 1.0, 2.0), inp.motor_position, contact * (1.0 - again), sound, side, settled, again, doubt, leader
+    return states, _told(par, total, select(doubt > 0.0, 0.0, x.sound))
 
 
 def _side(leader: Any) -> float:
     """Return the flank at which a filter surely is, or 0."""
     ahead, behind = flanks(leader[:N_STATE], leader[N_STATE:SCORE])
     return select(ahead > SURE, 1.0, select(behind > SURE, -1.0, 0.0))
+
+
+def _doubt(par: Any, x: Any, gap: float, settled: float, dt: float) -> float:
+    """Return for how long [s] nothing is to be believed, as the leading filter's gap is none that was guessed; over at a flank only."""
+    left = select(x.doubt > 0.0, maximum(x.doubt - dt, dt * (1.0 - settled)), 0.0)
+    low, high = par.smallest_gap * (1.0 - par.spacing), par.largest_gap * (1.0 + par.spacing)
+    return select(gap > high, DOUBTED, select(gap < low, DOUBTED, left))
 
 
 def _waited(x: Any, side: float, leader: Any, dt: float) -> tuple[float, float, float, float]:
@@ -316,5 +328,6 @@ def _told(par: Any, total: Any, sound: float) -> Any:
     sure = select(state > 0.0, ahead, select(state < 0.0, behind, 1.0 - ahead - behind))
     # A picometre, as a gap that is known to be none is no division by zero.
     _, within = normal_law(par.tolerance * gap / (deviation + 1e-12))
-    confidence = clip(sure, 0.0, 1.0) * clip(2.0 * within - 1.0, 0.0, 1.0)
+    # A gap that is merely guessed is never to be trusted, however close the guesses lie together.
+    confidence = (0.5 + 0.5 * sound) * clip(sure, 0.0, 1.0) * clip(2.0 * within - 1.0, 0.0, 1.0)
     return state, gap, deviation, confidence, position, velocity

@@ -188,6 +188,12 @@ class TwoInertia(Plant):
         whole = self.backlash_gap + self.backlash_angle * self.lead / (2.0 * math.pi)
         return whole * float(np.interp(position, places, self.gap_profile))
 
+    @property
+    def widest_gap(self) -> float:
+        """Free travel in all [m] where it is widest."""
+        whole = self.backlash_gap + self.backlash_angle * self.lead / (2.0 * math.pi)
+        return whole * float(np.max(self.gap_profile))
+
     def at_rest(self, position: float) -> tuple[dict[str, float], dict[str, float]]:
         motor = position + 0.5 * self.start_in_gap * self.gap_at(position)
         return {"position": position, "motor_position": motor}, {"position": position, "motor_position": motor}
