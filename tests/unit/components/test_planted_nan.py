@@ -224,10 +224,12 @@ NAMES = [type(part).__name__ for part, _ in PLANTED]
 def loop_with(planted: Component | None) -> tuple[cl.Machine, cl.Controller]:
     """Return a machine with all slots filled, and one of those of axis x by the planted part."""
     family = planted.family if planted is not None else ""
+    # A gap is observed on a drive of two sides alone.
+    geared = make("plant", "two-inertia", motor_inertia=4e-3, mass=10.0, lead=0.02, stiffness=50.0, backlash_gap=2e-5)
 
     def axis(name: str) -> cl.Axis:
         parts: dict[str, Any] = {
-            "plant": make("plant", "rigid-axis", gain=1.0, damping=6.0),
+            "plant": geared if family == "gap_observer" else make("plant", "rigid-axis", gain=1.0, damping=6.0),
             "friction": make("friction", "smooth-coulomb", **FRICTION),
             "drive": make("drive", "saturation"),
             "sensor": make("sensor", "encoder", resolution=1e-7),
