@@ -59,6 +59,17 @@ def test_the_path_of_samples_leaves_out_what_lies_on_a_line() -> None:
     assert along[299] == 0.0 and along[300 + 2500] == pytest.approx(line[2500, 0]) and along[-1] == pytest.approx(0.12)
 
 
+def test_a_slow_arc_is_no_chord() -> None:
+    """Each of many close samples on an arc is on a line with its neighbours; together they are not."""
+    angle = np.linspace(0.0, np.pi, 200_001)
+    path, along = path_of_samples(0.02 * np.column_stack([np.cos(angle), np.sin(angle)]))
+    assert path.length == pytest.approx(0.02 * np.pi, rel=1e-6)
+    assert len(path.curves) < 2500
+    assert np.abs(np.linalg.norm(path.position(along), axis=1) - 0.02).max() < 11e-9
+    there_and_back = np.concatenate([np.linspace(0.0, 0.01, 1000), np.linspace(0.01, 0.002, 1000)])
+    assert path_of_samples(np.column_stack([there_and_back, 0.0 * there_and_back]))[0].length == pytest.approx(0.018)
+
+
 PART = "G21 G90 G17 G64\nG1 X0 Y0 F1000\nX20\nG3 X20 Y20 I0 J10\nG1 X0\nM2\n"
 
 

@@ -22,8 +22,8 @@ ACTUAL = ("tool_position", "position", "axis_position")
 """Signals that say where the tool was, the best first: a measured log has the encoders' alone."""
 COARSE = 40
 """Places on either side of the reference's that are looked at for the one nearest to the tool."""
-STRAIGHT = 1e-9
-"""Metres by which a sample may be off the line through its neighbours and still be left out of it: far below any encoder."""
+STRAIGHT = 10e-9
+"""Metres by which a sample of the reference may be off the path that is laid through them: far below any encoder."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -69,7 +69,7 @@ def moving(wanted: Array) -> tuple[int, int]:
 def path_of_samples(positions: Array) -> tuple[Path, Array]:
     """Return the path through positions (n, n_axis) [m], lines from each to the next, and the arc length [m] of each along it.
 
-    Samples on a line with those beside them are left out of the path, to a nanometre.
+    Samples within ten nanometres of a line between others are left out of the path.
 
     Raises
     ------
@@ -92,13 +92,34 @@ def path_of_samples(positions: Array) -> tuple[Path, Array]:
 
 
 def _corners(points: Array) -> NDArray[np.int64]:
-    """Return the points that a polygon needs: greedily, the farthest such that all between are within `STRAIGHT` of the line."""
-    step = np.diff(points, axis=0)
-    length = np.linalg.norm(step, axis=1)
-    unit = step / length[:, None]
-    # Where the direction does not change the next point adds nothing; a run of such points is one line.
-    bend = np.linalg.norm(np.diff(unit, axis=0), axis=1) * np.minimum(length[:-1], length[1:])
-    return np.concatenate([[0], np.flatnonzero(bend > STRAIGHT) + 1, [len(points) - 1]])
+    """Return the points that a polygon needs so that no other is further than `STRAIGHT` from it, each line as long as it can be."""
+    kept, at, span, last = [0], 0, 1, len(points) - 1
+    while at < last:
+        # Twice as far as long as it goes, then halving what is between; lines are about as long as the one before.
+        good, bad = 1, last - at + 1
+        while good < bad - 1:
+            trial = min(span, bad - 1) if span > good else (good + bad) // 2 if bad <= last - at else min(2 * good, bad - 1)
+            if _is_line(points[at : at + trial + 1]):
+                good, span = trial, 2 * trial
+            else:
+                bad, span = trial, 0
+        at += good
+        span = good
+        kept.append(at)
+    return np.array(kept)
+
+
+def _is_line(points: Array) -> bool:
+    """Tell whether points lie on the line from the first to the last, one behind the other."""
+    way = points[-1] - points[0]
+    length = float(np.linalg.norm(way))
+    if length == 0.0:
+        return False
+    off = points - points[0]
+    along = off @ (way / length)
+    if np.any(np.diff(along) < 0.0):
+        return False
+    return float(((off - np.outer(along, way / length)) ** 2).sum(axis=1).max()) <= STRAIGHT**2
 
 
 def measure(result: Result, path: Path | None = None, axes: tuple[str, ...] | None = None) -> Measured:
@@ -169,14 +190,9 @@ def _judged(whole: Result, reference: Reference) -> Result:
     lies between would take a hundred times as long.
     """
     path, tool, wanted, along = reference.path, whole["tool_position"], whole["reference"], whole["arc_length"]
-    far = reach(path, wanted - tool)
-    step = far / COARSE
-    best, near = np.full(along.size, np.inf), along.copy()
-    for offset in np.arange(-COARSE, COARSE + 1) * step:
-        place = (along + offset) % path.length if path.closed else np.clip(along + offset, 0.0, path.length)
-        square = ((path.position(place) - tool) ** 2).sum(axis=1)
-        better = square < best
-        best[better], near[better] = square[better], (along + offset if path.closed else place)[better]
+    near, step = along, reach(path, wanted - tool) / COARSE
+    for _ in range(2):
+        near, step = _nearest(path, tool, near, step), step / COARSE
     around = whole.with_signals(
         reference=Signal(path.position(near % path.length if path.closed else near), ("sample", "axis"), "m"),
         arc_length=Signal(near, ("sample",), "m"),
@@ -184,6 +200,17 @@ def _judged(whole: Result, reference: Reference) -> Result:
     judged = judge(around, reference)
     tracking = Signal(wanted - tool, ("sample", "axis"), "m")
     return judged.with_signals(reference=whole.signals["reference"], arc_length=whole.signals["arc_length"], tracking_error=tracking)
+
+
+def _nearest(path: Path, tool: Array, along: Array, step: float) -> Array:
+    """Return the places on the path [m] nearest to the tool, of `COARSE` steps on either side of those given."""
+    best, near = np.full(along.size, np.inf), along.copy()
+    for offset in np.arange(-COARSE, COARSE + 1) * step:
+        place = along + offset if path.closed else np.clip(along + offset, 0.0, path.length)
+        square = ((path.position(place % path.length if path.closed else place) - tool) ** 2).sum(axis=1)
+        better = square < best
+        best[better], near[better] = square[better], place[better]
+    return near
 
 
 def _of_axes(result: Result, axes: tuple[str, ...]) -> Result:
