@@ -122,15 +122,12 @@ def test_a_simulated_run_goes_through_the_same_door(tmp_path: Path, capsys: pyte
     """What `run` wrote and `measure` reads has the contour error that `run` told."""
     kept = ["--signals", "reference", "--signals", "tool_position"]
     assert main(["run", "builtin:demo-part", "--out", str(tmp_path / "run"), "--json", *kept]) in (0, 1)
-    told = json.loads(capsys.readouterr().out)
-    name, scheme = next(iter(told["schemes"].items()))
-    file = next((tmp_path / "run" / "signals").glob("*.nc"))
-    log = load_log(file)
-    assert log.result.servo_period == scheme["servo_period"]
+    told = json.loads(capsys.readouterr().out)["schemes"]["with disturbance observer"]
+    log = load_log(tmp_path / "run" / "signals" / "with-disturbance-observer.nc")
+    assert log.result.servo_period == told["servo_period"]
     found = measure(log.result)
-    start, stop = scheme["metrics"]["window"]
-    assert np.abs(found.result["contour_error"][start:stop]).max() == pytest.approx(scheme["metrics"]["contour_error"]["max"], rel=0.05)
-    assert name
+    assert found.metrics.contour_error.max == pytest.approx(told["metrics"]["contour_error"]["max"], rel=1e-3)
+    assert found.metrics.contour_error.rms == pytest.approx(told["metrics"]["contour_error"]["rms"], rel=1e-2)
 
 
 def test_two_measured_runs_side_by_side(shared: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
