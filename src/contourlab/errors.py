@@ -11,6 +11,7 @@
     ├── FeedError                       a feed profile that cannot be planned
     ├── ComponentError                  a component that breaks the contract, or is unknown
     ├── EngineError                     a schedule that cannot be compiled or wired
+    ├── LogError                        file and line of a measured log
     ├── ResultError                     a result file that cannot be read, or a signal that is not there
     ├── OutputError                     a file or folder that cannot be written
     └── DivergenceError                 sample, time, axis of a loop that ran away; exit code 3
@@ -27,6 +28,7 @@ __all__ = [
     "EngineError",
     "FeedError",
     "GeometryError",
+    "LogError",
     "OutputError",
     "ParameterError",
     "ProgramError",
@@ -86,6 +88,14 @@ class ComponentError(ContourlabError):
 
 class EngineError(ContourlabError):
     """A schedule cannot be compiled or wired."""
+
+
+class LogError(ContourlabError):
+    """A measured log cannot be read, or does not hold what is wanted of it; says file and line (from 1)."""
+
+    def __init__(self, message: str, *, file: str | Path = "<log>", line: int = 0) -> None:
+        self.message, self.file, self.line = message, str(file), line
+        super().__init__(f"{self.file}{f':{line}' if line else ''}: {message}")
 
 
 class ResultError(ContourlabError):

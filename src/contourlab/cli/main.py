@@ -23,6 +23,7 @@ from contourlab.cli.commands.components import components
 from contourlab.cli.commands.demo import demo
 from contourlab.cli.commands.interpolate import interpolate
 from contourlab.cli.commands.learn import learn
+from contourlab.cli.commands.measure import measure
 from contourlab.cli.commands.new import new
 from contourlab.cli.commands.reproduce import reproduce
 from contourlab.cli.commands.run import run as run_command
@@ -46,6 +47,7 @@ app.command("compare")(compare)
 app.command("learn")(learn)
 app.command("analyse")(analyse)
 app.command("backlash")(backlash)
+app.command("measure")(measure)
 app.command("check")(check)
 app.command("canon")(canon)
 app.command("interpolate")(interpolate)

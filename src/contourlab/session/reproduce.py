@@ -10,7 +10,7 @@ from contourlab.report.charts import Chart, PolarChart
 from contourlab.report.plots import write_charts
 from contourlab.report.reproduction_pictures import circle_chart, course_chart, sweep_chart, traces_chart, turn_chart
 
-__all__ = ["check_choice", "write_gecer_ulu", "write_shahin"]
+__all__ = ["check_choice", "write_emps", "write_gecer_ulu", "write_shahin"]
 
 RATIO = "contour rms of FB CCC ILC over FB ILC, over kappa"
 
@@ -95,4 +95,30 @@ def write_shahin(folder: str | Path, formats: Sequence[str]) -> tuple[Path, ...]
         rate = {f"scheme {name}": (found.time, found.feedrate * 60.0)}
         title = f"Fig {number}: overall feedrate, scheme {name}"
         charts.append(traces_chart(f"fig-{number}", title, ("time [s]", "feedrate [m/min]"), rate, 8.0))
+    return write_charts(charts, folder, formats)
+
+
+def write_emps(log: str | Path | None, folder: str | Path, formats: Sequence[str]) -> tuple[Path, ...]:
+    """Write force, friction curve and position error of the EMPS into a folder; return the files.
+
+    Parameters
+    ----------
+    log : str or Path
+        DATA_EMPS.mat.
+    folder : str or Path
+    formats : sequence of str
+        Of ``"png"``, ``"svg"``, ``"pdf"``.
+    """
+    from contourlab.studies.reproduce import emps_pictures as drawn
+    from contourlab.studies.reproduce.emps import identified
+
+    found = identified(log)
+    force, late = ("time [s]", "force [N]"), "EMPS: reference less position"
+    charts = [
+        traces_chart("emps-force", "EMPS: measured and predicted force", force, drawn.predicted_force(found)),
+        traces_chart("emps-force-left", "EMPS: what the model leaves of the force", force, drawn.force_left_over(found)),
+        traces_chart("emps-friction", "EMPS: friction and offset", ("velocity [mm/s]", "force [N]"), drawn.friction_curves(found)),
+        traces_chart("emps-error", late, ("time [s]", "position error [mm]"), drawn.position_errors(found)),
+        traces_chart("emps-error-left", "EMPS: measured less simulated", ("time [s]", "position [µm]"), drawn.error_left_over(found)),
+    ]
     return write_charts(charts, folder, formats)

@@ -19,7 +19,7 @@ from contourlab.report.limit_table import nearest
 from contourlab.studies.compare import Outcome
 from contourlab.studies.learn import LearningRun
 
-__all__ = ["SCHEMA", "summary_of"]
+__all__ = ["SCHEMA", "plain", "summary_of"]
 
 SCHEMA = "contourlab-summary/1"
 LISTED = 100
@@ -53,8 +53,8 @@ def summary_of(
         "schemes": {outcome.name: _scheme(outcome) for outcome in outcomes}
         | {name: {"status": {"ok": False, "sample": e.sample, "axis": e.axis, "reason": str(e)}} for name, e in lost.items()},
     }
-    clean: dict[str, Any] = _clean(found)
-    return clean
+    told: dict[str, Any] = plain(found)
+    return told
 
 
 def _scheme(outcome: Outcome) -> dict[str, Any]:
@@ -139,11 +139,12 @@ def _limits(report: LimitReport, axes: Sequence[str]) -> dict[str, Any]:
     return found
 
 
-def _clean(value: Any) -> Any:
+def plain(value: Any) -> Any:
+    """Return a value as JSON can hold it: a number that is none becomes null."""
     if isinstance(value, Mapping):
-        return {str(key): _clean(item) for key, item in value.items()}
+        return {str(key): plain(item) for key, item in value.items()}
     if isinstance(value, list | tuple):
-        return [_clean(item) for item in value]
+        return [plain(item) for item in value]
     if isinstance(value, np.generic):
         value = value.item()
     if isinstance(value, float):

@@ -1,8 +1,12 @@
-"""``contourlab compare``: schemes of a scenario side by side, with what each costs at run time."""
+"""``contourlab compare``: schemes of a scenario side by side, with what each costs at run time; or runs from files."""
 
 from __future__ import annotations
 
+import shlex
 from pathlib import Path
+from typing import Annotated
+
+import typer
 
 from contourlab.cli.output import conclude, wants_progress
 from contourlab.cli.scheme_options import Json, Out, Plots, Plugins, ScenarioFile, Schemes, Signals, Trials, listed
@@ -12,6 +16,10 @@ __all__ = ["compare"]
 
 def compare(
     file: ScenarioFile,
+    others: Annotated[
+        list[str] | None,
+        typer.Argument(metavar="[RUN]...", help="With these the first is a run too: a log, a result (.nc), a folder of results."),
+    ] = None,
     schemes: Schemes = None,
     trials: Trials = None,
     out: Out = Path("results"),
@@ -20,7 +28,16 @@ def compare(
     signals: Signals = None,
     plugin: Plugins = None,
 ) -> int:
-    """Run schemes of a scenario side by side, those that learn trial after trial; say what each costs per servo tick."""
+    """Run schemes of a scenario side by side, those that learn trial after trial; or tell what changed between runs from files."""
+    if others:
+        from contourlab.session.measure import compare_runs
+
+        for option, value in (("--schemes", schemes), ("--trials", trials), ("--signals", signals), ("--plugin", plugin)):
+            if value is not None:
+                raise typer.BadParameter("is for a scenario: leave it out where runs from files are compared", param_hint=option)
+        runs = [str(file), *others]
+        found = compare_runs(runs, out, plots=tuple(plots or ()), command=shlex.join(["contourlab", "compare", *runs]))
+        return conclude(found, as_json)
     from contourlab.session.schemes import compare_schemes
 
     outcome = compare_schemes(

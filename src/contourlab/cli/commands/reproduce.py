@@ -62,6 +62,27 @@ def shahin(
     return _told(rows, as_json)
 
 
+@reproduce.command()
+def emps(
+    log: Annotated[Path | None, typer.Option(help="DATA_EMPS.mat of the benchmark: the record to identify from.")] = None,
+    validation: Annotated[Path | None, typer.Option(help="DATA_EMPS_PULSES.mat: a second record, to hold the parameters against.")] = None,
+    as_json: Json = False,
+    plots: Annotated[list[str] | None, typer.Option(help="Also draw force, friction and position error as png, svg or pdf.")] = None,
+    out: Annotated[Path, typer.Option(help="Folder of the pictures.")] = Path("results"),
+) -> int:
+    """Janot, Gautier and Brunot: data set and reference models of the EMPS, a linear axis identified from its log."""
+    from contourlab.studies.reproduce.emps import reproduce as rows_of
+
+    if plots:
+        from contourlab.session.reproduce import check_choice, write_emps
+
+        check_choice(out, tuple(plots))
+    rows = rows_of(log, validation)
+    if plots:
+        write_emps(log, out, tuple(plots))
+    return _told(rows, as_json)
+
+
 def _told(rows: Sequence[Mapping[str, Any]], as_json: bool) -> int:
     """Print the rows; return 1 where one fails."""
     if as_json:

@@ -1,0 +1,123 @@
+"""Velocity and acceleration out of a measured position without lag, and fewer samples of a signal without aliasing.
+
+References
+----------
+Gautier, "Dynamic identification of robots with power model", IEEE ICRA 1997, sections 4.1 and 4.2: low-pass forwards and backwards,
+central differences, parallel filter and decimation; the latter with the filter and the phase of MATLAB's ``decimate``.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from contourlab.errors import ParameterError
+
+__all__ = ["FilteredMotion", "central_difference", "decimate", "filtered_motion"]
+
+Array = NDArray[np.float64]
+
+ANTI_ALIAS_ORDER, ANTI_ALIAS_RIPPLE, ANTI_ALIAS_BAND = 8, 0.05, 0.8
+"""Chebyshev filter ahead of decimation: its order, its ripple [dB], and its edge as a share of the new Nyquist frequency."""
+
+
+@dataclass(frozen=True, eq=False)
+class FilteredMotion:
+    """A motion as it is told by a measured position.
+
+    Attributes
+    ----------
+    position, velocity, acceleration : ndarray (n,) [m, m/s, m/s^2]
+    """
+
+    position: Array
+    velocity: Array
+    acceleration: Array
+
+
+def filtered_motion(position: ArrayLike, period: float, *, cutoff: float, order: int = 4) -> FilteredMotion:
+    """Return position, velocity and acceleration behind a Butterworth low-pass that runs forwards and backwards: no lag.
+
+    Parameters
+    ----------
+    position : array_like (n,) [m]
+    period : float [s], > 0
+    cutoff : float [Hz], > 0
+        Below the Nyquist frequency; five times the bandwidth of the position loop is usual. Passed twice: 6 dB down there.
+    order : int, >= 1
+        Of one pass.
+
+    Raises
+    ------
+    ParameterError
+        If the cut-off is not below the Nyquist frequency, the order is no order, or the record is too short for the filter.
+    """
+    from scipy.signal import butter, sosfiltfilt
+
+    measured = np.asarray(position, dtype=float)
+    nyquist = 0.5 / period
+    if not 0.0 < cutoff < nyquist:
+        raise ParameterError("cutoff", f"{cutoff:g}", f"> 0 and below the Nyquist frequency of the record, {nyquist:g}", "Hz")
+    if not (isinstance(order, int) and order >= 1):
+        raise ParameterError("order", order, "a whole number of 1 or more")
+    padding = 3 * order
+    if measured.size <= padding:
+        raise ParameterError("position", f"{measured.size} samples", f"more than the {padding} that the filter starts with")
+    smooth = np.asarray(sosfiltfilt(butter(order, cutoff / nyquist, output="sos"), measured, padlen=padding), dtype=float)
+    velocity = central_difference(smooth, period)
+    return FilteredMotion(smooth, velocity, central_difference(velocity, period))
+
+
+def central_difference(signal: ArrayLike, period: float) -> Array:
+    """Return the derivative (n,) of a signal by central differences; one-sided at both ends.
+
+    Parameters
+    ----------
+    signal : array_like (n,)
+    period : float [s]
+    """
+    y = np.asarray(signal, dtype=float)
+    return np.asarray(np.r_[y[1] - y[0], 0.5 * (y[2:] - y[:-2]), y[-1] - y[-2]] / period, dtype=float)
+
+
+def decimate(signal: ArrayLike, factor: int) -> Array:
+    """Return every `factor`-th sample of a signal behind a low-pass that runs forwards and backwards, with the phase of MATLAB's.
+
+    Parameters
+    ----------
+    signal : array_like (n,) or (n, k)
+        Columns are decimated alike.
+    factor : int, >= 1
+        With 1 the signal is returned as it is.
+
+    Returns
+    -------
+    ndarray (ceil(n/factor), ...)
+        The last sample is the signal's last; the first is sample ``factor - (factor*ceil(n/factor) - n) - 1``, from 0.
+
+    Raises
+    ------
+    ParameterError
+        If the factor is no factor, or the signal is too short for the filter.
+    """
+    from scipy.signal import cheby1, sosfiltfilt
+
+    y = np.asarray(signal, dtype=float)
+    if not (isinstance(factor, int) and factor >= 1):
+        raise ParameterError("decimation", factor, "a whole number of 1 or more")
+    if factor == 1:
+        return y
+    padding, n = 3 * ANTI_ALIAS_ORDER, y.shape[0]
+    if n <= padding:
+        raise ParameterError("record", f"{n} samples", f"more than the {padding} that the filter ahead of decimation starts with")
+    sections = cheby1(ANTI_ALIAS_ORDER, ANTI_ALIAS_RIPPLE, ANTI_ALIAS_BAND / factor, output="sos")
+    smooth = np.asarray(sosfiltfilt(sections, y, axis=0, padlen=padding), dtype=float)
+    return smooth[kept_samples(n, factor)]
+
+
+def kept_samples(n_sample: int, factor: int) -> slice:
+    """Return which samples of a record `decimate` keeps: always its last."""
+    left_over = factor * -(-n_sample // factor) - n_sample
+    return slice(factor - left_over - 1, None, factor)

@@ -1,0 +1,53 @@
+"""``contourlab measure``: how far a measured run strayed from its path."""
+
+from __future__ import annotations
+
+import shlex
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from contourlab.cli.output import conclude
+from contourlab.cli.scheme_options import Json, Out, Plots, listed
+
+__all__ = ["measure"]
+
+
+def measure(
+    log: Annotated[
+        Path, typer.Argument(metavar="LOG", help="A log: .mat, .csv, .parquet, .xml, .nc, text of a scope.", show_default=False)
+    ],
+    reference: Annotated[
+        str | None, typer.Option(help="Columns of the reference with commas between, or a part program.", show_default=False)
+    ] = None,
+    column: Annotated[
+        list[str] | None, typer.Option(help="What a column is, as position.x='NAME [mm]'; may be given again.", show_default=False)
+    ] = None,
+    columns: Annotated[Path | None, typer.Option(help="A TOML file that says what the columns are.", show_default=False)] = None,
+    format: Annotated[str | None, typer.Option(help="Format, where it is not told from the file.", show_default=False)] = None,  # noqa: A002
+    period: Annotated[str | None, typer.Option(help='Time between samples, as "1 ms", where the log has none.', show_default=False)] = None,
+    axes: Annotated[str | None, typer.Option(help="Axes that make the contour, as x,y; by default all.", show_default=False)] = None,
+    tolerance: Annotated[str | None, typer.Option(help='Largest contour error that passes, as "25 um".', show_default=False)] = None,
+    out: Out = Path("results"),
+    as_json: Json = False,
+    plots: Plots = None,
+) -> int:
+    """Judge a measured run: contour error, tracking, reversals, as of a simulated one."""
+    from contourlab.session.log_choice import LogChoice
+    from contourlab.session.measure import measure_log
+
+    words = ["contourlab", "measure", str(log)]
+    options = {
+        "--reference": reference,
+        "--columns": columns,
+        "--format": format,
+        "--period": period,
+        "--axes": axes,
+        "--tolerance": tolerance,
+    }
+    words += [word for name, value in options.items() if value is not None for word in (name, str(value))]
+    words += [word for text in column or () for word in ("--column", text)]
+    choice = LogChoice(log, tuple(column or ()), columns, format, period, listed(axes))
+    outcome = measure_log(choice, out, reference=reference, tolerance=tolerance, plots=tuple(plots or ()), command=shlex.join(words))
+    return conclude(outcome, as_json)

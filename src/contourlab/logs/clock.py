@@ -1,0 +1,176 @@
+"""One clock for all channels: what the samples' own times are like, and the signals on an even one."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+from numpy.typing import NDArray
+
+from contourlab.errors import LogError
+from contourlab.units import show
+
+__all__ = ["ClockReport", "Gap", "common_clock", "look_at_clock", "resampled"]
+
+Array = NDArray[np.float64]
+GAP = 1.5
+"""Periods between two samples from which on one is missing."""
+MOST_MISSING = 0.05
+"""Part of the samples that may be missing before a log is refused: what would be judged is mostly interpolation."""
+EVEN = 1e-3
+"""Jitter over the period below which samples are taken as even: times are rounded when they are written."""
+
+
+@dataclass(frozen=True)
+class Gap:
+    """Where samples are missing: the time of the one before [s], and how many."""
+
+    time: float
+    missing: int
+
+
+@dataclass(frozen=True)
+class ClockReport:
+    """What the times of a channel are like.
+
+    Attributes
+    ----------
+    period : float [s]
+        The median of the differences.
+    n_sample : int
+    jitter_rms, jitter_peak : float [s]
+        Of the times about an even clock between gaps.
+    gaps : tuple of Gap
+    repeated : int
+        Samples with the time of the one before, which were left out.
+    resampled : bool
+        Whether values had to be interpolated between samples.
+    """
+
+    period: float
+    n_sample: int
+    jitter_rms: float
+    jitter_peak: float
+    gaps: tuple[Gap, ...] = ()
+    repeated: int = 0
+    resampled: bool = False
+
+    @property
+    def missing(self) -> int:
+        """Number of samples that are missing."""
+        return sum(gap.missing for gap in self.gaps)
+
+    def lines(self) -> list[str]:
+        """Return what there is to say, in words; nothing for an even clock."""
+        found = []
+        if self.jitter_peak > EVEN * self.period:
+            found.append(f"times jitter by {show(self.jitter_rms, 'us', 3)} rms, {show(self.jitter_peak, 'us', 3)} at most")
+        if self.gaps:
+            worst = max(self.gaps, key=lambda gap: gap.missing)
+            found.append(
+                f"{self.missing} of {self.n_sample + self.missing} samples are missing, in {len(self.gaps)} gaps; the longest of "
+                f"{worst.missing} at t = {worst.time:.6g} s"
+            )
+        if self.repeated:
+            found.append(f"{self.repeated} samples repeat the time of the one before and were left out")
+        if self.resampled:
+            found.append(f"interpolated to an even clock of {show(self.period, 'us')}")
+        return found
+
+
+def look_at_clock(time: Array, name: str, file: Path, period: float | None = None) -> tuple[ClockReport, NDArray[np.bool_]]:
+    """Return what the times of a channel are like, and which of its samples are kept.
+
+    Parameters
+    ----------
+    time : ndarray (n,) [s]
+    name : str
+        Of the channel, for messages.
+    file : Path
+    period : float [s], > 0, optional
+        As the file says; by default the median of the differences.
+
+    Raises
+    ------
+    LogError
+        If there are fewer than three samples, a time is not finite, time goes back, stands still, or too much is missing.
+    """
+    if not np.isfinite(time).all():
+        raise LogError(f"the time of {name!r} is not finite at sample {int(np.argmin(np.isfinite(time)))}", file=file)
+    step = np.diff(time)
+    if (step < 0.0).any():
+        k = int(np.argmax(step < 0.0))
+        raise LogError(
+            f"time goes back from {time[k]:.9g} s to {time[k + 1]:.9g} s at sample {k + 1} ({name!r}): are two records in one file, "
+            "or is the column no time?",
+            file=file,
+        )
+    kept = np.append(True, step > 0.0)
+    even = time[kept]
+    if even.size < 3:
+        raise LogError(f"holds {even.size} samples of {name!r} at different times: three or more are wanted", file=file)
+    step = np.diff(even)
+    usual = period if period is not None else float(np.median(step))
+    count = np.maximum(np.rint(step / usual), 1.0)
+    wide = step > GAP * usual
+    gaps = tuple(Gap(float(even[k]), int(count[k]) - 1) for k in np.flatnonzero(wide) if count[k] > 1)
+    # The median of rounded differences would drift away from the times: the slope of all of them is better.
+    if period is None:
+        index = np.append(0.0, np.cumsum(count))
+        index -= index.mean()
+        usual = float(index @ (even - even.mean()) / (index @ index))
+        # Times are rounded when they are written: 0.1 ms it was, not 0.0999999997 ms, where that makes no difference over the record.
+        short = float(f"{usual:.6g}")
+        usual = short if abs(short - usual) * count.sum() < 0.1 * EVEN * usual else usual
+    jitter = _jitter(even, count, usual)
+    report = ClockReport(usual, even.size, float(np.sqrt(np.mean(jitter**2))), float(np.abs(jitter).max()), gaps, int((~kept).sum()))
+    if report.missing > MOST_MISSING * (report.n_sample + report.missing):
+        raise LogError(
+            f"{report.missing} of {report.n_sample + report.missing} samples of {name!r} are missing at a period of {show(usual, 'us')}: "
+            "that is no even sampling, or the wrong period",
+            file=file,
+        )
+    return report, kept
+
+
+def _jitter(time: Array, count: Array, period: float) -> Array:
+    """Return the times less those of an even clock, which starts anew behind each gap."""
+    index = np.append(0.0, np.cumsum(count))
+    off = time - time[0] - index * period
+    breaks = np.append(0, np.flatnonzero(count > 1.0) + 1)
+    lengths = np.diff(np.append(breaks, time.size))
+    return np.asarray(off - np.repeat([off[a : a + n].mean() for a, n in zip(breaks, lengths, strict=True)], lengths))
+
+
+def common_clock(reports: list[tuple[ClockReport, float, float]], file: Path) -> tuple[float, float, int]:
+    """Return period [s], start [s] and number of samples of the clock that all channels are put on.
+
+    Parameters
+    ----------
+    reports : list of (ClockReport, float, float)
+        Of each channel, with its first and last time [s].
+
+    Notes
+    -----
+    The shortest period of all, over the time that all channels cover: nothing is invented before or behind.
+    """
+    period = min(report.period for report, _, _ in reports)
+    start, stop = max(first for _, first, _ in reports), min(last for _, _, last in reports)
+    n = int(np.floor((stop - start) / period + EVEN)) + 1
+    if n < 3:
+        raise LogError(f"its channels have less than three samples in common: from {start:.6g} s to {stop:.6g} s", file=file)
+    return period, start, n
+
+
+def resampled(time: Array, values: Array, report: ClockReport, clock: tuple[float, float, int]) -> tuple[Array, bool]:
+    """Return values (n,) on the clock, and whether they had to be interpolated.
+
+    An even channel of the clock's own period is taken sample by sample; anything else is interpolated on a line between its samples.
+    """
+    period, start, n = clock
+    same = abs(report.period - period) <= 1e-9 * period and not report.gaps and report.jitter_peak <= EVEN * period
+    first = round((start - time[0]) / period)
+    if same and abs(time[0] + first * period - start) <= EVEN * period and first + n <= values.size:
+        return values[first : first + n], False
+    return np.interp(start + np.arange(n) * period, time, values), True

@@ -1,0 +1,228 @@
+"""The one door for measured logs: a file becomes a `Result` on one clock, in SI, with a report of what its times are like."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from pathlib import Path
+
+import numpy as np
+from numpy.typing import NDArray
+
+from contourlab.errors import LogError, ParameterError, UnitError
+from contourlab.logs.clock import ClockReport, common_clock, look_at_clock, resampled
+from contourlab.logs.formats import read_record
+from contourlab.logs.mapping import SIGNALS, TIME, Column, Columns, guessed, unknown
+from contourlab.logs.record import Channel, Record
+from contourlab.result import Result, Signal
+from contourlab.units import from_si, show, to_si
+
+__all__ = ["Log", "load_log", "result_of"]
+
+Array = NDArray[np.float64]
+FARTHEST, FASTEST = 50.0, 50.0
+"""Positions [m] and speeds [m/s] beyond these are no machine's: the unit is wrong."""
+
+
+@dataclass(frozen=True, eq=False)
+class Log:
+    """A measured run.
+
+    Attributes
+    ----------
+    result : Result
+    record : Record
+        As the file has it.
+    columns : tuple of Column
+        Which column became which signal.
+    clocks : mapping of str to ClockReport
+        By the name of the channel.
+    notes : tuple of str
+        What there is to know of how it was read.
+    """
+
+    result: Result
+    record: Record
+    columns: tuple[Column, ...]
+    clocks: dict[str, ClockReport]
+    notes: tuple[str, ...]
+
+
+def load_log(
+    file: str | Path,
+    *,
+    format: str | None = None,  # noqa: A002
+    columns: Sequence[Column] = (),
+    period: float | None = None,
+) -> Log:
+    """Read a measured log.
+
+    Parameters
+    ----------
+    file : str or Path
+    format : str, optional
+        One of `contourlab.logs.formats.FORMATS`; by default what the file looks like.
+    columns : sequence of Column
+        Which column is which signal; those that are not named are taken where their names leave no doubt.
+    period : float [s], > 0, optional
+        Between samples, where the file does not say.
+
+    Returns
+    -------
+    Log
+
+    Raises
+    ------
+    LogError
+        If the file cannot be read, a column is not there or has no unit, times are not those of even sampling, or values cannot be right.
+    ParameterError
+        If the period is out of range or the format is unknown.
+    """
+    if period is not None and not (0.0 < period < 1e3):
+        raise ParameterError("period", f"{period:g}", "> 0 and < 1000", "s")
+    return result_of(read_record(file, format), Columns(tuple(columns), period))
+
+
+def result_of(record: Record, given: Columns) -> Log:
+    """Return the signals of a record; see `load_log`."""
+    named = {(column.signal, column.axis) for column in given.columns}
+    taken = {record.channel(column.column).name for column in given.columns}
+    more = [c for c in guessed(record) if (c.signal, c.axis) not in named and c.column not in taken]
+    columns = (*given.columns, *more)
+    wanted = [column for column in columns if column.signal != TIME]
+    if not wanted:
+        raise LogError(unknown(record), file=record.file)
+    times = _times(record, columns, given.period)
+    channels = {column: _timed(record.channel(column.column), times, record, given.period) for column in wanted}
+    clocks: dict[str, ClockReport] = {}
+    looked = []
+    for channel in {c.name: c for c in channels.values()}.values():
+        assert channel.time is not None  # `_timed` has seen to it
+        report, kept = look_at_clock(channel.time, channel.name, record.file, given.period or record.period)
+        clocks[channel.name] = report
+        even = channel.time[kept]
+        looked.append((report, float(even[0]), float(even[-1])))
+    clock = common_clock(looked, record.file)
+    signals, notes = _signals(record, channels, clocks, clock)
+    axes = tuple(sorted({column.axis for column in wanted}, key=_order))
+    result = Result(
+        record.file.stem, axes, clock[0], _stacked(signals, axes), attributes={"log": record.file.name, "format": record.format}
+    )
+    by_name = [f"{column.signal}.{column.axis} {column.column!r}" for column in more if column.signal != TIME and not _is_its_own(column)]
+    said = [f"taken by their names: {', '.join(by_name)}"] if by_name else []
+    spoken = dict.fromkeys(line for report in clocks.values() for line in report.lines())
+    return Log(result, record, columns, clocks, (*record.notes, *said, *notes, *spoken))
+
+
+def _is_its_own(column: Column) -> bool:
+    """Tell whether a column is named as its signal is, which needs no word."""
+    return column.column == f"{column.signal}.{column.axis}"
+
+
+def _order(axis: str) -> tuple[int, str]:
+    place = "xyzabcuvw".find(axis.lower()) if len(axis) == 1 else -1
+    return (place if place >= 0 else 99, axis)
+
+
+def _times(record: Record, columns: Sequence[Column], period: float | None) -> Array | None:
+    """Return the times [s] that channels without their own share; None where samples are even by their number."""
+    column = next((c for c in columns if c.signal == TIME), None)
+    if column is not None:
+        channel = record.channel(column.column)
+        unit = column.unit or channel.unit or "s"
+        return _in_si(channel, column, unit, "s", record) * column.factor
+    numbered = next((c for c in record.channels if c.name == "sample" and record.format == "halsampler"), None)
+    every = period or record.period
+    if numbered is not None and every is not None:
+        return np.asarray(numbered.values * every)
+    return None
+
+
+def _timed(channel: Channel, times: Array | None, record: Record, period: float | None) -> Channel:
+    """Return a channel with the times of its values, and without what are none."""
+    time: Array | None = channel.time if channel.time is not None else times
+    every = period or record.period
+    if time is None:
+        if every is None:
+            raise LogError(
+                'says no sample times: give the period, as --period "1 ms", or the column, as --column time=NAME', file=record.file
+            )
+        time = np.asarray(np.arange(channel.values.size) * every)
+    if time.size != channel.values.size:
+        raise LogError(f"column {channel.name!r} has {channel.values.size} values for {time.size} times", file=record.file)
+    there = np.isfinite(channel.values)
+    if not there.any():
+        raise LogError(f"column {channel.name!r} holds no numbers", file=record.file)
+    return replace(channel, values=channel.values[there], time=time[there]) if not there.all() else replace(channel, time=time)
+
+
+def _in_si(channel: Channel, column: Column, unit: str, expected: str, record: Record) -> Array:
+    try:
+        size = to_si(f"1 {unit}", expected or unit)
+        # Dividing by what is a whole number of them keeps 20 mm exactly 0.02 m.
+        return channel.values / from_si(1.0, unit) if size < 1.0 else channel.values * size
+    except UnitError as error:
+        raise LogError(
+            f"column {channel.name!r} is in {unit}, which is no unit of {column.signal}" + (f", such as {expected}" if expected else ""),
+            file=record.file,
+        ) from error
+
+
+def _signals(
+    record: Record, channels: dict[Column, Channel], clocks: dict[str, ClockReport], clock: tuple[float, float, int]
+) -> tuple[dict[str, dict[str, tuple[Array, str]]], list[str]]:
+    """Return values and unit of each signal and axis on the clock, and what there is to say of them."""
+    found: dict[str, dict[str, tuple[Array, str]]] = {}
+    notes = []
+    for column, channel in channels.items():
+        unit, note = _unit(column, channel, channels, record)
+        notes += [note] if note else []
+        expected = SIGNALS[column.signal]
+        values = _in_si(channel, column, unit, expected, record) * column.factor if unit else channel.values * column.factor
+        _check_size(values, column, channel, unit, record)
+        assert channel.time is not None
+        kept = np.append(True, np.diff(channel.time) > 0.0)
+        even, between = resampled(channel.time[kept], values[kept], clocks[channel.name], clock)
+        if between:
+            clocks[channel.name] = replace(clocks[channel.name], resampled=True)
+        found.setdefault(column.signal, {})[column.axis] = (even, expected or _si_unit(unit))
+    return found, list(dict.fromkeys(notes))
+
+
+def _unit(column: Column, channel: Channel, channels: dict[Column, Channel], record: Record) -> tuple[str, str]:
+    """Return the unit of a column and a note where it is not its own: a reference is in the unit of the position beside it."""
+    unit = column.unit or channel.unit
+    expected = SIGNALS[column.signal]
+    if unit or not expected:
+        return unit, ""
+    for other, beside in channels.items():
+        shared = other.unit or beside.unit
+        if other is not column and other.axis == column.axis and SIGNALS[other.signal] == expected and shared:
+            return shared, f"{column.signal} is taken in {shared}, as {other.signal} is: its columns say no unit"
+    raise LogError(
+        f"column {channel.name!r} says no unit: write --column '{column.signal}.{column.axis}={channel.name} [mm]'", file=record.file
+    )
+
+
+def _si_unit(unit: str) -> str:
+    """Return the unit that values have once they are in SI."""
+    return unit if not unit or to_si(f"1 {unit}", unit) == 1.0 else f"SI of {unit}"
+
+
+def _check_size(values: Array, column: Column, channel: Channel, unit: str, record: Record) -> None:
+    limit = {"m": FARTHEST, "m/s": FASTEST}.get(SIGNALS[column.signal])
+    largest = float(np.abs(values).max())
+    if limit is not None and largest > limit:
+        shown = show(largest, SIGNALS[column.signal], 4)
+        raise LogError(f"column {channel.name!r} reaches {shown}, beyond any machine: is {unit} its unit?", file=record.file)
+
+
+def _stacked(found: dict[str, dict[str, tuple[Array, str]]], axes: tuple[str, ...]) -> dict[str, Signal]:
+    """Return each signal as (n_sample, n_axis); not a number for an axis that has none of it."""
+    signals = {}
+    for name, by_axis in found.items():
+        n = next(iter(by_axis.values()))[0].size
+        table = np.column_stack([by_axis[axis][0] if axis in by_axis else np.full(n, np.nan) for axis in axes])
+        units = {unit for _, unit in by_axis.values()}
+        signals[name] = Signal(table, ("sample", "axis"), units.pop() if len(units) == 1 else "")
+    return signals

@@ -1,0 +1,233 @@
+"""Which column is which signal: as the user says, or as its name leaves no doubt of."""
+
+from __future__ import annotations
+
+import re
+import tomllib
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any
+
+from contourlab.errors import LogError, UnitError
+from contourlab.logs.reading import name_and_unit
+from contourlab.logs.record import Channel, Record, said
+from contourlab.units import same_dimension, to_si
+
+__all__ = ["SIGNALS", "Column", "Columns", "guessed", "parse_columns", "read_columns"]
+
+SIGNALS = {
+    "reference": "m",
+    "position": "m",
+    "motor_position": "m",
+    "axis_position": "m",
+    "tool_position": "m",
+    "velocity": "m/s",
+    "reference_velocity": "m/s",
+    "command": "",
+    "current": "A",
+    "force": "N",
+    "torque": "N*m",
+    "disturbance_estimate": "",
+}
+"""Signals that a column can be, with their unit; an empty one is what the column has."""
+TIME = "time"
+_TARGET = re.compile(r"(?P<signal>[a-z_]+)(?:\.(?P<axis>[A-Za-z]\w*))?\Z")
+# Word by word, so that "Encoder Feedback X" is told from "excitation".
+_REFERENCE = {"ref", "refcommand", "reference", "setpoint", "soll", "sollposition", "desired", "target", "cmd", "demand", "commanded"}
+_POSITION = {"encoder", "feedback", "fb", "position", "pos", "actual", "act", "ist", "istposition", "measured", "enc"}
+_VELOCITY = {"vel", "velocity", "speed", "geschwindigkeit"}
+_TIME = {"t", "time", "zeit", "timestamp", "seconds"}
+
+
+@dataclass(frozen=True)
+class Column:
+    """A column of a log that is a signal.
+
+    Attributes
+    ----------
+    signal : str
+        Of `SIGNALS`, or "time".
+    axis : str
+        Empty where the signal is one for all axes.
+    column : str
+        Name of the column, or a part of it that no other has.
+    unit : str
+        Overrides the file's; empty for the file's own.
+    factor : float
+        On the values: -1 where the file counts the other way.
+    """
+
+    signal: str
+    axis: str
+    column: str
+    unit: str = ""
+    factor: float = 1.0
+
+
+@dataclass(frozen=True)
+class Columns:
+    """What a user says of a log: its columns, and what the file leaves open."""
+
+    columns: tuple[Column, ...] = ()
+    period: float | None = None
+    format: str | None = None
+    notes: tuple[str, ...] = field(default=())
+
+
+def parse_columns(texts: Iterable[str], where: str = "--column") -> tuple[Column, ...]:
+    """Read columns as the command line has them: ``position.x=Encoder X [mm]``, with ``-`` before the name where it counts the other way.
+
+    Raises
+    ------
+    LogError
+        If one is no such text, or names a signal twice.
+
+    >>> parse_columns(["position.x = -enc_x [mm]"])
+    (Column(signal='position', axis='x', column='enc_x', unit='mm', factor=-1.0),)
+    """
+    found = []
+    for text in texts:
+        target, equals, column = (part.strip() for part in text.partition("="))
+        if not equals or not column:
+            raise LogError(f"{text!r}: write for example position.x=NAME [mm]", file=where)
+        name, unit = name_and_unit(column.removeprefix("-") if column.startswith("-") else column)
+        found.append(_column(target, name, unit, -1.0 if column.startswith("-") else 1.0, where))
+    return _once(found, where)
+
+
+def read_columns(file: str | Path) -> Columns:
+    """Read a mapping from a TOML file.
+
+    ::
+
+        period = "1 ms"
+        format = "csv"
+        [columns]
+        time = "t [s]"
+        "position.x" = "enc_x [mm]"
+        "command.x" = {column = "torque", unit = "N*m", factor = -1.0}
+
+    Raises
+    ------
+    LogError
+        If a key is unknown or a value is not of its kind; says the key.
+    """
+    path = Path(file)
+    try:
+        content = tomllib.loads(path.read_text(encoding="utf-8"))
+    except OSError as error:
+        raise LogError(f"cannot be read: {error.strerror or error}", file=path) from error
+    except (tomllib.TOMLDecodeError, UnicodeDecodeError) as error:
+        raise LogError(f"is no TOML: {error}", file=path) from error
+    for key in content:
+        if key not in ("period", "format", "columns"):
+            raise LogError(f"{key}: unknown key; there are period, format, columns", file=path)
+    table = content.get("columns", {})
+    if not isinstance(table, Mapping):
+        raise LogError('columns: must be a table, such as [columns] with "position.x" = "enc_x [mm]"', file=path)
+    columns = [_of_table(target, value, path) for target, value in table.items()]
+    period = _period(content["period"], path) if "period" in content else None
+    return Columns(_once(columns, path), period, content.get("format"))
+
+
+def _of_table(target: str, value: Any, path: Path) -> Column:
+    if isinstance(value, str):
+        name, unit = name_and_unit(value)
+        return _column(target, name, unit, 1.0, path)
+    if not isinstance(value, Mapping) or not isinstance(value.get("column"), str):
+        raise LogError(f'columns.{target}: write "NAME [unit]" or {{column = "NAME", unit = "mm", factor = -1.0}}', file=path)
+    for key in value:
+        if key not in ("column", "unit", "factor"):
+            raise LogError(f"columns.{target}.{key}: unknown key; there are column, unit, factor", file=path)
+    factor = value.get("factor", 1.0)
+    if isinstance(factor, bool) or not isinstance(factor, int | float) or not abs(factor) > 0.0 or abs(factor) > 1e12:
+        raise LogError(f"columns.{target}.factor = {factor!r}: must be a number other than 0", file=path)
+    return _column(target, value["column"], str(value.get("unit", "")), float(factor), path)
+
+
+def _period(value: Any, path: Path) -> float:
+    try:
+        period = to_si(value, "s")
+    except (UnitError, TypeError, ValueError) as error:
+        raise LogError(f"period: {error}", file=path) from error
+    if not period > 0.0:
+        raise LogError(f"period = {value}: must be > 0", file=path)
+    return period
+
+
+def _column(target: str, name: str, unit: str, factor: float, where: str | Path) -> Column:
+    found = _TARGET.match(target)
+    if found is None or (found["signal"] != TIME and found["signal"] not in SIGNALS):
+        raise LogError(f"{target!r} is no signal: write one of {TIME}, {', '.join(SIGNALS)}, and its axis, such as position.x", file=where)
+    signal, axis = found["signal"], found["axis"] or ""
+    if (signal == TIME) != (not axis):
+        raise LogError(f"{target!r}: " + ("time has no axis" if axis else f"of which axis? Write {signal}.x"), file=where)
+    if unit:
+        expected = "s" if signal == TIME else SIGNALS[signal]
+        try:
+            if expected and not same_dimension(unit, expected):
+                raise LogError(f"{target}: {unit} is no unit of {signal}, such as {expected}", file=where)
+            same_dimension(unit, unit)
+        except UnitError as error:
+            raise LogError(f"{target}: {error}", file=where) from error
+    return Column(signal, axis, name, unit, factor)
+
+
+def _once(columns: Sequence[Column], where: str | Path) -> tuple[Column, ...]:
+    targets = [(column.signal, column.axis) for column in columns]
+    for i, target in enumerate(targets):
+        if target in targets[:i]:
+            raise LogError(f"{'.'.join(part for part in target if part)} is given twice", file=where)
+    return tuple(columns)
+
+
+def guessed(record: Record) -> tuple[Column, ...]:
+    """Return what the names of the columns leave no doubt of: a time, and for each axis a reference, a position, a velocity.
+
+    A name is taken apart into words: ``Encoder Feedback X`` is the position of x, ``joint.0.motor-pos-cmd`` the reference of x,
+    ``position.x`` what it says. Of two columns that would be the same signal neither is taken.
+    """
+    found: dict[tuple[str, str], list[Channel]] = {}
+    for channel in record.channels:
+        target = _meaning(channel)
+        if target is not None:
+            found.setdefault(target, []).append(channel)
+    return tuple(Column(signal, axis, channels[0].name) for (signal, axis), channels in found.items() if len(channels) == 1)
+
+
+def _meaning(channel: Channel) -> tuple[str, str] | None:
+    own = _TARGET.match(channel.name)
+    if own is not None and own["signal"] in SIGNALS and own["axis"]:
+        return own["signal"], own["axis"]
+    words = [word.casefold() for word in re.findall(r"[A-Za-z]+|\d+", re.sub(r"(?<=[a-z])(?=[A-Z])", " ", channel.name))]
+    if len(words) == 1 and words[0] in _TIME:
+        return TIME, ""
+    axis = _axis(words)
+    if axis is None:
+        return None
+    kinds = set(words)
+    if kinds & _VELOCITY:
+        return ("reference_velocity" if kinds & _REFERENCE else "velocity"), axis
+    if kinds & _REFERENCE:
+        return "reference", axis
+    return ("position", axis) if kinds & _POSITION else None
+
+
+def _axis(words: list[str]) -> str | None:
+    """Return the axis that words name: a letter, a letter at the end of a word such as "datax", or the number of a joint."""
+    for before, word in zip(["", *words], words, strict=False):
+        if before in ("joint", "axis") and word.isdigit() and int(word) < 9:
+            return "xyzabcuvw"[int(word)]
+    letters = {word for word in words if len(word) == 1 and word in "xyzabcuvw"}
+    if not letters:
+        letters = {word[-1] for word in words if word[-1] in "xyz" and word[:-1] in ("data", "axis", "ref", "pos", "enc")}
+    return letters.pop() if len(letters) == 1 else None
+
+
+def unknown(record: Record) -> str:
+    """Return the words that help who has to say which column is which."""
+    return (
+        f"which column is what? There are {said(record.names)}; say for example "
+        f"--column 'position.x={record.names[0]} [mm]', or name a file of columns with --columns"
+    )

@@ -1,0 +1,160 @@
+"""MATLAB files: variables that stand side by side, structures of them, and captures of ControlDesk (versions 4 to 7 and 7.3)."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from contourlab.errors import LogError
+from contourlab.logs.reading import name_and_unit
+from contourlab.logs.record import Channel, Record
+
+__all__ = ["matches", "read"]
+
+Array = NDArray[np.float64]
+HDF = b"\x89HDF\r\n\x1a\n"
+SHORTEST = 2
+"""Numbers that a channel has at least; one alone is a constant."""
+
+
+def matches(file: Path, head: bytes) -> bool:
+    """Tell by the text that MATLAB begins its files with, or by the ending of the name."""
+    return head.startswith(b"MATLAB ") or (file.suffix.lower() == ".mat" and not head.startswith(b"PAR1"))
+
+
+def read(file: Path) -> Record:
+    """Read a MATLAB file.
+
+    A variable of numbers is a channel, one of a single number a constant; the fields of a structure are named after it, ``output.CH1in``.
+    A capture has a field X with the times, and fields Y with a name, data and a unit each; where there is nothing besides one structure,
+    its name is left away. Columns of a matrix are numbered.
+
+    Raises
+    ------
+    LogError
+        If it cannot be read, or holds no numbers.
+    """
+    tree = _tree_of_hdf(file) if _is_hdf(file) else _tree(file)
+    tree = {name: value for name, value in tree.items() if not name.startswith(("__", "#"))}
+    while len(tree) == 1 and isinstance(inner := next(iter(tree.values())), Mapping):
+        tree = dict(inner)
+    period = None
+    if _is_capture(tree):
+        channels, constants, period = _capture(tree)
+    else:
+        found = list(_leaves(tree, ""))
+        channels = [Channel(*name_and_unit(name)[:1], value, name_and_unit(name)[1]) for name, value in found if value.size >= SHORTEST]
+        constants = {name: float(value[0]) for name, value in found if value.size == 1}
+    if not channels:
+        raise LogError("holds no columns of numbers", file=file)
+    return Record(file, "matlab", tuple(channels), period, constants)
+
+
+def _is_hdf(file: Path) -> bool:
+    with file.open("rb") as stream:
+        # Version 7.3 has MATLAB's own text before the HDF5 signature.
+        head = stream.read(520)
+    return HDF in (head[:8], head[512:520])
+
+
+def _tree(file: Path) -> dict[str, Any]:
+    from scipy.io import loadmat
+
+    try:
+        found = loadmat(file, squeeze_me=True, struct_as_record=False)
+    except Exception as error:  # the reader lets whatever goes wrong inside through
+        raise LogError(f"cannot be read as MATLAB: {error}", file=file) from error
+    return {name: _plain(value) for name, value in found.items()}
+
+
+def _plain(value: Any) -> Any:
+    """Return structures as mappings, arrays of structures as lists of them."""
+    if hasattr(value, "_fieldnames"):
+        return {name: _plain(getattr(value, name)) for name in value._fieldnames}
+    if isinstance(value, np.ndarray) and value.dtype == object:
+        return [_plain(item) for item in value.ravel()]
+    return value
+
+
+def _tree_of_hdf(file: Path) -> dict[str, Any]:
+    import h5py
+
+    try:
+        with h5py.File(file, "r") as stored:
+            return {name: _plain_hdf(stored, item) for name, item in stored.items() if not name.startswith("#")}
+    except (OSError, KeyError, RuntimeError, ValueError) as error:
+        raise LogError(f"cannot be read as MATLAB 7.3: {error}", file=file) from error
+
+
+def _plain_hdf(stored: Any, item: Any) -> Any:
+    """Return what an item of version 7.3 is: a group is a structure, a reference leads to the item, text is stored as numbers."""
+    import h5py
+
+    if isinstance(item, h5py.Group):
+        fields = {name: _plain_hdf(stored, inner) for name, inner in item.items()}
+        lists = [value for value in fields.values() if isinstance(value, list)]
+        # An array of structures is stored as a structure of arrays of references.
+        if fields and len(lists) == len(fields) and len({len(value) for value in lists}) == 1:
+            return [dict(zip(fields, values, strict=True)) for values in zip(*lists, strict=True)]
+        return fields
+    values = item[()]
+    if item.dtype == h5py.ref_dtype:
+        return [_plain_hdf(stored, stored[reference]) for reference in np.ravel(values)]
+    kind = item.attrs.get("MATLAB_class", b"")
+    if item.attrs.get("MATLAB_empty", 0):
+        return np.empty(0)
+    if kind == b"char":
+        return "".join(chr(code) for code in np.ravel(values))
+    # MATLAB stores columns first.
+    return np.squeeze(np.asarray(values).T)
+
+
+def _is_capture(tree: Mapping[str, Any]) -> bool:
+    return isinstance(tree.get("X"), Mapping) and "Data" in tree["X"] and isinstance(tree.get("Y"), list | Mapping)
+
+
+def _capture(tree: Mapping[str, Any]) -> tuple[list[Channel], dict[str, float], float | None]:
+    time = _numbers(tree["X"]["Data"])
+    rows = tree["Y"] if isinstance(tree["Y"], list) else [tree["Y"]]
+    channels = []
+    for row in rows:
+        name, unit = name_and_unit(_short(str(row.get("Name", ""))))
+        own = row.get("Unit")
+        channels.append(Channel(name, _numbers(row["Data"]), own if isinstance(own, str) and own else unit, time))
+    period = tree.get("Capture", {}).get("SamplingPeriod") if isinstance(tree.get("Capture"), Mapping) else None
+    return channels, {}, float(period) if period is not None and np.size(period) == 1 and float(period) > 0.0 else None
+
+
+def _short(name: str) -> str:
+    """Return ``Encoder Feedback X/x [mm]`` for ``"Model Root"/"Encoder Feedback X"/"x [mm]"``."""
+    parts = [part.strip('" ') for part in name.split('"/"')]
+    return "/".join(part for part in parts if part and part != "Model Root")
+
+
+def _leaves(tree: Any, name: str) -> Iterator[tuple[str, Array]]:
+    """Yield every column of numbers with its full name."""
+    if isinstance(tree, Mapping):
+        for key, value in tree.items():
+            yield from _leaves(value, f"{name}.{key}" if name else key)
+    elif isinstance(tree, list):
+        for i, value in enumerate(tree):
+            yield from _leaves(value, f"{name}.{i + 1}")
+    elif isinstance(tree, str | bytes):
+        return
+    else:
+        values = np.asarray(tree)
+        if not (np.issubdtype(values.dtype, np.number) or values.dtype == bool) or np.iscomplexobj(values):
+            return
+        if values.ndim <= 1 or 1 in values.shape:
+            yield name, _numbers(values)
+        elif values.ndim == 2:
+            columns = values.T if values.shape[0] >= values.shape[1] else values
+            yield from ((f"{name}.{i + 1}", _numbers(column)) for i, column in enumerate(columns))
+
+
+def _numbers(values: Any) -> Array:
+    return np.array(values, dtype=np.float64).ravel()

@@ -1,0 +1,66 @@
+"""Apache Parquet, by pyarrow where it is installed."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from contourlab.errors import LogError
+from contourlab.logs.reading import name_and_unit
+from contourlab.logs.record import Channel, Record
+
+__all__ = ["matches", "read"]
+
+MAGIC = b"PAR1"
+
+
+def matches(file: Path, head: bytes) -> bool:
+    """Tell whether the first bytes are those of Parquet."""
+    return head.startswith(MAGIC)
+
+
+def read(file: Path) -> Record:
+    """Read the columns of numbers and of times; units stand in brackets in a name, or under ``unit`` in a field's metadata.
+
+    Raises
+    ------
+    LogError
+        If pyarrow is not installed, or the file cannot be read.
+    """
+    try:
+        from pyarrow import ArrowException
+        from pyarrow import parquet as arrow
+    except ImportError as error:
+        raise LogError('Parquet needs pyarrow: pip install "contourlab[parquet]"', file=file) from error
+    try:
+        table = arrow.read_table(file)
+    except (ArrowException, OSError, ValueError) as error:
+        raise LogError(f"cannot be read as Parquet: {str(error).splitlines()[0]}", file=file) from error
+    channels, left = [], []
+    for field in table.schema:
+        found = _channel(field, table.column(field.name))
+        if found is None:
+            left.append(field.name)
+        else:
+            channels.append(found)
+    notes = (f"columns that are no numbers are left out: {', '.join(left)}",) if left else ()
+    return Record(file, "parquet", tuple(channels), notes=notes)
+
+
+def _channel(field: Any, column: Any) -> Channel | None:
+    from pyarrow import types
+
+    name, unit = name_and_unit(field.name)
+    said = (field.metadata or {}).get(b"unit", b"").decode("utf-8", errors="replace")
+    kind = field.type
+    if types.is_timestamp(kind) or types.is_duration(kind):
+        # Counted from the first one: what is lost is the date alone, and doubles hold no nanoseconds since 1970.
+        ticks = column.cast("int64").to_numpy(zero_copy_only=False)
+        size = {"s": 1.0, "ms": 1e-3, "us": 1e-6, "ns": 1e-9}[kind.unit]
+        return Channel(name, np.asarray(ticks - ticks[0] if ticks.size else ticks, dtype=np.float64) * size, "s")
+    if types.is_integer(kind) or types.is_floating(kind) or types.is_boolean(kind) or types.is_decimal(kind):
+        values = np.array([np.nan if v is None else float(v) for v in column.to_pylist()]) if column.null_count else column.to_numpy()
+        return Channel(name, np.asarray(values, dtype=np.float64), said or unit)
+    return None

@@ -1,0 +1,99 @@
+"""What stands in a log, before anything is made of it: named channels as the file has them, and what it says besides."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass, field
+from pathlib import Path
+
+import numpy as np
+from numpy.typing import NDArray
+
+from contourlab.errors import LogError
+
+__all__ = ["Channel", "Record"]
+
+Array = NDArray[np.float64]
+
+
+@dataclass(frozen=True, eq=False)
+class Channel:
+    """One column of a log.
+
+    Attributes
+    ----------
+    name : str
+        As the file has it.
+    values : ndarray (n,)
+        In `unit`; not a number where the file has no value.
+    unit : str
+        As the file says; empty where it says none.
+    time : ndarray (n,) [s] or None
+        Time of each value; None where the file numbers them only.
+    """
+
+    name: str
+    values: Array
+    unit: str = ""
+    time: Array | None = None
+
+
+@dataclass(frozen=True, eq=False)
+class Record:
+    """A log as it was read.
+
+    Attributes
+    ----------
+    file : Path
+    format : str
+        Name of the reader.
+    channels : tuple of Channel
+    period : float [s] or None
+        Between samples, where the file says so.
+    constants : mapping of str to float
+        Numbers that stand beside the channels: gains, scales.
+    notes : tuple of str
+        What was passed over in reading, in words.
+    """
+
+    file: Path
+    format: str
+    channels: tuple[Channel, ...]
+    period: float | None = None
+    constants: Mapping[str, float] = field(default_factory=dict)
+    notes: tuple[str, ...] = ()
+
+    def __post_init__(self) -> None:
+        if not any(channel.values.size for channel in self.channels):
+            raise LogError("holds no samples", file=self.file)
+
+    @property
+    def names(self) -> list[str]:
+        """Names of the channels, in the order of the file."""
+        return [channel.name for channel in self.channels]
+
+    def channel(self, name: str) -> Channel:
+        """Return the channel of that name: exactly, else without regard to case, else the one that the name is a part of.
+
+        Raises
+        ------
+        LogError
+            If there is none, or the name is a part of several; the message lists them.
+        """
+        for found in (
+            [c for c in self.channels if c.name == name],
+            [c for c in self.channels if c.name.casefold() == name.casefold()],
+            [c for c in self.channels if name.casefold() in c.name.casefold()],
+        ):
+            if len(found) == 1:
+                return found[0]
+            if found:
+                raise LogError(f"column {name!r} may be {said(c.name for c in found)}: write more of its name", file=self.file)
+        raise LogError(f"has no column {name!r}; there are {said(self.names)}", file=self.file)
+
+
+def said(names: Iterable[str], most: int = 30) -> str:
+    """Return names as they stand in a message: in quotes, and not too many."""
+    listed = [repr(name) for name in names]
+    more = f" and {len(listed) - most} more" if len(listed) > most else ""
+    return ", ".join(listed[:most]) + more

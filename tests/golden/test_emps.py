@@ -1,0 +1,150 @@
+"""Janot, Gautier & Brunot, "Data set and reference models of EMPS", 2019: the published digits out of the published log."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from contourlab.cli.main import main
+from contourlab.studies.reproduce.emps import reproduce
+
+Table = dict[tuple[str, str], dict[str, Any]]
+ALIKE, DIRECTED = "friction alike in both directions", "friction by direction"
+PUBLISHED = """
+M                            95.1089
+Fv                          203.5034
+Fc                           20.3935
+offset                       -3.1648
+condition_number             25.9883
+residual_norm               108.7569
+relative_error                4.0834
+residual_deviation            2.1843
+asymmetric_M                 95.1540
+asymmetric_Fv+              166.7061
+asymmetric_Fc+               20.1440
+asymmetric_Fv-              240.4236
+asymmetric_Fc-               20.6277
+asymmetric_condition_number  26.0197
+asymmetric_residual_norm     82.8778
+asymmetric_relative_error     3.1117
+"""
+DEVIATIONS = {"M": 0.1085, "Fv": 1.1460, "Fc": 0.1012, "offset": 0.0444}
+DEVIATIONS_DIRECTED = {"M": 0.0827, "Fv+": 1.2326, "Fc+": 0.1088, "Fv-": 1.2346, "Fc-": 0.1091}
+
+
+@pytest.fixture(scope="module")
+def log(shared: Path) -> Path:
+    file = shared / "data" / "emps" / "DATA_EMPS.mat"
+    if not file.is_file():
+        pytest.skip("the EMPS log is not among the shared reference data")
+    return file
+
+
+@pytest.fixture(scope="module")
+def table(log: Path) -> Table:
+    found = reproduce(log)
+    by_name = {(row["name"], row["case"]): row for row in found}
+    assert len(by_name) == len(found), "two rows share name and case"
+    return by_name
+
+
+@pytest.mark.parametrize("line", PUBLISHED.split("\n")[1:-1])
+def test_identification_agrees_to_the_last_printed_digit(table: Table, line: str) -> None:
+    name, printed = line.split()
+    (row,) = (row for (held, _), row in table.items() if held == name.replace("_", " "))
+    assert row["paper"] == float(printed)
+    assert f"{row['here']:.4f}" == printed
+    assert row["verdict"] == "agrees"
+
+
+@pytest.mark.parametrize(("case", "printed"), [(ALIKE, DEVIATIONS), (DIRECTED, DEVIATIONS_DIRECTED)])
+def test_deviations_agree_to_the_last_printed_digit(table: Table, case: str, printed: dict[str, float]) -> None:
+    for name, paper in printed.items():
+        row = table["standard deviation", f"{name}, {case}"]
+        assert (row["paper"], f"{row['here']:.4f}", row["verdict"]) == (paper, f"{paper:.4f}", "agrees")
+
+
+def test_relative_deviations_are_those_of_the_published_listing(table: Table) -> None:
+    for name, paper in {"M": "0.1141", "Fv": "0.5631", "Fc": "0.4964", "offset": "1.4021"}.items():
+        assert f"{table['relative standard deviation', f'{name}, {ALIKE}']['here']:.4f}" == paper
+
+
+def test_the_residual_is_told_to_be_coloured(table: Table) -> None:
+    """What friction by direction explains is in it, so that plain deviations are too small by a factor of two and more."""
+    for name, plain in DEVIATIONS.items():
+        assert 2.0 < table["standard deviation, residual as it is", f"{name}, {ALIKE}"]["here"] / plain < 3.0
+    assert "not white" in table["M", ALIKE]["note"]
+
+
+def test_the_published_simulation_comes_out_with_its_clock_and_solver(table: Table) -> None:
+    for name, paper in {"position": 0.013752, "velocity": 0.22911, "acceleration": 8.6036, "force": 5.848}.items():
+        row = table[f"simulated {name}", "the published clock, delay and solver"]
+        assert row["paper"] == paper
+        assert row["here"] == pytest.approx(paper, rel=2e-3)
+        assert row["verdict"] == "agrees"
+
+
+@pytest.mark.parametrize(
+    ("case", "percent"),
+    [
+        ("one tick of control delay", {"position": 0.0016, "velocity": 0.230, "acceleration": 8.51, "force": 5.86}),
+        ("no control delay", {"position": 0.0011, "velocity": 0.126, "acceleration": 6.08, "force": 4.58}),
+        ("no control delay, friction by direction", {"position": 0.00083, "velocity": 0.125, "acceleration": 6.08, "force": 3.72}),
+    ],
+)
+def test_the_simulated_loop_follows_the_log(table: Table, case: str, percent: dict[str, float]) -> None:
+    for name, bound in percent.items():
+        assert 0.9 * bound < table[f"simulated {name}", case]["here"] < 1.01 * bound
+
+
+def test_the_measured_loop_has_no_delay_of_a_tick(table: Table) -> None:
+    assert table["controller law", "no control delay"]["here"] == pytest.approx(3.7, abs=0.05)
+    assert table["controller law", "one tick of control delay"]["here"] > 50.0
+
+
+def test_tracking_error_as_measured_and_simulated(table: Table) -> None:
+    for name, measured, apart in (("tracking error rms", 0.578, 5e-4), ("tracking error peak", 0.852, 2.5e-3)):
+        assert table[name, "measured"]["here"] == pytest.approx(measured, abs=5e-4)
+        for case in ("simulated, no control delay", "simulated, one tick of control delay"):
+            assert table[name, case]["here"] == pytest.approx(measured, abs=apart)
+
+
+def test_what_differs_says_why(table: Table) -> None:
+    assert not [row for row in table.values() if row["verdict"] == "fails"]
+    assert all(len(row["note"]) > 60 for row in table.values() if row["verdict"] == "differs")
+
+
+def test_a_second_log_is_held_against_the_parameters_of_the_first(log: Path) -> None:
+    """The same log: its own error again. The published second log is not among the shared data."""
+    rows = {(row["name"], row["case"]): row for row in reproduce(log, log)}
+    assert rows["cross-validation relative error", ALIKE]["here"] == pytest.approx(rows["relative error", ALIKE]["here"], rel=1e-12)
+    assert rows["cross-validation relative error", ALIKE]["paper"] == 5.9824
+    assert rows["cross-validation relative error", DIRECTED]["here"] == pytest.approx(3.1117, abs=5e-5)
+    own, again = (rows["simulated force", f"{prefix}no control delay"] for prefix in ("", "validation: "))
+    assert (own["here"], own["paper"], again["paper"]) == (again["here"], 5.848, 8.9409)
+
+
+def test_the_published_validation_agrees_where_its_log_is_there(log: Path) -> None:
+    pulses = log.with_name("DATA_EMPS_PULSES.mat")
+    if not pulses.is_file():
+        pytest.skip("the EMPS log with pulses, DATA_EMPS_PULSES.mat, is not among the shared reference data")
+    rows = {(row["name"], row["case"]): row for row in reproduce(log, pulses)}
+    for name, printed in {"condition number": "26.0217", "residual norm": "169.4876", "residual deviation": "3.4039"}.items():
+        assert f"{rows[f'cross-validation {name}', ALIKE]['here']:.4f}" == printed
+    assert rows["cross-validation relative error", ALIKE]["here"] == pytest.approx(5.9824, abs=5e-5)
+    for name, paper in {"position": 0.0080248, "velocity": 0.47888, "acceleration": 19.8152, "force": 8.9409}.items():
+        row = rows[f"simulated {name}", "validation: the published clock, delay and solver"]
+        assert row["here"] == pytest.approx(paper, rel=5e-3) and row["verdict"] == "agrees"
+
+
+def test_the_command_prints_json_and_draws(log: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["reproduce", "emps", "--log", str(log), "--json", "--plots", "svg", "--out", str(tmp_path / "seen")]) == 0
+    rows = json.loads(capsys.readouterr().out)
+    for name in ("M", "Fv", "Fc", "offset", "relative error"):
+        (row,) = (row for row in rows if row["name"] == name)
+        assert row["pass"] is True
+    drawn = {file.name for file in (tmp_path / "seen").iterdir()}
+    assert drawn == {f"emps-{name}.svg" for name in ("force", "force-left", "friction", "error", "error-left")}

@@ -1,0 +1,160 @@
+"""``contourlab measure`` as typed, on the measured runs of a two-axis table and on logs that are at fault."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from contourlab.cli.main import main
+from contourlab.logs import load_log
+from contourlab.result import Result, Signal
+from contourlab.studies.measure import measure, path_of_samples
+
+
+def circle(n: int = 2000, radius: float = 0.02) -> np.ndarray:
+    angle = np.linspace(0.0, 2.0 * np.pi, n)
+    return radius * np.column_stack([np.cos(angle), np.sin(angle)])
+
+
+def run_of(position: np.ndarray, reference: np.ndarray | None) -> Result:
+    signals = {"position": Signal(position, ("sample", "axis"), "m")}
+    if reference is not None:
+        signals["reference"] = Signal(reference, ("sample", "axis"), "m")
+    return Result("bench", ("x", "y"), 1e-3, signals)
+
+
+@pytest.mark.parametrize(("file", "rms", "largest", "tracking"), [("lli", 84.7, 262.4, (76.4, 77.7)), ("pp", 48.3, 95.4, (1277.4, 1082.7))])
+def test_the_measured_runs_of_the_table(
+    shared: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str], file: str, rms: float, largest: float, tracking: tuple[float, float]
+) -> None:
+    log = shared / "data" / "ubc-xy-table" / f"line_circle_{file}.mat"
+    assert main(["measure", str(log), "--out", str(tmp_path / "out"), "--json"]) == 0
+    found = json.loads(capsys.readouterr().out)
+    metrics = found["schemes"][f"line_circle_{file}"]["metrics"]
+    assert metrics["contour_error"]["rms"] * 1e6 == pytest.approx(rms, rel=0.01)
+    assert metrics["contour_error"]["max"] * 1e6 == pytest.approx(largest, rel=0.01)
+    assert [axis["rms"] * 1e6 for axis in metrics["tracking_error"]] == pytest.approx(tracking, rel=0.01)
+    assert found["schemes"][f"line_circle_{file}"]["servo_period"] == 1e-4
+    assert (tmp_path / "out" / "report.html").stat().st_size > 10_000
+    assert json.loads((tmp_path / "out" / "summary.json").read_text()) == found
+
+
+def test_an_error_that_is_known() -> None:
+    """A circle that is 30 um too large and a tenth of a second late: contour error 30 um, whatever the lag."""
+    wanted = np.vstack([circle(), np.repeat(circle()[-1:], 100, axis=0)])
+    late = np.vstack([np.repeat(wanted[:1], 100, axis=0), wanted[:-100]])
+    found = measure(run_of(late * (1.0 + 30e-6 / 0.02), wanted))
+    assert found.metrics.contour_error.rms == pytest.approx(30e-6, rel=2e-3)
+    assert found.metrics.contour_error.max == pytest.approx(30e-6, rel=1e-2)
+    assert found.metrics.tracking_error[0].rms > 1e-3
+
+
+def test_the_path_of_samples_leaves_out_what_lies_on_a_line() -> None:
+    line = np.column_stack([np.linspace(0.0, 0.1, 5000), np.zeros(5000)])
+    path, along = path_of_samples(np.vstack([line[:1]] * 300 + [line, [[0.1, 0.02]]]))
+    assert len(path.curves) == 2
+    assert along[299] == 0.0 and along[300 + 2500] == pytest.approx(line[2500, 0]) and along[-1] == pytest.approx(0.12)
+
+
+def test_a_slow_arc_is_no_chord() -> None:
+    """Each of many close samples on an arc is on a line with its neighbours; together they are not."""
+    angle = np.linspace(0.0, np.pi, 200_001)
+    path, along = path_of_samples(0.02 * np.column_stack([np.cos(angle), np.sin(angle)]))
+    assert path.length == pytest.approx(0.02 * np.pi, rel=1e-6)
+    assert len(path.curves) < 2500
+    assert np.abs(np.linalg.norm(path.position(along), axis=1) - 0.02).max() < 11e-9
+    there_and_back = np.concatenate([np.linspace(0.0, 0.01, 1000), np.linspace(0.01, 0.002, 1000)])
+    assert path_of_samples(np.column_stack([there_and_back, 0.0 * there_and_back]))[0].length == pytest.approx(0.018)
+
+
+PART = "G21 G90 G17 G64\nG1 X0 Y0 F1000\nX20\nG3 X20 Y20 I0 J10\nG1 X0\nM2\n"
+
+
+def test_a_part_program_as_the_reference(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """A tool 15 um to the left of the program's path, at its own pace, resting on the way."""
+    angle = np.linspace(-np.pi / 2.0, np.pi / 2.0, 900)[1:-1]
+    arc = np.column_stack([0.02 + (0.01 - 15e-6) * np.cos(angle), 0.01 + (0.01 - 15e-6) * np.sin(angle)])
+    there = np.column_stack([np.linspace(0.0, 0.02, 700), np.full(700, 15e-6)])
+    back = np.column_stack([np.linspace(0.02, 0.0, 300), np.full(300, 0.02 - 15e-6)])
+    tool = np.vstack([np.repeat(there[:1], 50, axis=0), there, arc, np.repeat(arc[-1:], 80, axis=0), back]) * 1e3
+    log = tmp_path / "log.csv"
+    log.write_text("x pos [mm];y pos [mm]\n" + "\n".join(f"{x:.9f};{y:.9f}" for x, y in tool))
+    (tmp_path / "part.ngc").write_text(PART)
+    words = ["measure", str(log), "--period", "1 ms", "--reference", str(tmp_path / "part.ngc"), "--out", str(tmp_path / "out"), "--json"]
+    assert main(words) == 0
+    metrics = json.loads(capsys.readouterr().out)["schemes"]["log"]["metrics"]
+    assert metrics["contour_error"]["rms"] == pytest.approx(15e-6, rel=1e-2)
+    assert metrics["contour_error"]["max"] == pytest.approx(15e-6, rel=2e-2)
+    assert metrics["tracking_error"][0]["rms"] is None
+    assert main([*words[:-1], "--tolerance", "20 um"]) == 0
+    assert "PASS, largest contour error 15" in capsys.readouterr().out
+    assert main([*words[:-1], "--tolerance", "10 um"]) == 1
+
+
+@pytest.mark.parametrize(
+    ("content", "words", "said"),
+    [
+        ("x pos [mm]\n1\n2\n3\n", ["--period", "1 ms"], "no reference in log"),
+        ("x pos [mm],x ref [mm]\n1,1\n2,1\n3,1\n", ["--period", "1 ms"], "nothing is asked to move"),
+        ("x pos [mm],x ref [mm]\n1,1\n2,2\n3,3\n", [], "says no sample times"),
+        ("x pos [mm],x ref [mm]\n1,1\n2,2\n3,3\n", ["--period", "1"], "--period"),
+        ("x pos [mm],x ref [mm]\n1,1\n2,2\n3,3\n", ["--period", "1 ms", "--axes", "q"], "no axis q"),
+        ("x pos [mm],x ref [mm]\n1,1\n2,2\n3,3\n", ["--period", "1 ms", "--tolerance", "3 s"], "--tolerance"),
+        ("x pos [mm],x ref [mm]\n1,1\n2,2\n3,3\n", ["--period", "1 ms", "--plots", "gif"], "--plots"),
+        ("x pos [mm],x ref [mm]\n1,1\n2,2\n3,3\n", ["--period", "1 ms", "--reference", "none.ngc"], "none.ngc"),
+        ("t,x pos [mm],x ref [mm]\n0,1,1\n1,2,2\n0.5,3,3\n", [], "time goes back"),
+    ],
+)
+def test_what_is_wrong_is_said_and_nothing_is_written(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str], content: str, words: list[str], said: str
+) -> None:
+    log = tmp_path / "log.csv"
+    log.write_text(content)
+    assert main(["measure", str(log), "--out", str(tmp_path / "out"), *words]) == 2
+    assert said in capsys.readouterr().err
+    assert not (tmp_path / "out").exists()
+
+
+def test_a_simulated_run_goes_through_the_same_door(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """What `run` wrote and `measure` reads has the contour error that `run` told."""
+    kept = ["--signals", "reference", "--signals", "tool_position"]
+    assert main(["run", "builtin:demo-part", "--out", str(tmp_path / "run"), "--json", *kept]) in (0, 1)
+    told = json.loads(capsys.readouterr().out)["schemes"]["with disturbance observer"]
+    log = load_log(tmp_path / "run" / "signals" / "with-disturbance-observer.nc")
+    assert log.result.servo_period == told["servo_period"]
+    found = measure(log.result)
+    assert found.metrics.contour_error.max == pytest.approx(told["metrics"]["contour_error"]["max"], rel=1e-3)
+    assert found.metrics.contour_error.rms == pytest.approx(told["metrics"]["contour_error"]["rms"], rel=1e-2)
+
+
+def test_two_measured_runs_side_by_side(shared: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    folder = shared / "data" / "ubc-xy-table"
+    logs = [str(folder / f"line_circle_{name}.mat") for name in ("lli", "pp")]
+    assert main(["compare", *logs, "--out", str(tmp_path / "both"), "--json"]) == 0
+    found = json.loads(capsys.readouterr().out)["schemes"]
+    assert [run["metrics"]["contour_error"]["rms"] for run in found.values()] == pytest.approx([84.7e-6, 48.3e-6], rel=0.01)
+    assert main(["compare", *logs, "--out", str(tmp_path / "both")]) == 0
+    said = capsys.readouterr().out
+    assert "-43 %" in said and "another path" not in said
+    assert main(["measure", logs[0], "--out", str(tmp_path / "one")]) == 0
+    assert main(["compare", str(tmp_path / "one"), logs[1], "--out", str(tmp_path / "again")]) == 0
+    assert "-43 %" in capsys.readouterr().out
+
+
+def test_runs_that_cannot_be_compared(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    first, second = tmp_path / "a.csv", tmp_path / "b.csv"
+    first.write_text("time [s],x pos [mm],x ref [mm]\n0,0,0\n1,1,1\n2,2,2\n")
+    second.write_text("time [s],y pos [mm],y ref [mm]\n0,0,0\n1,1,1\n2,2,2\n")
+    out = ["--out", str(tmp_path / "out")]
+    for words, said in (
+        ([str(first), str(second)], "has the axes y, a has x"),
+        ([str(first), str(first)], "is given twice"),
+        ([str(first), str(tmp_path)], "is a folder with 0 runs"),
+        ([str(first), str(second), "--trials", "3"], "--trials"),
+    ):
+        assert main(["compare", *words, *out]) == 2
+        assert said in capsys.readouterr().err
+    assert not (tmp_path / "out").exists()

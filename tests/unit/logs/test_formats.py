@@ -1,0 +1,276 @@
+"""Readers of logs: each on text or bytes as its program writes them, and told from one another."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import h5py
+import numpy as np
+import pytest
+from scipy.io import savemat
+
+from contourlab.errors import LogError, ParameterError
+from contourlab.logs import FORMATS, format_of, read_record
+from contourlab.result import Result, Signal
+
+HALSAMPLER = "10 0.000000 1.500000 1 \n11 0.001000 1.501000 0 \noverrun\n14 0.004000 1.504000 1 \n"
+HALSCOPE = "# Sampling period is 1000000 ns\njoint.0.pos-cmd;joint.0.pos-fb\n# Position: 0.5;0.5\n# Scale: -3;-3\n+0.1;+0.09\n+0.2;+0.19\n"
+OLD_HALSCOPE = "Sampling period is 50000 nSec \n\nCHAN1 +1.25000000000000 b.out -2.00000000000000 \nCHAN1 +1.5 b.out -2.5 \n"
+SINUMERIK = """<?xml version="1.0" encoding="UTF-8"?>
+<traceDataRoot><traceData><dataFrame>
+  <frameHeader startTime="0" stopInc="3"/>
+  <dataSignal id="a" name="/Nck/!SD/nckServoDataActPos1stEnc64[u1,1]" description="X actual" units="mm" interval="0.002"/>
+  <dataSignal name="/Nck/set" description="X setpoint"/>
+  <rec time="0" a="1.5" f2="1.6"/>
+  <rec time="0.002" a="1.7"/>
+  <rec time="0.004" a="9218868437227405312" f2="2.0"/>
+</dataFrame></traceData></traceDataRoot>
+"""
+
+
+def twincat(mark: str = "\t", comma: bool = False, timelines: str = "each", stamp: float = 0.0) -> str:
+    """Return an export of two channels every millisecond and one every 5 ms, as the scope lays them out."""
+    fast, slow = ["pos", "cmd"], ["load"]
+    groups = {"each": [fast, slow], "all": [["pos"], ["cmd"], slow], "none": [fast, slow]}[timelines]
+    heads = {
+        "Name": {"pos": "pos", "cmd": "cmd", "load": "load"},
+        "SampleTime[ms]": {"pos": "1", "cmd": "1", "load": "5"},
+        "ScaleFactor": {"pos": "1", "cmd": "-10", "load": "1"},
+        "Unit": {"pos": "mm (Length)", "cmd": "(None)", "load": "(None)"},
+        "Unit Offset": {"pos": "0", "cmd": "0", "load": "0"},
+    }
+    lines = [
+        mark.join(["Name", "scope"]),
+        mark.join(["File", "scope.csv"]),
+        mark.join(["Starttime of export", "1"]),
+        mark.join(["End", "2"]),
+    ]
+    lines += ["", ""]
+    lines += [mark.join(cell for group in groups for cell in (key, *(table[name] for name in group))) for key, table in heads.items()]
+    lines.append("")
+    for k in range(10):
+        cells = []
+        for group in groups:
+            every = 5 if group == slow else 1
+            there = k % every == 0 if timelines == "none" else k < 10 // every
+            time = stamp + 1e4 * k * every if stamp else float(k * every)
+            cells += [] if timelines == "none" else [f"{time:g}" if not stamp and there else f"{time:.0f}" if there else " "]
+            cells += [f"{(k * every if timelines != 'none' else k) + 0.5}" if there else " " for _ in group]
+        lines.append(mark.join(cell.replace(".", ",") if comma else cell for cell in cells))
+    return "\n".join([*lines, "EOF", ""])
+
+
+def written(folder: Path, name: str, text: str, encoding: str = "utf-8") -> Path:
+    file = folder / name
+    file.write_bytes(text.encode(encoding))
+    return file
+
+
+@pytest.mark.parametrize(
+    ("name", "text", "kind"),
+    [
+        ("a.txt", HALSAMPLER, "halsampler"),
+        ("a.csv", HALSCOPE, "halscope"),
+        ("a.log", OLD_HALSCOPE, "halscope"),
+        ("a.xml", SINUMERIK, "sinumerik"),
+        ("a.csv", twincat(), "twincat"),
+        ("a.csv", "t,x\n0,1\n", "csv"),
+        ("a.txt", "0 1\n0.1 2\n", "csv"),
+        ("a.txt", "% made by hand\n 1 2 3 \n", "csv"),
+    ],
+)
+def test_a_file_is_told_by_what_stands_in_it(tmp_path: Path, name: str, text: str, kind: str) -> None:
+    assert format_of(written(tmp_path, name, text)).name == kind
+
+
+def test_halsampler(tmp_path: Path) -> None:
+    record = read_record(written(tmp_path, "a.txt", HALSAMPLER))
+    assert record.names == ["sample", "1", "2", "3"]
+    assert record.channel("sample").values.tolist() == [10.0, 11.0, 14.0]
+    assert record.channel("2").values.tolist() == [1.5, 1.501, 1.504]
+    assert "1 overruns" in record.notes[0]
+    with pytest.raises(LogError, match=r"a\.txt:2: samples were lost here"):
+        read_record(written(tmp_path, "a.txt", "0.1 0.2 \noverrun\n0.4 0.1 \n"))
+
+
+def test_halscope_in_both_forms(tmp_path: Path) -> None:
+    record = read_record(written(tmp_path, "a.csv", HALSCOPE))
+    assert record.period == 1e-3
+    assert record.channel("joint.0.pos-fb").values.tolist() == [0.09, 0.19]
+    old = read_record(written(tmp_path, "a.log", OLD_HALSCOPE))
+    assert old.period == pytest.approx(50e-6)
+    assert [c.values.tolist() for c in old.channels] == [[1.25, 1.5], [-2.0, -2.5]]
+    assert old.names == ["CHAN1", "b.out"]
+    with pytest.raises(LogError, match=r"a\.log:5: is not a line of CHAN1, b\.out"):
+        read_record(written(tmp_path, "a.log", OLD_HALSCOPE + "CHAN1 +1.0 c.out -2.0\n"))
+    with pytest.raises(LogError, match="0 ns"):
+        read_record(written(tmp_path, "a.csv", HALSCOPE.replace("1000000", "0")))
+
+
+@pytest.mark.parametrize("mark", ["\t", ";", ":", ","])
+@pytest.mark.parametrize("timelines", ["each", "all", "none"])
+def test_twincat(tmp_path: Path, mark: str, timelines: str) -> None:
+    record = read_record(written(tmp_path, "a.csv", twincat(mark, mark in "\t;" and timelines != "none", timelines), "utf-8-sig"))
+    assert record.names == ["pos", "cmd", "load"]
+    assert record.channel("pos").unit == "mm"
+    for name, every in (("pos", 1), ("cmd", 1), ("load", 5)):
+        channel = record.channel(name)
+        count = 10 // every
+        assert channel.time is not None
+        assert channel.time == pytest.approx(np.arange(count) * every * 1e-3)
+        assert channel.values == pytest.approx(np.arange(count) * every + 0.5)
+    assert record.notes == ("scaled by the scope, as its export is set by default: cmd",)
+
+
+def test_twincat_with_full_time_stamps(tmp_path: Path) -> None:
+    """File times count 100 ns since 1601: only what lies between them matters."""
+    time = read_record(written(tmp_path, "a.csv", twincat(stamp=132959733843760000.0))).channel("load").time
+    assert time is not None
+    assert time == pytest.approx([0.0, 5e-3], abs=2e-6)
+
+
+def test_sinumerik(tmp_path: Path) -> None:
+    record = read_record(written(tmp_path, "a.xml", SINUMERIK))
+    actual, setpoint = record.channel("X actual"), record.channel("X setpoint")
+    assert actual.unit == "mm"
+    assert actual.time is not None and setpoint.time is not None
+    assert actual.time.tolist() == [0.0, 0.002] and actual.values.tolist() == [1.5, 1.7]  # the third is the bits of no number
+    assert setpoint.time.tolist() == [0.0, 0.004] and setpoint.values.tolist() == [1.6, 2.0]
+    with pytest.raises(LogError, match=r"a\.xml:\d+: is no complete XML"):
+        read_record(written(tmp_path, "a.xml", SINUMERIK[:-30]))
+    with pytest.raises(LogError, match="what is no number"):
+        read_record(written(tmp_path, "a.xml", SINUMERIK.replace('f2="1.6"', 'f2="high"')))
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "t [s],x pos [mm]\n0,1.5\n0.001,2.5\n",
+        "# from the bench\nt [s];x pos [mm]\n0;1,5\n0,001;2,5\n",
+        "t;x pos\n[s];[mm]\n0;1,5\n0,001;2,5\n",
+        '"t [s]"\t"x pos [mm]"\t\n0\t1.5\t\n0.001\t2.5\t\n',
+        "t [s]  x pos [mm]\n0 1.5\n1e-3 2.5\n".replace("x pos", "x_pos"),
+        "\r\nt (s),x pos (mm)\r\n0,1.5\r\n0.001,2.5\r\n",
+    ],
+)
+def test_tables_of_numbers(tmp_path: Path, text: str) -> None:
+    record = read_record(written(tmp_path, "a.csv", text))
+    first, second = record.channels
+    assert (first.name, first.unit, second.name.replace("_", " "), second.unit) == ("t", "s", "x pos", "mm")
+    assert first.values.tolist() == [0.0, 0.001]
+    assert second.values.tolist() == [1.5, 2.5]
+
+
+def test_a_table_may_have_gaps_and_no_names(tmp_path: Path) -> None:
+    record = read_record(written(tmp_path, "a.csv", "1,,3\n4,NaN,6\n7,8,9\n"))
+    assert record.names == ["1", "2", "3"]
+    assert np.isnan(record.channel("2").values[:2]).all() and record.channel("2").values[2] == 8.0
+
+
+@pytest.mark.parametrize(
+    ("text", "said"),
+    [
+        ("t,x\n0,1\n1,2,3\n", "a.csv:3: has 3 columns where 2 are wanted"),
+        ("t,x\n0,1\n1,two\n", "a.csv:3: 'two' in column 2 is no number"),
+        ("t,x\nname,of\n", "looks like none of the formats"),
+        ("   \n", "is empty"),
+    ],
+)
+def test_a_faulty_table_is_refused_with_its_line(tmp_path: Path, text: str, said: str) -> None:
+    with pytest.raises(LogError, match=said):
+        read_record(written(tmp_path, "a.csv", text))
+
+
+def test_matlab_flat_and_in_structures(tmp_path: Path) -> None:
+    t = np.arange(5.0)
+    savemat(tmp_path / "a.mat", {"t": t[:, None], "gain": 35.0, "out": {"x [mm]": t * 2.0}, "both": np.column_stack([t, -t]), "who": "me"})
+    record = read_record(tmp_path / "a.mat")
+    assert sorted(record.names) == ["both.1", "both.2", "out.x", "t"]
+    assert record.channel("out.x").unit == "mm"
+    assert record.constants == {"gain": 35.0}
+    assert record.channel("both.2").values.tolist() == (-t).tolist()
+
+
+def test_matlab_of_version_7_3(tmp_path: Path) -> None:
+    """Stored columns first, behind MATLAB's own text; a structure is a group, an array of them a group of references."""
+    file = tmp_path / "a.mat"
+    t = np.arange(4.0)
+    with h5py.File(file, "w", userblock_size=512) as stored:
+        stored["t"] = t[None, :]
+        stored["t"].attrs["MATLAB_class"] = np.bytes_("double")
+        group = stored.create_group("out")
+        group["x"] = 2.0 * t[None, :]
+        text = group.create_dataset("name", data=np.array([[ord(c)] for c in "run"], dtype=np.uint16))
+        text.attrs["MATLAB_class"] = np.bytes_("char")
+    head = b"MATLAB 7.3 MAT-file, Platform: GLNXA64".ljust(128)
+    with file.open("r+b") as stream:
+        stream.write(head)
+    record = read_record(file)
+    assert sorted(record.names) == ["out.x", "t"]
+    assert record.channel("out.x").values.tolist() == (2.0 * t).tolist()
+
+
+def test_a_capture_names_its_channels(tmp_path: Path) -> None:
+    t = np.arange(6.0) * 1e-4
+    rows = np.array(
+        [(f'"Model Root"/"Encoder {n}"/"{n} [mm]"', t * k) for k, n in enumerate("xy", 1)], dtype=[("Name", "O"), ("Data", "O")]
+    )
+    savemat(tmp_path / "a.mat", {"run": {"X": {"Data": t}, "Y": rows, "Capture": {"SamplingPeriod": 1e-4}}})
+    record = read_record(tmp_path / "a.mat")
+    assert record.names == ["Encoder x/x", "Encoder y/y"]
+    assert record.period == 1e-4
+    assert record.channels[1].unit == "mm" and record.channels[1].time is not None
+    assert record.channels[1].values == pytest.approx(2.0 * t)
+
+
+def test_parquet(tmp_path: Path) -> None:
+    arrow = pytest.importorskip("pyarrow")
+    from pyarrow import parquet
+
+    fields = [
+        arrow.field("when", arrow.timestamp("ms")),
+        arrow.field("x [mm]", arrow.float64()),
+        arrow.field("n", arrow.int32(), metadata={b"unit": b"A"}),
+        arrow.field("who", arrow.string()),
+    ]
+    table = arrow.table([[1000, 1001, 1002], [0.5, None, 1.5], [1, 2, 3], ["a", "b", "c"]], schema=arrow.schema(fields))
+    parquet.write_table(table, tmp_path / "a.parquet")
+    record = read_record(tmp_path / "a.parquet")
+    assert record.names == ["when", "x", "n"]
+    assert record.channel("when").values == pytest.approx([0.0, 1e-3, 2e-3]) and record.channel("when").unit == "s"
+    assert np.isnan(record.channel("x").values[1]) and record.channel("x").unit == "mm"
+    assert record.channel("n").unit == "A"
+    assert "who" in record.notes[0]
+    (tmp_path / "a.parquet").write_bytes(b"PAR1 and nothing else")
+    with pytest.raises(LogError, match="cannot be read as Parquet"):
+        read_record(tmp_path / "a.parquet")
+
+
+def test_a_result_of_our_own(tmp_path: Path) -> None:
+    data = np.arange(6.0).reshape(3, 2)
+    result = Result(
+        "base", ("x", "y"), 1e-3, {"position": Signal(data, ("sample", "axis"), "m"), "arc_length": Signal(data[:, 0], ("sample",), "m")}
+    )
+    result.save(tmp_path / "a.nc")
+    record = read_record(tmp_path / "a.nc")
+    assert record.names == ["position.x", "position.y", "arc_length"]
+    assert record.channel("position.y").values.tolist() == data[:, 1].tolist()
+
+
+@pytest.mark.parametrize("kind", [name for name in FORMATS if name != "contourlab"])
+def test_rubbish_is_refused_by_every_reader(tmp_path: Path, kind: str) -> None:
+    file = tmp_path / "a.bin"
+    for content in (b"\x00\x01\x02\x03" * 200, b"hello\nworld\n", b"MATLAB 5.0 MAT-file" + b"\xff" * 200, b"<trace><rec/>"):
+        file.write_bytes(content)
+        with pytest.raises(LogError):
+            read_record(file, kind)
+
+
+def test_a_format_that_is_none(tmp_path: Path) -> None:
+    file = written(tmp_path, "a.csv", "t,x\n0,1\n")
+    with pytest.raises(ParameterError, match="one of contourlab, matlab"):
+        read_record(file, "excel")
+    with pytest.raises(LogError, match="is a folder"):
+        read_record(tmp_path)
+    with pytest.raises(LogError, match="cannot be read"):
+        read_record(tmp_path / "none.csv")

@@ -1,0 +1,197 @@
+"""From a log to a result: which column is what, in which unit, and on which clock."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from contourlab.errors import LogError, ParameterError
+from contourlab.logs import Channel, Columns, Record, load_log, parse_columns, read_columns, result_of
+from contourlab.logs.clock import look_at_clock
+from contourlab.logs.mapping import guessed
+
+FILE = Path("bench.csv")
+
+
+def record(*channels: Channel, period: float | None = None) -> Record:
+    return Record(FILE, "csv", channels, period)
+
+
+def table(tmp_path: Path, heads: str, rows: np.ndarray) -> Path:
+    file = tmp_path / "a.csv"
+    file.write_text("\n".join([heads, *(",".join(f"{v:.12g}" for v in row) for row in rows)]) + "\n")
+    return file
+
+
+def test_columns_become_signals_in_si(tmp_path: Path) -> None:
+    t = np.arange(5) * 1e-3
+    file = table(tmp_path, "t [ms],enc [mm],cmd [V]", np.column_stack([t * 1e3, t * 20.0, t]))
+    log = load_log(file, columns=parse_columns(["position.x=enc", "command.x=-cmd"]))
+    assert log.result.servo_period == 1e-3
+    assert log.result["position"][:, 0] == pytest.approx(t * 0.02, abs=1e-18)
+    assert log.result["command"][:, 0] == pytest.approx(-t) and log.result.signals["command"].unit == "V"
+    assert log.notes == ()
+
+
+@pytest.mark.parametrize(
+    ("name", "meaning"),
+    [
+        ("Encoder Feedback X/x", ("position", "x")),
+        ("Feed Reference DataY/RefCommand", ("reference", "y")),
+        ("joint.0.motor-pos-cmd", ("reference", "x")),
+        ("joint.2.motor-pos-fb", ("position", "z")),
+        ("axis.1.vel-cmd", ("reference_velocity", "y")),
+        ("X actual position", ("position", "x")),
+        ("position.b", ("position", "b")),
+        ("Zeit", ("time", "")),
+        ("excitation", None),
+        ("spindle speed", None),
+        ("x", None),
+    ],
+)
+def test_names_that_leave_no_doubt(name: str, meaning: tuple[str, str] | None) -> None:
+    found = guessed(record(Channel(name, np.arange(3.0))))
+    assert [(c.signal, c.axis) for c in found] == ([meaning] if meaning else [])
+
+
+def test_of_two_columns_that_would_be_one_signal_neither_is_taken() -> None:
+    assert guessed(record(Channel("x pos", np.arange(3.0)), Channel("x encoder", np.arange(3.0)))) == ()
+
+
+def test_what_the_user_says_goes_first() -> None:
+    channels = Channel("x pos", np.arange(3.0), "mm"), Channel("raw", 2.0 * np.arange(3.0), "mm")
+    log = result_of(record(*channels, period=1e-3), Columns(parse_columns(["position.x=raw"])))
+    assert log.result["position"][:, 0] == pytest.approx(2e-3 * np.arange(3.0))
+
+
+@pytest.mark.parametrize(
+    ("texts", "said"),
+    [
+        (["position.x"], "write for example position.x=NAME"),
+        (["place.x=a"], "'place.x' is no signal"),
+        (["position=a"], "of which axis"),
+        (["time.x=a"], "time has no axis"),
+        (["position.x=a [kg]"], "kg is no unit of position"),
+        (["position.x=a [beans]"], "unknown unit"),
+        (["position.x=a", "position.x=b"], "position.x is given twice"),
+    ],
+)
+def test_what_is_no_column_is_refused(texts: list[str], said: str) -> None:
+    with pytest.raises(LogError, match=said):
+        parse_columns(texts)
+
+
+def test_a_file_of_columns(tmp_path: Path) -> None:
+    file = tmp_path / "map.toml"
+    text = 'period = "0.5 ms"\n[columns]\n"position.x" = "enc [mm]"\n"command.x" = {column = "u", unit = "N*m", factor = -2}\n'
+    file.write_text(text)
+    found = read_columns(file)
+    assert found.period == 0.5e-3
+    assert [(c.signal, c.axis, c.column, c.unit, c.factor) for c in found.columns] == [
+        ("position", "x", "enc", "mm", 1.0),
+        ("command", "x", "u", "N*m", -2.0),
+    ]
+    for line, said in [
+        ("speed = 3", "speed: unknown key"),
+        ('period = "3 mm"', "period: "),
+        ("columns = 3", "columns: must be a table"),
+        ('[columns]\n"position.x" = {colum = "a"}', "columns.position.x: write"),
+        ('[columns]\n"position.x" = {column = "a", factor = 0}', "factor = 0"),
+        ("[columns", "is no TOML"),
+    ]:
+        file.write_text(line)
+        with pytest.raises(LogError, match=said):
+            read_columns(file)
+
+
+@pytest.mark.parametrize(
+    ("channels", "columns", "said"),
+    [
+        ([Channel("a", np.arange(3.0))], [], "which column is what"),
+        ([Channel("a", np.arange(3.0))], ["position.x=b [mm]"], "has no column 'b'; there are 'a'"),
+        ([Channel("a", np.arange(3.0))], ["position.x=a"], "column 'a' says no unit"),
+        ([Channel("a", np.arange(3.0), "kg")], ["position.x=a"], "is in kg, which is no unit of position"),
+        ([Channel("a", 1e5 * np.arange(3.0), "mm")], ["position.x=a"], "reaches 2e[+]05 mm|reaches 200 m, beyond any machine"),
+        ([Channel("a", np.full(3, np.nan), "mm")], ["position.x=a"], "holds no numbers"),
+    ],
+)
+def test_what_cannot_be_right_is_refused(channels: list[Channel], columns: list[str], said: str) -> None:
+    with pytest.raises(LogError, match=said):
+        result_of(record(*channels, period=1e-3), Columns(parse_columns(columns)))
+
+
+def test_without_times_the_period_is_wanted() -> None:
+    channel = Channel("a", np.arange(4.0), "mm")
+    with pytest.raises(LogError, match="says no sample times"):
+        result_of(record(channel), Columns(parse_columns(["position.x=a"])))
+    log = result_of(record(channel), Columns(parse_columns(["position.x=a"]), 2e-3))
+    assert log.result.servo_period == 2e-3
+    with pytest.raises(ParameterError, match="period"):
+        load_log(FILE, period=-1.0)
+
+
+def look(time: np.ndarray, period: float | None = None) -> list[str]:
+    return look_at_clock(time, "a", FILE, period)[0].lines()
+
+
+def test_an_even_clock_has_nothing_to_say() -> None:
+    time = np.arange(1000) * 1e-4
+    assert look(np.round(time, 7)) == []
+    assert look_at_clock(np.float32(time).astype(float), "a", FILE)[0].period == 1e-4
+
+
+def test_gaps_are_counted_where_they_are() -> None:
+    time = np.delete(np.arange(200) * 1e-3, [50, 51, 52, 120])
+    report, _ = look_at_clock(time, "a", FILE)
+    assert [(round(gap.time, 6), gap.missing) for gap in report.gaps] == [(0.049, 3), (0.119, 1)]
+    assert report.period == pytest.approx(1e-3)
+    assert "4 of 200 samples are missing, in 2 gaps; the longest of 3 at t = 0.049 s" in report.lines()[0]
+
+
+@pytest.mark.parametrize(
+    ("time", "said"),
+    [
+        (np.array([0.0, 1.0, 0.5, 2.0]), "goes back from 1 s to 0.5 s at sample 2"),
+        (np.array([0.0, 1.0, np.nan, 2.0]), "not finite at sample 2"),
+        (np.zeros(5), "holds 1 samples of 'a' at different times"),
+        (np.cumsum(np.append(np.full(30, 1e-3), np.full(20, 7e-3))), "are missing at a period of"),
+    ],
+)
+def test_times_that_are_none(time: np.ndarray, said: str) -> None:
+    with pytest.raises(LogError, match=said):
+        look(time)
+
+
+@given(st.floats(1e-5, 1e-1), st.floats(0.0, 0.2), st.integers(0, 2**31))
+def test_jitter_is_what_was_put_in(period: float, size: float, seed: int) -> None:
+    off = size * period * np.random.default_rng(seed).uniform(-1.0, 1.0, 400)
+    report, _ = look_at_clock(np.arange(400) * period + off, "a", FILE)
+    assert report.period == pytest.approx(period, rel=2.0 * size / 399.0 + 1e-6)
+    assert report.jitter_rms == pytest.approx(off.std(), abs=0.02 * size * period + 1e-4 * period)
+    assert not report.gaps
+
+
+def test_channels_of_unlike_rates_meet_on_the_fastest_clock() -> None:
+    """A line is its own interpolation; nothing is invented where one of the two has no samples."""
+    fast, slow = np.arange(2, 40) * 1e-3, np.arange(0, 8) * 5e-3
+    channels = Channel("a", fast * 3.0, "m", fast), Channel("b", slow * 2.0, "m", slow)
+    log = result_of(record(*channels), Columns(parse_columns(["position.x=a", "position.y=b"])))
+    time = 2e-3 + log.result.time
+    assert log.result.n_sample == 34
+    assert log.result["position"] == pytest.approx(np.column_stack([time * 3.0, time * 2.0]))
+    assert "interpolated" in " ".join(log.notes)
+
+
+def test_even_samples_are_taken_as_they_are() -> None:
+    """No interpolation: noise stays what it is to the last bit."""
+    noise = np.random.default_rng(1).standard_normal(500)
+    time = np.round(np.arange(500) * 1e-4, 9) + 3.0
+    log = result_of(
+        record(Channel("a", noise, "m", time), Channel("b", noise[5:], "m", time[5:])),
+        Columns(parse_columns(["position.x=a", "position.y=b"])),
+    )
+    assert np.array_equal(log.result["position"][:, 0], noise[5:]) and np.array_equal(log.result["position"][:, 1], noise[5:])
