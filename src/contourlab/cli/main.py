@@ -21,6 +21,7 @@ from contourlab.cli.commands.check import check
 from contourlab.cli.commands.compare import compare
 from contourlab.cli.commands.components import components
 from contourlab.cli.commands.demo import demo
+from contourlab.cli.commands.identify import identify
 from contourlab.cli.commands.interpolate import interpolate
 from contourlab.cli.commands.learn import learn
 from contourlab.cli.commands.measure import measure
@@ -48,6 +49,7 @@ app.command("learn")(learn)
 app.command("analyse")(analyse)
 app.command("backlash")(backlash)
 app.command("measure")(measure)
+app.command("identify")(identify)
 app.command("check")(check)
 app.command("canon")(canon)
 app.command("interpolate")(interpolate)

@@ -1,0 +1,97 @@
+"""``contourlab identify`` as typed: from a log to an axis file that a machine can be made of."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from contourlab.cli.main import main
+from contourlab.scenario.load import load_axis
+
+MASS, VISCOUS, COULOMB, OFFSET = 40.0, 150.0, 12.0, -3.0
+
+
+def written(folder: Path, seed: int = 0, sign: float = 1.0, seconds: float = 8.0) -> Path:
+    """Write the log of an axis of known mass and friction that goes to and fro, with an encoder of 0.1 um and 0.5 N of noise."""
+    time = np.arange(0.0, seconds, 1e-3)
+    place = 0.02 * np.sin(2.0 * np.pi * 0.7 * time) + 0.006 * np.sin(2.0 * np.pi * 2.9 * time + 1.0)
+    speed = 0.02 * 2.0 * np.pi * 0.7 * np.cos(2.0 * np.pi * 0.7 * time) + 0.006 * 2.0 * np.pi * 2.9 * np.cos(2.0 * np.pi * 2.9 * time + 1.0)
+    gain = np.gradient(speed, time)
+    force = MASS * gain + VISCOUS * speed + COULOMB * np.sign(speed) + OFFSET + 0.5 * np.random.default_rng(seed).standard_normal(time.size)
+    file = folder / f"log-{seed}.csv"
+    rows = np.column_stack([time, np.round(place / 1e-7) * 1e-4, sign * force])
+    file.write_text("time [s],x pos [mm],push [N]\n" + "\n".join(f"{t:.3f},{p:.4f},{f:.6f}" for t, p, f in rows))
+    return file
+
+
+def test_known_figures_are_found_and_make_an_axis(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    words = ["identify", str(written(tmp_path)), "--column", "force.x=push", "--validation", str(written(tmp_path, 1))]
+    out = tmp_path / "axis.toml"
+    assert main([*words, "--out", str(out), "--json"]) == 0
+    found = json.loads(capsys.readouterr().out)
+    for name, true in (("M", MASS), ("Fv", VISCOUS), ("Fc", COULOMB), ("offset", OFFSET)):
+        figure = found["parameters"][name]
+        assert figure["value"] == pytest.approx(true, abs=4.0 * figure["robust_deviation"] + 0.01 * abs(true))
+    assert found["validation"]["fit_percent"] == pytest.approx(found["fit_percent"], abs=1.0) and found["fit_percent"] > 95.0
+    axis = load_axis(out)
+    assert axis.plant.values()["mass"] == pytest.approx(found["parameters"]["M"]["value"], rel=1e-5)
+    assert axis.friction.values()["coulomb"] == pytest.approx(found["parameters"]["Fc"]["value"], rel=1e-5)
+    assert axis.disturbance is not None
+    assert axis.disturbance.values()["force"] == pytest.approx(-found["parameters"]["offset"]["value"], rel=1e-5)
+    assert axis.sensor.values()["resolution"] == pytest.approx(1e-7)
+    assert "one standard deviation" in out.read_text() and "log-0.csv" in out.read_text()
+
+
+def test_the_table_says_what_stands_against_the_figures(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    words = ["identify", str(written(tmp_path)), "--column", "command.x=push [A]", "--gain", "2 N/A", "--model", "rigid-by-direction"]
+    assert main(words) == 0
+    said = capsys.readouterr().out
+    assert "Fc+" in said and "condition number" in said and "M " in said
+
+
+def test_the_measured_axis(shared: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    log = shared / "data" / "emps" / "DATA_EMPS.mat"
+    words = [
+        "--column",
+        "position.x=qm [m]",
+        "--column",
+        "command.x=vir [V]",
+        "--gain",
+        "35.15065188 N/V",
+        "--out",
+        str(tmp_path / "axis.toml"),
+    ]
+    assert main(["identify", str(log), *words, "--json"]) == 0
+    found = json.loads(capsys.readouterr().out)["parameters"]
+    assert [found[name]["value"] for name in ("M", "Fv", "Fc", "offset")] == pytest.approx([95.11, 203.5, 20.39, -3.165], rel=2e-3)
+    assert load_axis(tmp_path / "axis.toml").plant.values()["mass"] == pytest.approx(95.1, rel=1e-3)
+
+
+@pytest.mark.parametrize(
+    ("words", "said"),
+    [
+        (["--column", "force.x=push", "--model", "bent"], "--model"),
+        (["--column", "force.x=push", "--cutoff", "2 m"], "--cutoff"),
+        (["--column", "force.x=push", "--cutoff", "700 Hz"], "Nyquist"),
+        (["--column", "force.x=push", "--decimation", "0"], "decimation"),
+        (["--column", "force.x=push", "--axis", "q"], "no axis q"),
+        (["--column", "command.x=push [V]"], "Give --gain"),
+        (["--column", "command.x=push [V]", "--gain", "three"], "--gain"),
+        (["--column", "command.x=push [V]", "--gain", "0 N/V"], "--gain"),
+        ([], "no force and no command"),
+    ],
+)
+def test_what_is_wrong_is_said(tmp_path: Path, capsys: pytest.CaptureFixture[str], words: list[str], said: str) -> None:
+    assert main(["identify", str(written(tmp_path, seconds=2.0)), *words, "--out", str(tmp_path / "axis.toml")]) == 2
+    assert said in capsys.readouterr().err
+    assert not (tmp_path / "axis.toml").exists()
+
+
+def test_a_force_counted_the_other_way_round_is_no_axis(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    log = written(tmp_path, sign=-1.0)
+    assert main(["identify", str(log), "--column", "force.x=push", "--out", str(tmp_path / "axis.toml")]) == 2
+    assert "counted the other way round" in capsys.readouterr().err
+    assert main(["identify", str(log), "--column", "force.x=-push", "--out", str(tmp_path / "axis.toml")]) == 0
