@@ -179,6 +179,11 @@ def _draw(found: AxisFit, folder: str | Path, plots: Sequence[str]) -> tuple[Pat
     charts = [
         traces_chart("force", f"Force of axis {found.axis}, {found.source}", ("time [s]", "force [N]"), force),
         traces_chart("residual", "What the model leaves of the force", ("time [s]", "force [N]"), {"residual": (fit.time, rest)}),
-        traces_chart("residual-speed", "The same over speed", ("velocity [mm/s]", "force [N]"), {"residual": (1e3 * fit.velocity, rest)}),
+        traces_chart(
+            "residual-speed",
+            "What the model leaves of the force, over speed",
+            ("velocity [mm/s]", "force [N]"),
+            {"residual": (1e3 * fit.velocity, rest)},
+        ),
     ]
     return write_charts(charts, folder, plots)
