@@ -37,7 +37,10 @@ def test_the_measured_runs_of_the_table(
     assert metrics["contour_error"]["rms"] * 1e6 == pytest.approx(rms, rel=0.01)
     assert metrics["contour_error"]["max"] * 1e6 == pytest.approx(largest, rel=0.01)
     assert [axis["rms"] * 1e6 for axis in metrics["tracking_error"]] == pytest.approx(tracking, rel=0.01)
-    assert found["schemes"][f"line_circle_{file}"]["servo_period"] == 1e-4
+    scheme = found["schemes"][f"line_circle_{file}"]
+    assert scheme["servo_period"] == 1e-4
+    own = {"file", "format", "columns", "clock", "notes"}
+    assert set(scheme) == {"axes", "servo_period", "n_sample", "metrics", "circles", "reversals", "reversal_figures"} | own
     assert (tmp_path / "out" / "report.html").stat().st_size > 10_000
     assert json.loads((tmp_path / "out" / "summary.json").read_text()) == found
 

@@ -45,7 +45,7 @@ def test_pulses_are_read_where_there_are_any(tmp_path: Path) -> None:
     [
         ({"vir": np.zeros(5)}, "vir has 5 samples, not 40"),
         ({"qm": np.r_[np.zeros(N - 1), np.nan]}, "qm is not finite at sample 39"),
-        ({"gtau": "35 N/V"}, "something else than numbers"),
+        ({"gtau": "35 N/V"}, "holds no gtau"),
         ({"kp": np.ones(2)}, "kp has 2 samples, not 1"),
         ({"kv": 0.0}, "kv = 0 is no gain"),
         ({"pulses_N": np.ones(3)}, "pulses_N has 3 samples"),

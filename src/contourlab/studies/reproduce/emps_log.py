@@ -76,10 +76,7 @@ def read_emps(file: str | Path) -> EmpsLog:
     absent = [name for name in (*SIGNALS, *GAINS) if name not in held]
     if absent:
         raise LogError(f"holds no {', '.join(absent)}: {WANTED}", file=file)
-    try:
-        signal = {name: np.asarray(held[name], dtype=float).ravel() for name in (*SIGNALS, *GAINS, "pulses_N") if name in held}
-    except (TypeError, ValueError) as error:
-        raise LogError(f"holds something else than numbers: {WANTED}", file=file) from error
+    signal = {name: np.asarray(held[name], dtype=float).ravel() for name in (*SIGNALS, *GAINS, "pulses_N") if name in held}
     n = signal["t"].size
     pulses = signal.pop("pulses_N", np.zeros(n))
     for name, values in (*signal.items(), ("pulses_N", pulses)):
