@@ -47,7 +47,8 @@ def read(file: Path) -> Record:
         channels, constants, period = _capture(tree)
     else:
         found = list(_leaves(tree, ""))
-        channels = [Channel(*name_and_unit(name)[:1], value, name_and_unit(name)[1]) for name, value in found if value.size >= SHORTEST]
+        columns = [(*name_and_unit(name), value) for name, value in found if value.size >= SHORTEST]
+        channels = [Channel(name, value, unit) for name, unit, value in columns]
         constants = {name: float(value[0]) for name, value in found if value.size == 1}
     if not channels:
         raise LogError("holds no columns of numbers", file=file)

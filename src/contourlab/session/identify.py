@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
@@ -11,7 +11,7 @@ from contourlab.analysis.inverse_dynamics import InverseDynamicsSettings
 from contourlab.errors import ParameterError, UnitError
 from contourlab.result import write_text_atomic
 from contourlab.scenario.toml_text import Noted, toml
-from contourlab.session.log_choice import LogChoice, open_log
+from contourlab.session.log_choice import LogChoice, open_log, positive
 from contourlab.studies.identify import AxisFit, axis_tables, identify_rigid, units_of
 from contourlab.units import from_si, split, to_si
 
@@ -73,11 +73,11 @@ def identify_log(
     """
     if model not in MODELS:
         raise ParameterError("--model", repr(model), f"one of {', '.join(MODELS)}")
-    settings = InverseDynamicsSettings(MODELS[model], cutoff=_number("--cutoff", cutoff, "Hz"), decimation=decimation)
+    settings = InverseDynamicsSettings(
+        MODELS[model], cutoff=positive("--cutoff", cutoff, "Hz", 'a frequency, such as "100 Hz"'), decimation=decimation
+    )
     log = open_log(choice)
-    second = None
-    if validation is not None:
-        second = open_log(LogChoice(validation, choice.columns, choice.mapping, choice.format, choice.period))
+    second = None if validation is None else open_log(replace(choice, file=validation))
     found = identify_rigid(log, axis, _gain(gain), settings, second)
     text = _text(found, log.notes)
     if plots:
@@ -88,15 +88,6 @@ def identify_log(
     elif out is not None:
         text += f"\n{out} is not written: the figures cannot be used as they stand"
     return Identification(found.fit.usable, _summary(found, model), text)
-
-
-def _number(option: str, text: str, unit: str) -> float:
-    try:
-        # A frequency is counted in turns here: its SI form would be in radians.
-        number, given = split(text)
-        return number if given == unit else to_si(text, unit)
-    except UnitError as error:
-        raise ParameterError(option, repr(text), f'a number with its unit, such as "100 {unit}"') from error
 
 
 def _gain(text: str | None) -> float | None:

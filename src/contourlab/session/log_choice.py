@@ -14,7 +14,7 @@ from contourlab.units import to_si
 if TYPE_CHECKING:
     from contourlab.geometry import Path as Contour
 
-__all__ = ["LogChoice", "is_program", "length_of", "open_log", "program_path", "reference_columns"]
+__all__ = ["LogChoice", "is_program", "open_log", "positive", "program_path", "reference_columns"]
 
 PROGRAMS = (".ngc", ".nc", ".gcode", ".gc", ".tap", ".cnc", ".mpf", ".txt")
 """Endings of part programs, where a reference is one and no list of columns."""
@@ -67,33 +67,34 @@ def open_log(choice: LogChoice, more: Sequence[Column] = ()) -> Log:
     columns = (*said, *more, *(c for c in written.columns if (c.signal, c.axis) not in first))
     period = written.period
     if choice.period is not None:
-        try:
-            period = to_si(choice.period, "s")
-        except UnitError as error:
-            raise ParameterError("--period", repr(choice.period), 'a time with its unit, such as "1 ms"') from error
-        if not period > 0.0:
-            raise ParameterError("--period", choice.period, "> 0")
+        period = positive("--period", choice.period, "s", 'a time with its unit, such as "1 ms"')
     record = read_record(choice.file, choice.format or written.format)
     return result_of(record, Columns(columns, period))
 
 
-def length_of(option: str, text: str | None) -> float | None:
-    """Return a length [m] > 0 that an option gives; None where it is not given.
+def positive(option: str, text: str, unit: str, wanted: str) -> float:
+    """Return what an option gives, > 0, in SI.
+
+    Parameters
+    ----------
+    option, text : str
+    unit : str
+        Of the dimension that is expected.
+    wanted : str
+        What would be right, in words.
 
     Raises
     ------
     ParameterError
-        If it is none.
+        If it is no such quantity.
     """
-    if text is None:
-        return None
     try:
-        limit = to_si(text, "m")
+        value = to_si(text, unit)
     except UnitError as error:
-        raise ParameterError(option, repr(text), 'a length with its unit, such as "25 um"') from error
-    if not limit > 0.0:
+        raise ParameterError(option, repr(text), wanted) from error
+    if not value > 0.0:
         raise ParameterError(option, text, "> 0")
-    return limit
+    return value
 
 
 def is_program(reference: str) -> bool:

@@ -10,14 +10,14 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from contourlab import __version__
-from contourlab.errors import LogError, ParameterError
+from contourlab.errors import LogError
 from contourlab.logs import Log
 from contourlab.metrics import reversal_figures
 from contourlab.metrics.circles import pairs
 from contourlab.result import write_text_atomic
 from contourlab.session.folder import staged
-from contourlab.session.log_choice import LogChoice, is_program, length_of, open_log, program_path, reference_columns
-from contourlab.session.run import RunOutcome, file_names
+from contourlab.session.log_choice import LogChoice, is_program, open_log, positive, program_path, reference_columns
+from contourlab.session.run import RunOutcome, check_plots, file_names
 from contourlab.session.summary import SCHEMA, plain
 from contourlab.studies.measure import Measured, measure
 
@@ -67,8 +67,8 @@ def measure_log(
     OutputError
         If the folder cannot be written to.
     """
-    _check_plots(plots)
-    limit = length_of("--tolerance", tolerance)
+    check_plots(plots)
+    limit = None if tolerance is None else positive("--tolerance", tolerance, "m", 'a length with its unit, such as "25 um"')
     run = _judged(choice, reference)
     return _written([run], run.log.record.file.name, out, limit, command, plots)
 
@@ -90,7 +90,7 @@ def compare_runs(
     LogError
         If one cannot be read, or they have unlike axes.
     """
-    _check_plots(plots)
+    check_plots(plots)
     opened = [_judged(LogChoice(_signals_of(Path(file))), reference) for file in files]
     names = _told_apart([Path(file) for file in files])
     runs = [_Judged(name, run.log, run.found) for name, run in zip(names, opened, strict=True)]
@@ -99,14 +99,6 @@ def compare_runs(
             axes = ", ".join(runs[0].found.result.axes)
             raise LogError(f"has the axes {', '.join(run.found.result.axes)}, {runs[0].name} has {axes}", file=run.log.record.file)
     return _written(runs, " and ".join(names), out, None, command, plots)
-
-
-def _check_plots(plots: Sequence[str]) -> None:
-    from contourlab.report.plots import FORMATS
-
-    for name in plots:
-        if name not in FORMATS:
-            raise ParameterError("--plots", repr(name), f"one of {', '.join(FORMATS)}")
 
 
 def _judged(choice: LogChoice, reference: str | None) -> _Judged:

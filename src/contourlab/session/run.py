@@ -21,7 +21,7 @@ from contourlab.studies.switch_file import switch_file
 if TYPE_CHECKING:
     from contourlab.scenario import Scenario
 
-__all__ = ["RunOutcome", "refuse_drawing", "run_scenario", "run_session"]
+__all__ = ["RunOutcome", "check_plots", "refuse_drawing", "run_scenario", "run_session"]
 
 
 @dataclass(frozen=True)
@@ -267,13 +267,29 @@ def _interrupted(outcome: Outcome) -> bool:
 def _check_choices(plots: Sequence[str], signals: Sequence[str]) -> None:
     """Refuse what cannot be written before anything is simulated."""
     from contourlab.loop.simulate import UNITS
-    from contourlab.report.plots import FORMATS
     from contourlab.scenario.motion import JUDGED
 
-    for option, names, known in (("--plots", plots, FORMATS), ("--signals", signals, (*UNITS, *JUDGED))):
-        for name in names:
-            if name not in known:
-                raise ParameterError(option, repr(name), f"one of {', '.join(known)}")
+    check_plots(plots)
+    _check_known("--signals", signals, (*UNITS, *JUDGED))
+
+
+def check_plots(plots: Sequence[str]) -> None:
+    """Refuse a format that no picture is written in.
+
+    Raises
+    ------
+    ParameterError
+        If there is one.
+    """
+    from contourlab.report.plots import FORMATS
+
+    _check_known("--plots", plots, FORMATS)
+
+
+def _check_known(option: str, names: Sequence[str], known: Sequence[str]) -> None:
+    for name in names:
+        if name not in known:
+            raise ParameterError(option, repr(name), f"one of {', '.join(known)}")
 
 
 def _write_signals(outcome: Outcome, file: Path, wanted: Sequence[str]) -> None:

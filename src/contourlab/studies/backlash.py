@@ -181,8 +181,9 @@ def backlash_study(
         return simulate(machine, machine_controller, reference, seed=seed, signals=(*SIGNALS, *extra), progress=told)
 
     loose = [axis for axis in machine.axes if isinstance(axis.plant, TwoInertia) and axis.plant.widest_gap > 0.0]
+    chains = [axis for axis in machine.axes if axis.plant.two_sided and not isinstance(axis.plant, TwoInertia)]
     if not loose:
-        others = sorted({axis.plant.kind for axis in machine.axes if axis.plant.two_sided and not isinstance(axis.plant, TwoInertia)})
+        others = sorted({axis.plant.kind for axis in chains})
         why = f": of drives with backlash this study knows two-inertia, not {', '.join(others)}" if others else ""
         raise ComponentError(f"{machine.name} has no axis with backlash{why}")
     begin(f"simulating {name} with observers of its gaps")
@@ -198,8 +199,9 @@ def backlash_study(
     for label, parts in _candidates(machine, controller, axes):
         begin(f"simulating {name} with {label}")
         trials.append(Trial(label, parts, _figures(run, _having(controller, parts), reference)))
-    chains = [axis.name for axis in machine.axes if axis.plant.two_sided and not isinstance(axis.plant, TwoInertia)]
-    left = (f"of axes {', '.join(chains)} nothing is told: this study knows two-inertia drives alone",) if chains else ()
+    left = (
+        (f"of axes {', '.join(axis.name for axis in chains)} nothing is told: this study knows two-inertia drives alone",) if chains else ()
+    )
     remarks = (*_remarks(controller, axes), *left)
     return BacklashStudy(name, tuple(axes), tuple(trials), _best(trials), remarks, _on_circles(judged, reference, machine))
 

@@ -78,10 +78,9 @@ def path_of_samples(positions: Array) -> tuple[Path, Array]:
     """
     if not np.isfinite(positions).all():
         raise ResultError(f"the reference is not finite at sample {int(np.argmin(np.isfinite(positions).all(axis=1)))}")
+    moving(positions)
     new = np.append(True, (np.diff(positions, axis=0) != 0.0).any(axis=1))
     points = positions[new]
-    if len(points) < 2:
-        raise ResultError("nothing is asked to move: the reference is the same at all samples")
     arc = np.append(0.0, np.cumsum(np.linalg.norm(np.diff(points, axis=0), axis=1)))
     kept = _corners(points)
     path = Path([Line(a, b) for a, b in zip(points[kept][:-1], points[kept][1:], strict=True)])
@@ -221,4 +220,4 @@ def _of_axes(result: Result, axes: tuple[str, ...]) -> Result:
         return result
     columns = [result.axes.index(axis) for axis in axes]
     cut = {n: replace(s, data=s.data[:, columns]) if s.data.ndim == 2 else s for n, s in result.signals.items()}
-    return Result(result.scheme, axes, result.servo_period, cut, result.status, result.attributes, result.start)
+    return replace(result, axes=axes, signals=cut)

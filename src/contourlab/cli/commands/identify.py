@@ -7,6 +7,7 @@ from typing import Annotated
 
 import typer
 
+from contourlab.cli.log_options import ColumnFile, ColumnTexts, LogFormat, SamplePeriod
 from contourlab.cli.output import emit_json, say
 from contourlab.cli.scheme_options import Json, Plots
 
@@ -20,12 +21,10 @@ def identify(
     gain: Annotated[
         str | None, typer.Option(help='Force per command, as "35 N/V", where the log has no force.', show_default=False)
     ] = None,
-    column: Annotated[
-        list[str] | None, typer.Option(help="What a column is, as position.x='NAME [mm]'; may be given again.", show_default=False)
-    ] = None,
-    columns: Annotated[Path | None, typer.Option(help="A TOML file that says what the columns are.", show_default=False)] = None,
-    format: Annotated[str | None, typer.Option(help="Format, where it is not told from the file.", show_default=False)] = None,  # noqa: A002
-    period: Annotated[str | None, typer.Option(help='Time between samples, as "1 ms", where the log has none.', show_default=False)] = None,
+    column: ColumnTexts = None,
+    columns: ColumnFile = None,
+    format: LogFormat = None,  # noqa: A002
+    period: SamplePeriod = None,
     cutoff: Annotated[str, typer.Option(help="Of the low-pass of the position: five times the loop's bandwidth is usual.")] = "100 Hz",
     decimation: Annotated[int, typer.Option(help="Every how-many-th sample makes an equation.")] = 10,
     validation: Annotated[Path | None, typer.Option(help="A second log, to see what the figures are worth.", show_default=False)] = None,

@@ -8,6 +8,7 @@ from typing import Annotated
 
 import typer
 
+from contourlab.cli.log_options import ColumnFile, ColumnTexts, LogFormat, SamplePeriod
 from contourlab.cli.output import conclude
 from contourlab.cli.scheme_options import Json, Out, Plots, listed
 
@@ -21,12 +22,10 @@ def measure(
     reference: Annotated[
         str | None, typer.Option(help="Columns of the reference with commas between, or a part program.", show_default=False)
     ] = None,
-    column: Annotated[
-        list[str] | None, typer.Option(help="What a column is, as position.x='NAME [mm]'; may be given again.", show_default=False)
-    ] = None,
-    columns: Annotated[Path | None, typer.Option(help="A TOML file that says what the columns are.", show_default=False)] = None,
-    format: Annotated[str | None, typer.Option(help="Format, where it is not told from the file.", show_default=False)] = None,  # noqa: A002
-    period: Annotated[str | None, typer.Option(help='Time between samples, as "1 ms", where the log has none.', show_default=False)] = None,
+    column: ColumnTexts = None,
+    columns: ColumnFile = None,
+    format: LogFormat = None,  # noqa: A002
+    period: SamplePeriod = None,
     axes: Annotated[str | None, typer.Option(help="Axes that make the contour, as x,y; by default all.", show_default=False)] = None,
     tolerance: Annotated[str | None, typer.Option(help='Largest contour error that passes, as "25 um".', show_default=False)] = None,
     out: Out = Path("results"),

@@ -185,14 +185,16 @@ class TwoInertia(Plant):
     def gap_at(self, position: float) -> float:
         """Return the free travel in all [m] where the load stands at `position` [m]."""
         places = self.profile_start + self.profile_step * np.arange(len(self.gap_profile))
-        whole = self.backlash_gap + self.backlash_angle * self.lead / (2.0 * math.pi)
-        return whole * float(np.interp(position, places, self.gap_profile))
+        return self._whole_gap * float(np.interp(position, places, self.gap_profile))
 
     @property
     def widest_gap(self) -> float:
         """Free travel in all [m] where it is widest."""
-        whole = self.backlash_gap + self.backlash_angle * self.lead / (2.0 * math.pi)
-        return whole * float(np.max(self.gap_profile))
+        return self._whole_gap * float(np.max(self.gap_profile))
+
+    @property
+    def _whole_gap(self) -> float:
+        return self.backlash_gap + self.backlash_angle * self.lead / (2.0 * math.pi)
 
     def at_rest(self, position: float) -> tuple[dict[str, float], dict[str, float]]:
         motor = position + 0.5 * self.start_in_gap * self.gap_at(position)
