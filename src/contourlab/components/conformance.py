@@ -125,6 +125,9 @@ def _check_declaration(kind: type[Component]) -> None:
         if not parameter.doc:
             raise _fault(kind, f"parameter {name} has no doc")
         _check_bounds(kind, name, parameter)
+    for name in (*kind.calibrated, *kind.calibrated_ahead):
+        if name not in kind.numeric():
+            raise _fault(kind, f"what is calibrated, {name}, is none of its numbers: {', '.join(kind.numeric())}")
 
 
 def _check_ports(kind: type[Component]) -> None:

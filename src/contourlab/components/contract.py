@@ -241,6 +241,10 @@ class Component:
         Parameters that may be any finite number, said on purpose.
     without_effect : tuple of str
         Parameters that act outside the step, said on purpose.
+    calibrated : tuple of str
+        Gains that are calibrated in the closed loop, innermost loop first.
+    calibrated_ahead : tuple of str
+        Numbers of its feedforward, calibrated when all loops are.
     wishes : dict of str to Parameter
         What its gains can be worked out from, by `designed`: ``gains = {...}`` in files.
     """
@@ -257,6 +261,8 @@ class Component:
     example: ClassVar[dict[str, Any]] = {}
     unbounded: ClassVar[tuple[str, ...]] = ()
     without_effect: ClassVar[tuple[str, ...]] = ()
+    calibrated: ClassVar[tuple[str, ...]] = ()
+    calibrated_ahead: ClassVar[tuple[str, ...]] = ()
     wishes: ClassVar[dict[str, Any]] = {}
     parameters: ClassVar[dict[str, Parameter]] = {}
 

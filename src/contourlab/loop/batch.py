@@ -8,7 +8,6 @@ from concurrent.futures import ThreadPoolExecutor
 from contextlib import nullcontext
 from dataclasses import dataclass, field
 from functools import partial
-from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -16,16 +15,17 @@ from numpy.typing import ArrayLike, NDArray
 from contourlab.components.contract import Component
 from contourlab.components.plant.plant import Plant
 from contourlab.engine.runner import Group, make_group
-from contourlab.engine.schedule import Late, Node
+from contourlab.engine.schedule import Node
 from contourlab.errors import ParameterError
 from contourlab.feed import Reference
 from contourlab.geometry.view import PathView, view_of
 from contourlab.loop.feeding import Feed, Learned
+from contourlab.loop.judging import counted, effort_figures, effort_node, error_figures, judge_node, sums_of
 from contourlab.loop.machine import Controller, Machine, parameter_names
 from contourlab.loop.simulate import BLOCK, jit_enabled, sampler
 from contourlab.loop.template import Loop, build
 from contourlab.loop.watch import NAME
-from contourlab.metrics.streaming import SUMS, corner_parts, judge_step
+from contourlab.metrics.streaming import SUMS
 
 __all__ = ["LANES", "BatchResult", "simulate_batch"]
 
@@ -42,7 +42,9 @@ class BatchResult:
     figures : mapping of str to ndarray (n_variant,)
         ``contour_error_rms``, ``contour_error_mean``, ``contour_error_max`` and ``contour_error_signed_mean`` [m] (the last is that of the
         magnitude on a path in space), ``contour_error_integral`` [m s], ``contour_error_max_time`` [s], ``tracking_error_rms`` and
-        ``tracking_error_max`` [m]. NaN for a variant that failed.
+        ``tracking_error_max`` [m]. With `effort`, ``command_energy`` [s], the integral of the squares of what the drives accepted, and
+        ``command_largest``, both in parts of each drive's limit (in its own command where it has none), and ``limited_share``, the part of
+        the time at which a drive did not take all it was asked for. NaN for a variant that failed.
     failed_at : ndarray (n_variant,) of int
         Sample at which the variant left its following-error limit, or gave a command that is not finite; -1 where it did neither.
     unsure : ndarray (n_variant,)
@@ -70,6 +72,7 @@ def simulate_batch(
     keep: Sequence[str] = (),
     threads: int | None = None,
     judge: bool = True,
+    effort: bool = False,
     view: PathView | None = None,
     seed: int = 0,
     jit: bool | None = None,
@@ -94,6 +97,8 @@ def simulate_batch(
         Threads over groups of 32 lanes; by default one for each processor.
     judge : bool
         Whether the contour error is worked out.
+    effort : bool
+        Whether what is asked of the drives is added up.
     view : PathView, optional
         How estimator and judge see the path.
     seed : int
@@ -130,7 +135,9 @@ def simulate_batch(
     compiled = jit_enabled() if jit is None else jit
     feed = Feed(machine, controller, reference, learned, sampler(compiled))
     first, _ = feed.block(0, min(BLOCK, reference.n_sample))
-    extra = (judge_node(machine, reference, view, window),) if judge else ()
+    extra: tuple[Node, ...] = (judge_node(machine, reference, view, window),) if judge else ()
+    if effort:
+        extra += (effort_node(machine, controller, columns, counted(reference, window)),)
     start, progress_at = first.position[0], float(first.arc_length[0])
     speed = first.velocity[0] if moving else None
     loop = build(machine, controller, reference.path, start, progress_at, columns, view, extra, seed, fed=feed.names, velocity=speed)
@@ -139,8 +146,10 @@ def simulate_batch(
     shape = (len(groups), reference.n_sample, len(rows), LANES)
     log = reuse.log if reuse is not None and reuse.log.shape == shape else np.empty(shape)
     failed = _advance_all(groups, feed, rows, log, threads or os.cpu_count() or 1, progress)[:n]
-    sums = np.concatenate([group.state_of("judge")[1:] for group in groups], axis=1)[:, :n] if judge else np.zeros((len(SUMS), n))
-    figures = _figures(sums, failed, machine.servo_period) if judge else {}
+    sums = sums_of(groups, "judge", n)[1:] if judge else np.zeros((len(SUMS), n))
+    figures = error_figures(sums, failed, machine.servo_period) if judge else {}
+    if effort:
+        figures |= effort_figures(sums_of(groups, "effort", n), failed, machine.servo_period)
     return BatchResult(figures, failed, sums[SUMS.index("unsure")], _split(log, n, keep, loop), log)
 
 
@@ -225,42 +234,10 @@ def _check_substeps(machine: Machine, columns: Mapping[str, Array]) -> None:
                 )
 
 
-def judge_node(machine: Machine, reference: Reference, view: PathView, window: tuple[int, int] | None) -> Node:
-    start, stop = window or (reference.laps[-1] if reference.laps else (0, reference.n_sample))
-    n = len(machine.axes)
-    wires: dict[str, Any] = {
-        "position": tuple(Late(f"{axis.name}.plant.position") for axis in machine.axes),
-        "reference": "in.reference",
-        "arc_length": "in.arc_length",
-    }
-    reach = min(0.25 * reference.path.length, 4.0 * max(axis.limits.following_error for axis in machine.axes))
-    corner_numbers, corner_tables = corner_parts(reference.path)
-    parameters = {"window": reach, "first": float(start), "last": float(stop - 1), **view.parameters, **corner_numbers}
-    foot = float(reference.block(0, 1).arc_length[0])
-    step = judge_step(view, n, bool(corner_numbers))
-    return Node("judge", step, wires, parameters, {**view.tables, **corner_tables}, {"foot": foot})
-
-
 def _signal(loop: Loop, name: str) -> tuple[str, ...]:
     if name not in loop.signals:
         raise ParameterError("keep", name, "one of " + ", ".join(loop.signals))
     return loop.signals[name]
-
-
-def _figures(sums: Array, failed: NDArray[np.int64], period: float) -> dict[str, Array]:
-    one = dict(zip(SUMS, sums, strict=True))
-    count = np.maximum(one["count"], 1.0)
-    figures = {
-        "contour_error_rms": np.sqrt(one["sum_square"] / count),
-        "contour_error_mean": one["sum_magnitude"] / count,
-        "contour_error_max": one["largest"],
-        "contour_error_max_time": one["largest_at"] * period,
-        "contour_error_signed_mean": one["sum_signed"] / count,
-        "contour_error_integral": one["sum_magnitude"] * period,
-        "tracking_error_rms": np.sqrt(one["sum_tracking"] / count),
-        "tracking_error_max": np.sqrt(one["largest_tracking"]),
-    }
-    return {name: np.where(failed < 0, values, np.nan) for name, values in figures.items()}
 
 
 def _split(kept: Array, n: int, keep: Sequence[str], loop: Loop) -> dict[str, Array]:

@@ -16,7 +16,7 @@ from contourlab.engine.schedule import Node, Schedule
 from contourlab.engine.step import Port
 from contourlab.feed import Reference
 from contourlab.geometry.view import PathView
-from contourlab.loop.batch import judge_node
+from contourlab.loop.judging import judge_node
 from contourlab.loop.machine import Machine
 
 __all__ = ["TrialJudge"]

@@ -54,6 +54,8 @@ class Cascade(Component):
 
     family = "controller"
     kind = "cascade"
+    calibrated: ClassVar[tuple[str, ...]] = ("velocity_gain", "integral_time", "position_gain")
+    calibrated_ahead = ("velocity_feedforward", "acceleration_feedforward")
     reference = "Pritschow, CIRP Annals 47(2), 1998"
     example = {
         "position_gain": 40.0,

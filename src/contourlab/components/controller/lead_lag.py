@@ -45,6 +45,7 @@ class LeadLag(Component):
 
     family = "controller"
     kind = "lead-lag"
+    calibrated = ("gain", "lead_time", "lag_time", "integral_rate")
     reference = "Franklin, Powell & Emami-Naeini, section 6.7"
     example = {"gain": 800.0, "lead_time": 0.02, "lag_time": 0.002, "integral_rate": 12.0}
     without_effect = ("tracking_time",)  # in the example, whose integral is held

@@ -26,6 +26,8 @@ class LoadSideCascade(Cascade):
     """
 
     kind = "load-side-cascade"
+    calibrated = ("velocity_gain", "integral_time", "damping_gain", "position_gain")
+    calibrated_ahead = ("velocity_feedforward", "acceleration_feedforward")
     reference = "Nordin & Gutman 2002, section 4"
     example = {**Cascade.example, "damping_gain": 20.0}
     inputs = (

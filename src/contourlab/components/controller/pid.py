@@ -53,6 +53,7 @@ class PID(Component):
 
     family = "controller"
     kind = "pid"
+    calibrated = ("derivative_gain", "proportional_gain", "integral_gain")
     reference = "Astrom & Hagglund 2006, sections 3.4-3.5"
     example = {
         "proportional_gain": 900.0,

@@ -56,6 +56,8 @@ class PositionController(Component):
 
     family = "controller"
     kind = "position"
+    calibrated = ("velocity_gain", "position_gain", "integral_gain")
+    calibrated_ahead = ("model_damping", "model_gain")
     example = {
         "velocity_gain": 100.0,
         "position_gain": 4000.0,

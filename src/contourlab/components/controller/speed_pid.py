@@ -51,6 +51,7 @@ class SpeedPID(Component):
 
     family = "controller"
     kind = "speed-pid"
+    calibrated = ("time_constant",)
     reference = "Gecer Ulu et al., eqs 6-8"
     example = {"dc_gain": 0.8, "damping_ratio": 1.1, "natural_frequency": 150.0, "time_constant": 0.01, "acceleration_bandwidth": 900.0}
     states = (Port("integral"), Port("previous_velocity"), Port("acceleration"))

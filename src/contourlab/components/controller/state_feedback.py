@@ -74,6 +74,8 @@ class StateFeedback(Component):
 
     family = "controller"
     kind = "state-feedback"
+    calibrated = ("acceleration_gain", "velocity_gain", "position_gain", "integral_gain")
+    calibrated_ahead = ("velocity_feedforward", "acceleration_feedforward", "jerk_feedforward")
     reference = "Franklin, Powell & Emami-Naeini, sections 7.5 and 7.10"
     example = {
         "position_gain": 900.0,

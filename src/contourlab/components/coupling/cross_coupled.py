@@ -35,6 +35,7 @@ class CrossCoupled(Component):
 
     family = "coupling"
     kind = "cross-coupled"
+    calibrated = ("gain", "integral_rate", "derivative_time")
     example = {"gain": 3.0, "integral_rate": 20.0, "derivative_time": 5e-3, "derivative_filter": 2e-3, "limit": 2.0}
     reference = "Gecer Ulu, Ulu & Cakmakci, eqs 13-14; Yeh & Hsu 2002"
     states = (Port("integral", -1), Port("filtered", -1), Port("tangent", -1))

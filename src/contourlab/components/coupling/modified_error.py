@@ -24,6 +24,7 @@ class ModifiedError(Component):
 
     family = "coupling"
     kind = "modified-error"
+    calibrated = ("weight",)
     example = {"weight": 0.75}
     reference = "Ghaffari & Ulsoy 2016"
     inputs = (Port("reference", -1), Port("position", -1), Port("foot_position", -1), Port("error_vector", -1))

@@ -23,6 +23,7 @@ class ModifiedReference(Component):
 
     family = "coupling"
     kind = "modified-reference"
+    calibrated = ("weight",)
     example = {"weight": 0.75}
     reference = "Ghaffari & Ulsoy, section II"
     inputs = (Port("reference", -1), Port("position", -1), Port("foot_position", -1), Port("error_vector", -1))

@@ -25,6 +25,7 @@ class FrictionFeedforward(Component):
 
     family = "feedforward"
     kind = "friction"
+    calibrated_ahead = ("viscous", "coulomb", "breakaway")
     reference = "Armstrong-Helouvry, Dupont & Canudas de Wit 1994, section 5"
     example = {
         "coulomb": 0.2,

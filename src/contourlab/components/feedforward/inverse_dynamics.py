@@ -24,6 +24,7 @@ class InverseDynamics(Component):
 
     family = "feedforward"
     kind = "inverse-dynamics"
+    calibrated_ahead = ("velocity_gain", "acceleration_gain")
     reference = "Newton's second law, solved for the command"
     example = {"velocity_gain": 3.0, "acceleration_gain": 0.5}
     inputs = (Port("reference_velocity"), Port("reference_acceleration"))

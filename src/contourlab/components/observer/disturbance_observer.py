@@ -27,6 +27,7 @@ class DisturbanceObserver(Component):
 
     family = "observer"
     kind = "disturbance-observer"
+    calibrated = ("model_damping", "model_gain")
     example = {"model_gain": 0.6, "model_damping": 20.0}
     reference = "Ghaffari & Ulsoy, eqs 6-13"
     states = (Port("filtered_velocity"), Port("estimate"))

@@ -1,0 +1,47 @@
+"""What a loop asks of its drives, reduced to figures while the lanes run, so that no signal has to be kept."""
+
+from __future__ import annotations
+
+from functools import cache
+from typing import Any
+
+from contourlab.engine.step import Port, Step
+from contourlab.primitives import fabs, maximum, select
+
+__all__ = ["EFFORT_SUMS", "effort_step"]
+
+EFFORT_SUMS = ("count", "sum_square", "largest", "limited")
+"""States of the step, in order."""
+
+_AXIS = """
+    command, accepted = inp.command[{i}] * par.rate_{i}, inp.accepted[{i}] * par.rate_{i}
+    square = square + accepted * accepted
+    largest = maximum(largest, fabs(command))
+    limited = select(fabs(command - accepted) > 0.0, 1.0, limited)
+"""
+
+
+@cache
+def effort_step(n_axis: int) -> Step:
+    """Return the step that adds up commands.
+
+    Parameters of the node: ``rate_0``, ``rate_1`` ..., what the command of each axis is multiplied by (one over the largest that its drive
+    takes, or 1), and ``first`` and ``last``, the ticks (inclusive) that count.
+
+    Notes
+    -----
+    ``sum_square`` adds the squares of what all drives accepted, ``largest`` is the largest command that any was asked for, ``limited``
+    counts the ticks at which any did not take all of it.
+    """
+    body = "".join(_AXIS.format(i=i) for i in range(n_axis))
+    source = (
+        "def step(par, x, inp, clock):\n    square, largest, limited = 0.0, 0.0, 0.0" + body + "\n"
+        "    counts = select(clock.k >= par.first, select(clock.k <= par.last, 1.0, 0.0), 0.0)\n"
+        "    return (x.count + counts, x.sum_square + counts * square, maximum(x.largest, counts * largest),\n"
+        "            x.limited + counts * limited), ()\n"
+    )
+    scope: dict[str, Any] = {"__name__": __name__, "fabs": fabs, "maximum": maximum, "select": select}
+    exec(source, scope)
+    parameters = (*(f"rate_{i}" for i in range(n_axis)), "first", "last")
+    inputs = (Port("command", n_axis), Port("accepted", n_axis))
+    return Step("effort", scope["step"], parameters, (), "", tuple(Port(name) for name in EFFORT_SUMS), inputs, ())

@@ -1,0 +1,213 @@
+"""The numbers that a study moves, each between its bounds."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass, replace
+from fnmatch import fnmatchcase
+from functools import cached_property
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from contourlab.components.contract import Component
+from contourlab.errors import ParameterError, UnitError
+from contourlab.loop import Controller, Machine, parameter_names
+from contourlab.scenario.quantities import read_number
+from contourlab.studies.space.order import calibration_order
+from contourlab.units import from_si
+
+__all__ = ["Number", "Space"]
+
+Array = NDArray[np.float64]
+WIDTH = 4.0
+"""Bounds are this factor either side of the value where none are given."""
+
+
+@dataclass(frozen=True)
+class Number:
+    """One number of a machine or controller.
+
+    Attributes
+    ----------
+    name : str
+        Dotted, as `contourlab.loop.parameter_names` lists it.
+    value : float [SI]
+        What the scenario has.
+    low, high : float [SI]
+        Bounds, `low` < `high`.
+    unit : str
+        SI unit of these.
+    display : str
+        Unit in which people write it.
+    logarithmic : bool
+        Whether equal steps are equal factors.
+    """
+
+    name: str
+    value: float
+    low: float
+    high: float
+    unit: str = ""
+    display: str = ""
+    logarithmic: bool = True
+
+    def __post_init__(self) -> None:
+        if not (math.isfinite(self.low) and math.isfinite(self.high) and self.low < self.high):
+            raise ParameterError(self.name, f"bounds {self.low:g} to {self.high:g}", "finite, the lower one first", self.unit)
+        if self.logarithmic and self.low <= 0.0:
+            raise ParameterError(self.name, f"bounds {self.low:g} to {self.high:g}", "above 0 for equal factors", self.unit)
+
+    @property
+    def short(self) -> str:
+        """The name as people say it: axis, and the parameter with its slot where that is not the controller."""
+        words = self.name.removeprefix("controller.").removeprefix("axes.").split(".")
+        return ".".join(word for word in words if word != "controller")
+
+    def shown(self, value: float) -> float:
+        """Return a value in the unit that people write."""
+        return from_si(value, self.display) if self.display and self.display != self.unit else value
+
+    def physical(self, place: ArrayLike) -> Array:
+        """Return the values [SI] at places from 0 (lower bound) to 1 (upper bound)."""
+        x = np.asarray(place, dtype=float)
+        if self.logarithmic:
+            return np.asarray(np.clip(self.low * (self.high / self.low) ** x, self.low, self.high))
+        return np.asarray(np.clip(self.low + (self.high - self.low) * x, self.low, self.high))
+
+    def place(self, value: ArrayLike) -> Array:
+        """Return the places from 0 to 1 of values [SI]; those beyond a bound are put on it."""
+        v = np.clip(np.asarray(value, dtype=float), self.low, self.high)
+        if self.logarithmic:
+            return np.asarray(np.log(v / self.low) / math.log(self.high / self.low))
+        return np.asarray((v - self.low) / (self.high - self.low))
+
+
+@dataclass(frozen=True)
+class Space:
+    """A box of numbers; points in it are rows of places from 0 to 1."""
+
+    numbers: tuple[Number, ...]
+
+    def __post_init__(self) -> None:
+        names = self.names
+        twice = sorted({name for name in names if names.count(name) > 1})
+        if not names or twice:
+            raise ParameterError("parameters", twice[0] if twice else "none", "at least one, each once")
+
+    @property
+    def names(self) -> tuple[str, ...]:
+        """Dotted names, in order."""
+        return tuple(number.name for number in self.numbers)
+
+    @cached_property
+    def start(self) -> Array:
+        """Places of the scenario's own values (n_number,)."""
+        return np.array([float(number.place(number.value)) for number in self.numbers])
+
+    def columns(self, points: ArrayLike) -> dict[str, Array]:
+        """Return values [SI] of points (n, n_number) as `contourlab.loop.simulate_batch` takes them: name -> (n,)."""
+        rows = np.atleast_2d(np.asarray(points, dtype=float))
+        return {number.name: number.physical(rows[:, i]) for i, number in enumerate(self.numbers)}
+
+    def values(self, point: ArrayLike) -> dict[str, float]:
+        """Return the values [SI] of one point."""
+        return {name: float(column[0]) for name, column in self.columns(point).items()}
+
+    def points(self, values: Mapping[str, ArrayLike]) -> Array:
+        """Return the places (n, n_number) of values [SI]; a name that is not given stays where the scenario has it."""
+        given = [np.atleast_1d(number.place(values.get(number.name, number.value))) for number in self.numbers]
+        return np.stack(np.broadcast_arrays(*given), axis=1)
+
+    @staticmethod
+    def chosen(machine: Machine, controller: Controller, texts: Sequence[str] = (), width: float = WIDTH) -> Space:
+        """Return the numbers that texts choose, each with its bounds.
+
+        Parameters
+        ----------
+        machine, controller
+            Whose numbers they are.
+        texts : sequence of str
+            ``NAME`` or ``NAME=LOW..HIGH`` with units, such as ``"3.observer.model_damping=5 1/s..50 1/s"``. A name may be the end of a
+            dotted name, and may have ``*``: it then stands for all that fit. None for all of `calibration_order` that are not zero.
+        width : float, > 1
+            Factor either side of the value where no bounds are given.
+
+        Raises
+        ------
+        ParameterError
+            If a name fits nothing, a bound has the wrong unit or is out of range, or a value of zero is given no bounds.
+        """
+        known = parameter_names(machine, controller)
+        units = {axis.name: (axis.plant.command_unit, axis.plant.force_unit) for axis in machine.axes}
+        if not texts:
+            order = calibration_order(machine, controller)
+            names = [name for name in order if _value(known[name]) not in (0.0, math.inf)]
+            return Space(tuple(_number(name, known[name], units, "", width) for name in names))
+        found: dict[str, Number] = {}
+        for text in texts:
+            wanted, _, bounds = text.partition("=")
+            for name in _fitting(wanted.strip(), known):
+                found[name] = _number(name, known[name], units, bounds.strip(), width)
+        return Space(tuple(found.values()))
+
+    def only(self, names: Iterable[str]) -> Space:
+        """Return the space of some of the numbers."""
+        wanted = set(names)
+        return Space(tuple(number for number in self.numbers if number.name in wanted))
+
+    def around(self, values: Mapping[str, float]) -> Space:
+        """Return the space with other values to start from, in the same bounds."""
+        return Space(tuple(replace(number, value=float(values.get(number.name, number.value))) for number in self.numbers))
+
+
+def _value(known: tuple[Component, str]) -> float:
+    return float(getattr(*known))
+
+
+def _fitting(wanted: str, known: Mapping[str, tuple[Component, str]]) -> list[str]:
+    """Return the dotted names that a text stands for."""
+    if wanted in known:
+        return [wanted]
+    found = [name for name in known if fnmatchcase(name, wanted) or fnmatchcase(name, f"*.{wanted}")]
+    # "3.position_gain" for controller.axes.3.controller.position_gain: the slot of the controller goes without saying.
+    found += [name for name in known if name not in found and fnmatchcase(name.replace(".controller.", "."), f"*.{wanted}")]
+    if not wanted or not found:
+        near = ", ".join(name for name in known if name.rpartition(".")[2] == wanted.rpartition(".")[2]) or ", ".join(list(known)[:4])
+        raise ParameterError("parameter", repr(wanted), f"a number of the machine or its controller, such as {near}")
+    return found
+
+
+def _number(name: str, known: tuple[Component, str], units: Mapping[str, tuple[str, str]], bounds: str, width: float) -> Number:
+    """Return a number between the bounds of a text, or else a factor either side of its value."""
+    part, word = known
+    axis = next((axis for axis in units if f".axes.{axis}." in f".{name}"), next(iter(units)))
+    parameter = part.parameters[word].for_plant(*units[axis])
+    value = _value(known)
+    if bounds:
+        low, high = _bounds(name, bounds, parameter.unit, parameter.display)
+        for bound in (low, high):
+            parameter.check(bound)
+    elif value == 0.0 or not math.isfinite(value):
+        raise ParameterError(name, f"{value:g}", f"given with bounds, as {name}=LOW..HIGH: there is no factor around {value:g}")
+    elif value < 0.0:
+        low, high = width * value, value / width
+    else:
+        low, high = max(value / width, parameter.minimum), min(value * width, parameter.maximum)
+    return Number(name, value, low, high, parameter.unit, parameter.display, logarithmic=low > 0.0)
+
+
+def _bounds(name: str, text: str, unit: str, display: str) -> tuple[float, float]:
+    low, dots, high = text.partition("..")
+    try:
+        if dots:
+            first, second = (read_number(side.strip() if unit else float(side), unit, display) for side in (low, high))
+            return first, second
+        said = "two of them are wanted"
+    except (UnitError, ValueError) as error:
+        said = str(error)
+    shown = display or unit
+    raise ParameterError(
+        name, repr(text), f"bounds LOW..HIGH, each with its unit, as {f'1 {shown}..2 {shown}' if unit else '1..2'}: {said}"
+    )

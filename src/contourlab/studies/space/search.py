@@ -1,0 +1,169 @@
+"""A global search in a box, many points at a time: the covariance matrix adaptation of Hansen from several starts side by side."""
+
+from __future__ import annotations
+
+import warnings
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from contourlab.errors import ParameterError
+
+__all__ = ["Found", "search"]
+
+Array = NDArray[np.float64]
+Objective = Callable[[Array], Array]
+SPREAD = 0.2
+"""First standard deviation, in parts of the box."""
+
+
+@dataclass(frozen=True)
+class Found:
+    """What a search found.
+
+    Attributes
+    ----------
+    point : ndarray (n,)
+        The best point, from 0 to 1 in each direction.
+    value : float
+        Its value.
+    per_start : ndarray (n_start,)
+        The best value that each start came to.
+    points : ndarray (n_start, n)
+        And where.
+    runs : int
+        Points that were tried.
+    course : ndarray (n_generation, 2)
+        Points tried so far, and the best value by then.
+    """
+
+    point: Array
+    value: float
+    per_start: Array
+    points: Array
+    runs: int
+    course: Array
+
+    @property
+    def spread(self) -> float:
+        """How much worse than the best start the worst one ended, in parts of the best; nan where any came to nothing."""
+        return float((self.per_start.max() - self.value) / abs(self.value)) if self.value else float("nan")
+
+
+def search(
+    objective: Objective,
+    starts: Array,
+    *,
+    budget: int,
+    seed: int = 0,
+    population: int = 32,
+    spread: float = SPREAD,
+    tolerance: float = 1e-3,
+    progress: Callable[[int], None] | None = None,
+) -> Found:
+    """Return the smallest value found in the box from 0 to 1.
+
+    Parameters
+    ----------
+    objective : callable
+        Values (n,) of points (n, n_number); what is not finite counts as worse than anything.
+    starts : ndarray (n_start, n_number)
+        Where to start from; each is tried itself, so nothing worse than the best of them is ever returned.
+    budget : int, > 0
+        Points to try in all.
+    seed : int
+        The same seed gives the same search.
+    population : int
+        Points of a generation and start.
+    spread : float
+        First standard deviation.
+    tolerance : float
+        A start ends when its best value has moved by less than this part over ten generations and its points lie as close together.
+    progress : callable, optional
+        Told the number of points tried.
+
+    Raises
+    ------
+    ParameterError
+        If there is no start, or nothing that was tried has a finite value.
+
+    References
+    ----------
+    N. Hansen, "The CMA evolution strategy: a tutorial", arXiv 1604.00772; here by its author's package cma.
+    """
+    starts = np.clip(np.atleast_2d(np.asarray(starts, dtype=float)), 0.0, 1.0)
+    if starts.size == 0 or budget < 1:
+        raise ParameterError("search", f"{len(starts)} starts, {budget} points", "at least one start and one point")
+    best = _Best(starts, _finite(objective(starts)))
+    strategies = [_strategy(start, seed + i, population, spread) for i, start in enumerate(starts)]
+    running = list(range(len(starts)))
+    while running and best.runs + population * len(running) <= budget:
+        asked = {i: np.clip(np.asarray(strategies[i].ask()), 0.0, 1.0) for i in running}
+        values = _finite(objective(np.concatenate(list(asked.values()))))
+        for i, mine in zip(running, np.split(values, len(running)), strict=True):
+            strategies[i].tell(list(asked[i]), _ranked(mine).tolist())
+            best.tell(i, asked[i], mine)
+        best.close_generation()
+        running = [i for i in running if not best.settled(i, tolerance) and not strategies[i].stop()]
+        if progress is not None:
+            progress(best.runs)
+    return best.found()
+
+
+class _Best:
+    """The best of each start so far."""
+
+    def __init__(self, starts: Array, values: Array) -> None:
+        self.points, self.values, self.runs = starts.copy(), values.copy(), len(starts)
+        self.course = [(float(self.runs), float(values.min()))]
+        self.history: list[list[float]] = [[value] for value in values.tolist()]
+
+    def tell(self, i: int, points: Array, values: Array) -> None:
+        self.runs += len(points)
+        at = int(np.argmin(values))
+        if values[at] < self.values[i]:
+            self.points[i], self.values[i] = points[at], values[at]
+        self.history[i].append(float(self.values[i]))
+
+    def close_generation(self) -> None:
+        self.course.append((float(self.runs), float(self.values.min())))
+
+    def settled(self, i: int, tolerance: float) -> bool:
+        """Tell whether a start has not moved over ten generations."""
+        past = self.history[i]
+        return len(past) > 20 and past[-11] - past[-1] <= tolerance * abs(past[-1])
+
+    def found(self) -> Found:
+        at = int(np.argmin(self.values))
+        if not np.isfinite(self.values[at]):
+            raise ParameterError("search", "no run that went well", "bounds within which the loop holds")
+        return Found(self.points[at], float(self.values[at]), self.values, self.points, self.runs, np.array(self.course))
+
+
+def _strategy(start: Array, seed: int, population: int, spread: float) -> Any:
+    import logging
+
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")  # of the package, on optional plotting
+        import cma
+    logging.getLogger("cma").setLevel(logging.ERROR)
+    generator = np.random.default_rng(seed)
+    options = {"bounds": [0.0, 1.0], "popsize": population, "verbose": -9, "tolfun": 0.0, "tolfunhist": 0.0}
+    # Numbers of its own: the package would otherwise seed numpy's for the whole process.
+    options |= {"seed": np.nan, "randn": lambda *shape: generator.standard_normal(shape)}
+    # Right on a bound the transformation of the box has no slope.
+    return cma.CMAEvolutionStrategy(np.clip(start, 1e-3, 1.0 - 1e-3).tolist(), spread, options)
+
+
+def _finite(values: Array) -> Array:
+    return np.where(np.isfinite(values), values, np.inf)
+
+
+def _ranked(values: Array) -> Array:
+    """Return values that the strategy can take: what failed is a little worse than the worst that did not."""
+    good = values[np.isfinite(values)]
+    worst = float(good.max()) if good.size else 1.0
+    return np.where(np.isfinite(values), values, worst + abs(worst) + 1.0)

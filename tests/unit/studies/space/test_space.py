@@ -1,0 +1,99 @@
+"""Numbers, their order, and the runs that judge them."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from contourlab.components.drive.saturation import Saturation
+from contourlab.errors import ParameterError
+from contourlab.feed import uniform
+from contourlab.geometry import contour
+from contourlab.loop import simulate
+from contourlab.studies.reproduce.ghaffari_setup import TABLE_2, TABLE_3, Reading, controller, machine
+from contourlab.studies.space import Evaluator, Number, Space, calibration_order
+
+READING = Reading()
+MACHINE, CONTROLLER = machine(2, READING), controller(2, TABLE_2, READING)
+
+
+def test_order_is_that_of_the_paper() -> None:
+    order = [name.removeprefix("controller.axes.") for name in calibration_order(MACHINE, CONTROLLER)]
+    observer = ["observer.model_damping", "observer.model_gain"]
+    gains = ["controller.velocity_gain", "controller.position_gain", "controller.integral_gain"]
+    ahead = ["controller.model_damping", "controller.model_gain"]
+    assert order == [f"{axis}.{name}" for group in (observer, gains, ahead) for axis in ("3", "2") for name in group]
+
+
+def test_names_may_be_short_or_stand_for_many() -> None:
+    one = Space.chosen(MACHINE, CONTROLLER, ["3.position_gain"])
+    assert one.names == ("controller.axes.3.controller.position_gain",)
+    both = Space.chosen(MACHINE, CONTROLLER, ["observer.model_gain=300 mm/s^2/full_scale..2 m/s^2/full_scale"])
+    assert both.names == ("controller.axes.2.observer.model_gain", "controller.axes.3.observer.model_gain")
+    assert [(n.low, n.high, n.short) for n in both.numbers] == [
+        (pytest.approx(0.3), 2.0, "2.observer.model_gain"),
+        (pytest.approx(0.3), 2.0, "3.observer.model_gain"),
+    ]
+
+
+@pytest.mark.parametrize(
+    ("text", "said"),
+    [
+        ("3.position", "such as"),
+        ("3.position_gain=1..2", "full_scale/mm"),
+        ("3.position_gain=2 full_scale/mm", "LOW..HIGH"),
+        ("3.position_gain=5 full_scale/mm..2 full_scale/mm", "lower one first"),
+        ("coupling.weight=0..1.5", "0.99"),
+        ("disturbance.amplitude", "such as"),
+        ("", "such as"),
+    ],
+)
+def test_what_cannot_be_chosen_is_refused(text: str, said: str) -> None:
+    with pytest.raises(Exception, match=r".") as caught:
+        Space.chosen(MACHINE, CONTROLLER, [text])
+    assert said in str(caught.value)
+
+
+def test_zero_has_no_factor_around_it() -> None:
+    with pytest.raises(ParameterError, match="there is no factor"):
+        Space.chosen(MACHINE, replace(CONTROLLER, coupling=CONTROLLER.coupling.replace(weight=0.0)), ["coupling.weight"])
+
+
+@pytest.mark.parametrize("logarithmic", [True, False])
+def test_places_and_values_belong_together(logarithmic: bool) -> None:
+    number = Number("a", 3.0, 1.0, 9.0, logarithmic=logarithmic)
+    places = np.linspace(0.0, 1.0, 11)
+    np.testing.assert_allclose(number.place(number.physical(places)), places, atol=1e-14)
+    assert number.physical(0.5) == pytest.approx(3.0 if logarithmic else 5.0)
+    assert number.physical(7.0) == 9.0
+
+
+def test_figures_are_those_of_a_single_run() -> None:
+    """Errors against the exact judge are tested with the batch; here what the drives are asked for."""
+    limit = 0.7
+    axes = tuple(replace(axis, drive=Saturation(limit=limit)) for axis in MACHINE.axes)
+    tight, made = replace(MACHINE, axes=axes), controller(2, TABLE_3, READING)
+    reference = uniform(contour("circle", radius=0.02), 0.5, 2, READING.servo_period)
+    figures = Evaluator(tight, made, reference)({"controller.axes.3.controller.position_gain": np.array([4000.0])})
+    run = simulate(tight, made, reference)
+    start, stop = reference.laps[-1]
+    command, applied = run["command"][start:stop], run["applied_command"][start:stop]
+    assert figures["command_energy"][0] == pytest.approx(np.sum((applied / limit) ** 2) * READING.servo_period, rel=1e-6)
+    assert figures["command_largest"][0] == pytest.approx(np.abs(command).max() / limit, rel=1e-6)
+    limited = (np.abs(command) > limit).any(axis=1).mean()
+    assert 0.0 < limited < 1.0
+    assert figures["limited_share"][0] == pytest.approx(limited, abs=2.5 / (stop - start))
+
+
+def test_company_and_threads_change_nothing() -> None:
+    reference = uniform(contour("circle", radius=0.02), 0.5, 1, READING.servo_period)
+    name = "controller.axes.3.controller.position_gain"
+    values = np.linspace(2000.0, 6000.0, 70)
+    seen: list[int] = []
+    many = Evaluator(MACHINE, CONTROLLER, reference)({name: values}, seen.append)
+    few = Evaluator(MACHINE, CONTROLLER, reference, threads=1)({name: values[63:66]})
+    assert seen == [70]
+    for figure, found in few.items():
+        np.testing.assert_array_equal(found, many[figure][63:66])
