@@ -9,9 +9,14 @@ import numpy as np
 import pytest
 
 from contourlab.cli.main import main
+from contourlab.errors import ResultError
+from contourlab.geometry import Line
+from contourlab.geometry import Path as Path_
 from contourlab.logs import load_log
 from contourlab.result import Result, Signal
-from contourlab.studies.measure import measure, path_of_samples
+from contourlab.studies.measure import measure
+from contourlab.studies.sample_path import path_of_samples
+from contourlab.studies.shift import fitted_shift
 
 
 def circle(n: int = 2000, radius: float = 0.02) -> np.ndarray:
@@ -95,6 +100,41 @@ def test_a_part_program_as_the_reference(tmp_path: Path, capsys: pytest.CaptureF
     assert main([*words[:-1], "--tolerance", "20 um"]) == 0
     assert "PASS, largest contour error 15" in capsys.readouterr().out
     assert main([*words[:-1], "--tolerance", "10 um"]) == 1
+
+
+def test_a_part_program_in_other_coordinates(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """The same with the part anywhere on the table: fitted, the error is the same as with the shift given."""
+    program = tmp_path / "part.ngc"
+    program.write_text("G21 G90 G64 P0.01\nG0 X0 Y0\nG1 X40 F3000\nG3 X40 Y30 J15\nG1 X10\nG1 X0 Y0\nM2\n")
+    from contourlab.session.log_choice import program_path
+
+    path = program_path(str(program), ("x", "y"))
+    along = np.linspace(0.0, path.length, 4000)
+    off = path.normal(along) * (8e-6 * np.sin(400.0 * along))[:, None]
+    tool = path.position(along) + off + np.array([0.1237, -0.0611])
+    lines = ["t [s],x pos [mm],y pos [mm]"]
+    lines += [f"{k * 1e-3:.4f},{x * 1e3:.7f},{y * 1e3:.7f}" for k, (x, y) in enumerate(tool)]
+    log = tmp_path / "log.csv"
+    log.write_text("\n".join(lines) + "\n")
+    found = {}
+    for shift in ("fit", "123.7 mm, -61.1 mm"):
+        assert main(["measure", str(log), "--reference", str(program), "--shift", shift, "--out", str(tmp_path / "o"), "--json"]) == 0
+        scheme = json.loads(capsys.readouterr().out)["schemes"]["log"]
+        found[shift] = scheme["metrics"]["contour_error"]["rms"]
+        assert "x 123.7" in " ".join(scheme["notes"])
+    fitted, given = found.values()
+    assert given == pytest.approx(8e-6 / np.sqrt(2.0), rel=0.02)
+    assert fitted == pytest.approx(given, rel=0.01)
+    assert main(["measure", str(log), "--reference", str(program), "--out", str(tmp_path / "o")]) == 2
+    assert "same coordinates" in capsys.readouterr().err
+    assert main(["measure", str(log), "--reference", str(program), "--shift", "3 mm", "--out", str(tmp_path / "o")]) == 2
+    assert "a length for each of x, y" in capsys.readouterr().err
+
+
+def test_a_straight_path_does_not_tell_its_shift() -> None:
+    along = np.linspace(0.0, 0.1, 500)
+    with pytest.raises(ResultError, match="straight"):
+        fitted_shift(Path_([Line((0.0, 0.0), (0.1, 0.0))]), np.column_stack([along, np.full(500, 0.01)]))
 
 
 @pytest.mark.parametrize(

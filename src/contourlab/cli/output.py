@@ -3,18 +3,18 @@
 from __future__ import annotations
 
 import json
-import math
 import os
 import sys
-from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any
+
+from contourlab.session.plain import plain
 
 if TYPE_CHECKING:
     from rich.console import RenderableType
 
     from contourlab.session.run import RunOutcome
 
-__all__ = ["conclude", "emit_json", "plain", "say", "show", "silence", "wants_progress"]
+__all__ = ["conclude", "emit_json", "say", "show", "silence", "wants_progress"]
 
 PIPE_WIDTH = 200
 """Columns of a table that goes to a file or a pipe, where nothing says how wide the reader is."""
@@ -42,27 +42,6 @@ def say(text: str) -> None:
         sys.stdout.flush()
     except BrokenPipeError:
         silence()
-
-
-def plain(value: Any) -> Any:
-    """Return a value that JSON can hold: numbers of NumPy become Python's, nan and infinities null, tuples lists.
-
-    >>> plain({"gain": float("inf"), "axes": ("x", "y")})
-    {'gain': None, 'axes': ['x', 'y']}
-    """
-    if isinstance(value, Mapping):
-        return {str(key): plain(item) for key, item in value.items()}
-    if isinstance(value, list | tuple | set | frozenset):
-        return [plain(item) for item in value]
-    if hasattr(value, "tolist"):
-        return plain(value.tolist())
-    if isinstance(value, float):
-        return value if math.isfinite(value) else None
-    if value is None or isinstance(value, str | bool | int):
-        return value
-    if isinstance(value, os.PathLike):
-        return os.fspath(value)
-    raise TypeError(f"{type(value).__name__} has no form in JSON: {value!r}")
 
 
 def emit_json(value: Any) -> None:

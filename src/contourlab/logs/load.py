@@ -13,7 +13,7 @@ from contourlab.errors import LogError, ParameterError, UnitError
 from contourlab.logs.clock import ClockReport, common_clock, look_at_clock, resampled
 from contourlab.logs.formats import read_record
 from contourlab.logs.mapping import SIGNALS, TIME, Column, Columns, guessed, unknown
-from contourlab.logs.record import Channel, Record
+from contourlab.logs.record import AXIS_LETTERS, Channel, Record
 from contourlab.result import Result, Signal
 from contourlab.units import from_si, show, to_si
 
@@ -93,17 +93,14 @@ def result_of(record: Record, given: Columns) -> Log:
     if not wanted:
         raise LogError(unknown(record), file=record.file)
     times = _times(record, columns, given.period)
-    channels = {column: _timed(record.channel(column.column), times, record, given.period) for column in wanted}
-    clocks: dict[str, ClockReport] = {}
-    looked = []
-    for channel in {c.name: c for c in channels.values()}.values():
-        assert channel.time is not None  # `_timed` has seen to it
-        report, kept = look_at_clock(channel.time, channel.name, record.file, given.period or record.period)
-        clocks[channel.name] = report
-        even = channel.time[kept]
-        looked.append((report, float(even[0]), float(even[-1])))
-    clock = common_clock(looked, record.file)
-    signals, notes = _signals(record, channels, clocks, clock)
+    usable: dict[str, Timed] = {}
+    for name in dict.fromkeys(column.column for column in wanted):
+        channel, time = _timed(record.channel(name), times, record, given.period)
+        report, kept = look_at_clock(time, channel.name, record.file, given.period or record.period)
+        usable[name] = Timed(replace(channel, values=channel.values[kept]), time[kept], report)
+    clock = common_clock([(one.report, float(one.time[0]), float(one.time[-1])) for one in usable.values()], record.file)
+    signals, notes = _signals(record, {column: usable[column.column] for column in wanted}, clock)
+    clocks = {one.channel.name: one.report for one in usable.values()}
     axes = tuple(sorted({column.axis for column in wanted}, key=_order))
     result = Result(
         record.file.stem, axes, clock[0], _stacked(signals, axes), attributes={"log": record.file.name, "format": record.format}
@@ -120,8 +117,8 @@ def _is_its_own(column: Column) -> bool:
 
 
 def _order(axis: str) -> tuple[int, str]:
-    place = "xyzabcuvw".find(axis.lower()) if len(axis) == 1 else -1
-    return (place if place >= 0 else 99, axis)
+    place = AXIS_LETTERS.find(axis.lower()) if len(axis) == 1 else -1
+    return (place if place >= 0 else len(AXIS_LETTERS), axis)
 
 
 def _times(record: Record, columns: Sequence[Column], period: float | None) -> Array | None:
@@ -138,8 +135,17 @@ def _times(record: Record, columns: Sequence[Column], period: float | None) -> A
     return None
 
 
-def _timed(channel: Channel, times: Array | None, record: Record, period: float | None) -> Channel:
-    """Return a channel with the times of its values, and without what are none."""
+@dataclass(eq=False)
+class Timed:
+    """A channel with the times [s] of its values, one value for each time, and what its clock is like."""
+
+    channel: Channel
+    time: Array
+    report: ClockReport
+
+
+def _timed(channel: Channel, times: Array | None, record: Record, period: float | None) -> tuple[Channel, Array]:
+    """Return a channel and the times of its values, without what are none."""
     time: Array | None = channel.time if channel.time is not None else times
     every = period or record.period
     if time is None:
@@ -153,7 +159,7 @@ def _timed(channel: Channel, times: Array | None, record: Record, period: float 
     there = np.isfinite(channel.values)
     if not there.any():
         raise LogError(f"column {channel.name!r} holds no numbers", file=record.file)
-    return replace(channel, values=channel.values[there], time=time[there]) if not there.all() else replace(channel, time=time)
+    return (channel, time) if there.all() else (replace(channel, values=channel.values[there]), time[there])
 
 
 def _in_si(channel: Channel, column: Column, unit: str, expected: str, record: Record) -> Array:
@@ -169,34 +175,33 @@ def _in_si(channel: Channel, column: Column, unit: str, expected: str, record: R
 
 
 def _signals(
-    record: Record, channels: dict[Column, Channel], clocks: dict[str, ClockReport], clock: tuple[float, float, int]
+    record: Record, usable: dict[Column, Timed], clock: tuple[float, float, int]
 ) -> tuple[dict[str, dict[str, tuple[Array, str]]], list[str]]:
     """Return values and unit of each signal and axis on the clock, and what there is to say of them."""
     found: dict[str, dict[str, tuple[Array, str]]] = {}
     notes = []
-    for column, channel in channels.items():
-        unit, note = _unit(column, channel, channels, record)
+    for column, one in usable.items():
+        channel = one.channel
+        unit, note = _unit(column, channel, usable, record)
         notes += [note] if note else []
         expected = SIGNALS[column.signal]
         values = _in_si(channel, column, unit, expected, record) * column.factor if unit else channel.values * column.factor
         _check_size(values, column, channel, unit, record)
-        assert channel.time is not None
-        kept = np.append(True, np.diff(channel.time) > 0.0)
-        even, between = resampled(channel.time[kept], values[kept], clocks[channel.name], clock)
+        even, between = resampled(one.time, values, one.report, clock)
         if between:
-            clocks[channel.name] = replace(clocks[channel.name], resampled=True)
+            one.report = replace(one.report, resampled=True)
         found.setdefault(column.signal, {})[column.axis] = (even, expected or _si_unit(unit))
     return found, list(dict.fromkeys(notes))
 
 
-def _unit(column: Column, channel: Channel, channels: dict[Column, Channel], record: Record) -> tuple[str, str]:
+def _unit(column: Column, channel: Channel, usable: dict[Column, Timed], record: Record) -> tuple[str, str]:
     """Return the unit of a column and a note where it is not its own: a reference is in the unit of the position beside it."""
     unit = column.unit or channel.unit
     expected = SIGNALS[column.signal]
     if unit or not expected:
         return unit, ""
-    for other, beside in channels.items():
-        shared = other.unit or beside.unit
+    for other, beside in usable.items():
+        shared = other.unit or beside.channel.unit
         if other is not column and other.axis == column.axis and SIGNALS[other.signal] == expected and shared:
             return shared, f"{column.signal} is taken in {shared}, as {other.signal} is: its columns say no unit"
     raise LogError(

@@ -11,7 +11,7 @@ from typing import Any
 
 from contourlab.errors import LogError, UnitError
 from contourlab.logs.reading import name_and_unit
-from contourlab.logs.record import Channel, Record, said
+from contourlab.logs.record import AXIS_LETTERS, Channel, Record, said
 from contourlab.units import same_dimension, to_si
 
 __all__ = ["SIGNALS", "Column", "Columns", "guessed", "parse_columns", "read_columns"]
@@ -217,9 +217,9 @@ def _meaning(channel: Channel) -> tuple[str, str] | None:
 def _axis(words: list[str]) -> str | None:
     """Return the axis that words name: a letter, a letter at the end of a word such as "datax", or the number of a joint."""
     for before, word in zip(["", *words], words, strict=False):
-        if before in ("joint", "axis") and word.isdigit() and int(word) < 9:
-            return "xyzabcuvw"[int(word)]
-    letters = {word for word in words if len(word) == 1 and word in "xyzabcuvw"}
+        if before in ("joint", "axis") and word.isdigit() and int(word) < len(AXIS_LETTERS):
+            return AXIS_LETTERS[int(word)]
+    letters = {word for word in words if len(word) == 1 and word in AXIS_LETTERS}
     if not letters:
         letters = {word[-1] for word in words if word[-1] in "xyz" and word[:-1] in ("data", "axis", "ref", "pos", "enc")}
     return letters.pop() if len(letters) == 1 else None

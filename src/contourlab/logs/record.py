@@ -11,9 +11,11 @@ from numpy.typing import NDArray
 
 from contourlab.errors import LogError
 
-__all__ = ["Channel", "Record"]
+__all__ = ["AXIS_LETTERS", "Channel", "Record"]
 
 Array = NDArray[np.float64]
+AXIS_LETTERS = "xyzabcuvw"
+"""Axes in the order of their joints."""
 
 
 @dataclass(frozen=True, eq=False)

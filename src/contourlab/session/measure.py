@@ -7,19 +7,24 @@ import platform
 from collections.abc import Sequence
 from dataclasses import asdict, dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, Literal
+
+import numpy as np
+from numpy.typing import NDArray
 
 from contourlab import __version__
-from contourlab.errors import LogError
+from contourlab.errors import LogError, ParameterError, UnitError
 from contourlab.logs import Log
 from contourlab.metrics import reversal_figures
 from contourlab.metrics.circles import pairs
 from contourlab.result import write_text_atomic
 from contourlab.session.folder import staged
 from contourlab.session.log_choice import LogChoice, is_program, open_log, positive, program_path, reference_columns
+from contourlab.session.plain import plain
 from contourlab.session.run import RunOutcome, check_plots, file_names
-from contourlab.session.summary import SCHEMA, plain
+from contourlab.session.summary import SCHEMA
 from contourlab.studies.measure import Measured, measure
+from contourlab.units import to_si
 
 if TYPE_CHECKING:
     from contourlab.report.data import ReportData, SchemeReport
@@ -41,6 +46,7 @@ def measure_log(
     out: str | Path,
     *,
     reference: str | None = None,
+    shift: str | None = None,
     tolerance: str | None = None,
     plots: Sequence[str] = (),
     command: str = "",
@@ -53,6 +59,8 @@ def measure_log(
     out : str or Path
     reference : str, optional
         Columns of the reference with commas between, in the order of the axes; or a part program. By default columns whose names say so.
+    shift : str, optional
+        Where the zero of the part program lies in the log's coordinates: ``"fit"``, or a length for each axis with commas between.
     tolerance : str, optional
         Largest contour error that passes, as ``"25 um"``.
     plots : sequence of str
@@ -69,7 +77,7 @@ def measure_log(
     """
     check_plots(plots)
     limit = None if tolerance is None else positive("--tolerance", tolerance, "m", 'a length with its unit, such as "25 um"')
-    run = _judged(choice, reference)
+    run = _judged(choice, reference, shift)
     return _written([run], run.log.record.file.name, out, limit, command, plots)
 
 
@@ -101,13 +109,27 @@ def compare_runs(
     return _written(runs, " and ".join(names), out, None, command, plots)
 
 
-def _judged(choice: LogChoice, reference: str | None) -> _Judged:
+def _judged(choice: LogChoice, reference: str | None, shift: str | None = None) -> _Judged:
     program = reference if reference is not None and is_program(reference) else None
     more = reference_columns(reference, choice) if reference is not None and program is None else ()
     log = open_log(choice, more)
     axes = tuple(choice.axes)
     path = program_path(program, axes or log.result.axes) if program else None
-    return _Judged(log.result.scheme, log, measure(log.result, path, axes or None))
+    return _Judged(log.result.scheme, log, measure(log.result, path, axes or None, shift=_shift(shift, axes or log.result.axes)))
+
+
+def _shift(text: str | None, axes: tuple[str, ...]) -> NDArray[np.float64] | Literal["fit"] | None:
+    """Return what ``--shift`` says."""
+    if text is None or text == "fit":
+        return text  # type: ignore[return-value]  # nothing else is left of a text
+    wanted = f'"fit", or a length for each of {", ".join(axes)}, such as "{", ".join("10 mm" for _ in axes)}"'
+    words = text.split(",")
+    if len(words) != len(axes):
+        raise ParameterError("--shift", repr(text), wanted)
+    try:
+        return np.array([to_si(word.strip(), "m") for word in words])
+    except UnitError as error:
+        raise ParameterError("--shift", repr(text), wanted) from error
 
 
 def _signals_of(path: Path) -> Path:

@@ -2,12 +2,9 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Mapping, Sequence
 from dataclasses import asdict
 from typing import Any
-
-import numpy as np
 
 from contourlab import __version__
 from contourlab.errors import DivergenceError
@@ -16,10 +13,11 @@ from contourlab.loop.switches import Switches, SwitchKind
 from contourlab.metrics import reversal_figures
 from contourlab.metrics.circles import pairs
 from contourlab.report.limit_table import nearest
+from contourlab.session.plain import plain
 from contourlab.studies.compare import Outcome
 from contourlab.studies.learn import LearningRun
 
-__all__ = ["SCHEMA", "plain", "summary_of"]
+__all__ = ["SCHEMA", "summary_of"]
 
 SCHEMA = "contourlab-summary/1"
 LISTED = 100
@@ -137,16 +135,3 @@ def _limits(report: LimitReport, axes: Sequence[str]) -> dict[str, Any]:
             "line": worst.source_line,
         }
     return found
-
-
-def plain(value: Any) -> Any:
-    """Return a value as JSON can hold it: a number that is none becomes null."""
-    if isinstance(value, Mapping):
-        return {str(key): plain(item) for key, item in value.items()}
-    if isinstance(value, list | tuple):
-        return [plain(item) for item in value]
-    if isinstance(value, np.generic):
-        value = value.item()
-    if isinstance(value, float):
-        return value if math.isfinite(value) else None
-    return value

@@ -3,27 +3,29 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
+from typing import Literal
 
 import numpy as np
 from numpy.typing import NDArray
 
 from contourlab.errors import ResultError
 from contourlab.feed import Reference
-from contourlab.geometry import Line, Path
+from contourlab.geometry import Path
 from contourlab.metrics import AxisFigures, CircleFigures, Metrics, Spike, circles_of, judge, reversal_spikes, summarise
 from contourlab.metrics.judge import reach
 from contourlab.result import Result, Signal
+from contourlab.scenario.placing import placed
 from contourlab.studies.progress import progress_along
+from contourlab.studies.sample_path import moving, path_of_samples
+from contourlab.studies.shift import fitted_shift
 
-__all__ = ["Measured", "measure", "moving", "path_of_samples"]
+__all__ = ["Measured", "measure"]
 
 Array = NDArray[np.float64]
 ACTUAL = ("tool_position", "position", "axis_position")
 """Signals that say where the tool was, the best first: a measured log has the encoders' alone."""
 COARSE = 40
 """Places on either side of the reference's that are looked at for the one nearest to the tool."""
-STRAIGHT = 10e-9
-"""Metres by which a sample of the reference may be off the path that is laid through them: far below any encoder."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -52,76 +54,9 @@ class Measured:
     notes: tuple[str, ...]
 
 
-def moving(wanted: Array) -> tuple[int, int]:
-    """Return the samples [start, stop) from the first to the last at which positions (n, n_axis) change.
-
-    Raises
-    ------
-    ResultError
-        If they never do.
-    """
-    changes = np.flatnonzero((np.diff(wanted, axis=0) != 0.0).any(axis=1))
-    if not changes.size:
-        raise ResultError("nothing is asked to move: the reference is the same at all samples")
-    return int(changes[0]), int(changes[-1]) + 1
-
-
-def path_of_samples(positions: Array) -> tuple[Path, Array]:
-    """Return the path through positions (n, n_axis) [m], lines from each to the next, and the arc length [m] of each along it.
-
-    Samples within ten nanometres of a line between others are left out of the path.
-
-    Raises
-    ------
-    ResultError
-        If they are all the same, or not finite.
-    """
-    if not np.isfinite(positions).all():
-        raise ResultError(f"the reference is not finite at sample {int(np.argmin(np.isfinite(positions).all(axis=1)))}")
-    moving(positions)
-    new = np.append(True, (np.diff(positions, axis=0) != 0.0).any(axis=1))
-    points = positions[new]
-    arc = np.append(0.0, np.cumsum(np.linalg.norm(np.diff(points, axis=0), axis=1)))
-    kept = _corners(points)
-    path = Path([Line(a, b) for a, b in zip(points[kept][:-1], points[kept][1:], strict=True)])
-    # The chords that were left out are shorter than the polygon by next to nothing: arc length is that of the path.
-    own = np.append(0.0, np.cumsum(np.linalg.norm(np.diff(points[kept], axis=0), axis=1)))
-    along = np.interp(arc, arc[kept], own)
-    return path, along[np.cumsum(new) - 1]
-
-
-def _corners(points: Array) -> NDArray[np.int64]:
-    """Return the points that a polygon needs so that no other is further than `STRAIGHT` from it, each line as long as it can be."""
-    kept, at, span, last = [0], 0, 1, len(points) - 1
-    while at < last:
-        # Twice as far as long as it goes, then halving what is between; lines are about as long as the one before.
-        good, bad = 1, last - at + 1
-        while good < bad - 1:
-            trial = min(span, bad - 1) if span > good else (good + bad) // 2 if bad <= last - at else min(2 * good, bad - 1)
-            if _is_line(points[at : at + trial + 1]):
-                good, span = trial, 2 * trial
-            else:
-                bad, span = trial, 0
-        at += good
-        span = good
-        kept.append(at)
-    return np.array(kept)
-
-
-def _is_line(points: Array) -> bool:
-    """Tell whether points lie on the line from the first to the last, one behind the other."""
-    way = points[-1] - points[0]
-    length = float(np.linalg.norm(way))
-    if length == 0.0:
-        return False
-    off = points - points[0]
-    along = off @ (way / length)
-    if np.any(np.diff(along) < 0.0):
-        return False
-    return float(((off - np.outer(along, way / length)) ** 2).sum(axis=1).max()) <= STRAIGHT**2
-
-
-def measure(result: Result, path: Path | None = None, axes: tuple[str, ...] | None = None) -> Measured:
+def measure(
+    result: Result, path: Path | None = None, axes: tuple[str, ...] | None = None, *, shift: Array | Literal["fit"] | None = None
+) -> Measured:
     """Judge a measured run.
 
     Parameters
@@ -132,54 +67,86 @@ def measure(result: Result, path: Path | None = None, axes: tuple[str, ...] | No
         What the tool was to follow; by default the path through the samples of the reference.
     axes : tuple of str, optional
         Those that make the contour, in the order of the path's coordinates; by default all that the result has.
+    shift : ndarray (n_axis,) [m] or "fit", optional
+        Where the zero of the path's coordinates lies in those of the result; ``"fit"`` for where the tool is closest to the path.
 
     Raises
     ------
     ResultError
-        If a signal is missing or not finite, or nothing moves.
+        If a signal is missing or not finite, nothing moves, or a shift is asked for without a path.
     """
     chosen = _of_axes(result, axes or result.axes)
-    actual = next((name for name in ACTUAL if name in chosen), None)
-    if actual is None:
-        raise ResultError(f"no position in {result.scheme}: say which column is one, such as --column 'position.x=NAME [mm]'")
-    position = chosen[actual]
-    if not np.isfinite(position).all():
-        missing = [axis for axis, column in zip(chosen.axes, position.T, strict=True) if not np.isfinite(column).all()]
-        raise ResultError(
-            f"no position of {', '.join(missing)} in {result.scheme}: say which column it is, or leave the axis out with --axes"
-        )
-    notes: list[str] = []
+    position, notes = _position_of(chosen), []
     if path is None:
-        if "reference" not in chosen:
-            raise ResultError(f"no reference in {result.scheme}: say which columns, or name the part program with --reference part.ngc")
-        wanted = chosen["reference"]
+        if shift is not None:
+            raise ResultError("a shift is for a path of its own coordinates: the reference is in those of the log already")
+        wanted = _reference_of(chosen)
         path, along = path_of_samples(wanted)
     else:
+        if shift is not None:
+            path, words = _shifted(path, position, shift, chosen.axes)
+            notes.append(words)
         along, off = progress_along(path, position)
-        wanted = path.position(along)
         notes.append(f"laid along the path by its own progress; nearest {off * 1e6:.3g} um at the start")
-        if "reference" in chosen:
-            wanted = chosen["reference"]
+        wanted = chosen["reference"] if "reference" in chosen else path.position(along)
     reference = Reference.from_samples(wanted, result.servo_period, path, arc_length=along)
-    speed = np.gradient(along, result.servo_period)
-    whole = chosen.with_signals(
+    judged = _judged(_with_motion(chosen, position, wanted, along), reference)
+    window = moving(wanted)
+    metrics = _of_what_is_known(summarise(judged, reference, window), chosen, window)
+    spikes, circles = reversal_spikes(judged, window, reference=reference), circles_of(judged, reference)
+    return Measured(judged, reference, metrics, spikes, circles, tuple(notes))
+
+
+def _shifted(path: Path, position: Array, shift: Array | Literal["fit"], axes: tuple[str, ...]) -> tuple[Path, str]:
+    """Return the path with its zero where it lies in the log, and what there is to say of it."""
+    fitted = isinstance(shift, str)
+    move = fitted_shift(path, position) if isinstance(shift, str) else shift
+    where = ", ".join(f"{axis} {1e3 * value:.6g} mm" for axis, value in zip(axes, move, strict=True))
+    return placed(path, move.tolist()), f"the path is shifted by {where}" + (
+        ", fitted: a constant offset of the tool is not in the error" if fitted else ""
+    )
+
+
+def _position_of(chosen: Result) -> Array:
+    """Return where the tool was (n_sample, n_axis) [m]."""
+    actual = next((name for name in ACTUAL if name in chosen), None)
+    if actual is None:
+        raise ResultError(f"no position in {chosen.scheme}: say which column is one, such as --column 'position.x=NAME [mm]'")
+    position = chosen[actual]
+    missing = [axis for axis, column in zip(chosen.axes, position.T, strict=True) if not np.isfinite(column).all()]
+    if missing:
+        raise ResultError(
+            f"no position of {', '.join(missing)} in {chosen.scheme}: say which column it is, or leave the axis out with --axes"
+        )
+    return position
+
+
+def _reference_of(chosen: Result) -> Array:
+    if "reference" not in chosen:
+        raise ResultError(f"no reference in {chosen.scheme}: say which columns, or name the part program with --reference part.ngc")
+    return chosen["reference"]
+
+
+def _with_motion(chosen: Result, position: Array, wanted: Array, along: Array) -> Result:
+    """Return the result with the signals that a simulation gives."""
+    period = chosen.servo_period
+    return chosen.with_signals(
         tool_position=Signal(position, ("sample", "axis"), "m"),
         reference=Signal(wanted, ("sample", "axis"), "m"),
         arc_length=Signal(along, ("sample",), "m"),
-        feedrate=Signal(np.abs(speed), ("sample",), "m/s"),
-        reference_velocity=Signal(np.gradient(wanted, result.servo_period, axis=0), ("sample", "axis"), "m/s"),
+        feedrate=Signal(np.abs(np.gradient(along, period)), ("sample",), "m/s"),
+        reference_velocity=Signal(np.gradient(wanted, period, axis=0), ("sample", "axis"), "m/s"),
     )
-    judged = _judged(whole, reference)
-    window = moving(wanted)
-    metrics = summarise(judged, reference, window)
+
+
+def _of_what_is_known(metrics: Metrics, chosen: Result, window: tuple[int, int]) -> Metrics:
+    """Return the figures without those that the log does not tell."""
+    nan = float("nan")
     if "reference" not in chosen:
-        unknown = AxisFigures(float("nan"), float("nan"))
-        metrics = replace(metrics, tracking_error=(unknown,) * len(chosen.axes))
-    unsaid = () if "applied_command" in chosen else (float("nan"),) * len(chosen.axes)
-    cycle = (window[1] - window[0]) * result.servo_period
-    metrics = replace(metrics, basis="moving part", saturation=unsaid or metrics.saturation, cycle_time=cycle)
-    spikes, circles = reversal_spikes(judged, window, reference=reference), circles_of(judged, reference)
-    return Measured(judged, reference, metrics, spikes, circles, tuple(notes))
+        metrics = replace(metrics, tracking_error=(AxisFigures(nan, nan),) * len(chosen.axes))
+    if "applied_command" not in chosen:
+        metrics = replace(metrics, saturation=(nan,) * len(chosen.axes))
+    return replace(metrics, basis="moving part", cycle_time=(window[1] - window[0]) * chosen.servo_period)
 
 
 def _judged(whole: Result, reference: Reference) -> Result:

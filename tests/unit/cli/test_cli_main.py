@@ -10,9 +10,9 @@ import pytest
 
 from contourlab import __version__
 from contourlab.cli.main import main
-from contourlab.cli.output import plain
 from contourlab.components import registry
 from contourlab.errors import DivergenceError, OutputError
+from contourlab.session.plain import plain
 
 LAUNCH = [sys.executable, "-c", "from contourlab.__main__ import run; run()"]
 

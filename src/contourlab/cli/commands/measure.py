@@ -22,6 +22,10 @@ def measure(
     reference: Annotated[
         str | None, typer.Option(help="Columns of the reference with commas between, or a part program.", show_default=False)
     ] = None,
+    shift: Annotated[
+        str | None,
+        typer.Option(help='Where the part\'s zero lies in the log: "fit", or lengths as "10 mm, 5 mm".', show_default=False),
+    ] = None,
     column: ColumnTexts = None,
     columns: ColumnFile = None,
     format: LogFormat = None,  # noqa: A002
@@ -39,6 +43,7 @@ def measure(
     words = ["contourlab", "measure", str(log)]
     options = {
         "--reference": reference,
+        "--shift": shift,
         "--columns": columns,
         "--format": format,
         "--period": period,
@@ -48,5 +53,6 @@ def measure(
     words += [word for name, value in options.items() if value is not None for word in (name, str(value))]
     words += [word for text in column or () for word in ("--column", text)]
     choice = LogChoice(log, tuple(column or ()), columns, format, period, listed(axes))
-    outcome = measure_log(choice, out, reference=reference, tolerance=tolerance, plots=tuple(plots or ()), command=shlex.join(words))
+    asked = {"reference": reference, "shift": shift, "tolerance": tolerance}
+    outcome = measure_log(choice, out, **asked, plots=tuple(plots or ()), command=shlex.join(words))
     return conclude(outcome, as_json)

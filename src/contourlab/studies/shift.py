@@ -1,0 +1,59 @@
+"""Where the zero of a path lies in the coordinates of a log: part programs count from the part, encoders from the machine."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from contourlab.errors import ResultError
+from contourlab.geometry import Path
+from contourlab.studies.progress import progress_along
+
+__all__ = ["fitted_shift"]
+
+Array = NDArray[np.float64]
+MOST, ITERATIONS = 5000, 50
+"""Samples that are looked at, evenly over the log, and steps at most."""
+SETTLED = 1e-9
+"""Metres by which the last step still moves it."""
+STRAIGHT = 1e-6
+"""Part of all normals that lies along an axis below which the path does not tell the shift along it."""
+
+
+def fitted_shift(path: Path, positions: Array) -> Array:
+    """Return the shift (n_axis,) [m] of a path with which measured positions are closest to it, in the sense of least squares.
+
+    Parameters
+    ----------
+    path : Path
+    positions : ndarray (n, n_axis) [m]
+        All along the path, from its start to its end.
+
+    Raises
+    ------
+    ResultError
+        If the path does not tell the shift, as a straight one does not along itself, or the positions are not those of the path.
+
+    Notes
+    -----
+    The middles of both boxes are laid on each other first; then, turn by turn, each position is given its foot point on the path, and the
+    shift that takes the normal distances away is solved for. A constant offset of the tool is taken for a shift, so it is not in the errors
+    that are worked out behind it: at most what the normals average to.
+    """
+    tool = positions[:: max(len(positions) // MOST, 1)]
+    box = path.position(np.linspace(0.0, path.length, MOST))
+    shift = np.asarray((tool.max(axis=0) + tool.min(axis=0) - box.max(axis=0) - box.min(axis=0)) / 2.0)
+    for _ in range(ITERATIONS):
+        here = tool - shift
+        along, _ = progress_along(path, here)
+        window = 4.0 * float(np.linalg.norm(path.position(along) - here, axis=1).max()) + 1e-6
+        foot = path.foot_point(here, along, min(window, 0.25 * path.length))
+        tangent = path.tangent(foot.arc_length)
+        normal = np.eye(path.n_axis) - np.einsum("ki,kj->ij", tangent, tangent) / len(tangent)
+        if np.linalg.eigvalsh(normal)[0] < STRAIGHT:
+            raise ResultError("a straight path does not tell where along itself its zero lies: give the shift in numbers")
+        step = np.linalg.solve(normal, (here - foot.position).mean(axis=0))
+        shift = shift + step
+        if np.abs(step).max() < SETTLED:
+            return shift
+    raise ResultError(f"the shift between path and log is not settled after {ITERATIONS} steps: give it in numbers")
