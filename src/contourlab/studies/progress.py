@@ -17,6 +17,10 @@ FINEST = 20e-6
 """Metres between them, at least."""
 FARTHEST = 0.05
 """Part of the path's size that the tool may be off it before the two are said not to belong together."""
+STARTS = 12
+"""Places that the tool may have begun at, at most: a path may close, cross itself or go several laps."""
+ALIKE = 1.05
+"""Ratio of squared distances up to which two beginnings are as good: then the tool was on its first way past."""
 
 
 def progress_along(path: Path, positions: Array) -> tuple[Array, float]:
@@ -26,6 +30,7 @@ def progress_along(path: Path, positions: Array) -> tuple[Array, float]:
     ----------
     path : Path
     positions : ndarray (n, n_axis) [m]
+        From anywhere on the path onwards, as far as the tool came.
 
     Raises
     ------
@@ -34,32 +39,63 @@ def progress_along(path: Path, positions: Array) -> tuple[Array, float]:
 
     Notes
     -----
-    Progress follows the tool: from each sample to the next the place is the nearest one within twice the way that the tool has gone since,
-    so that where a path meets itself it stays on its own branch. Between those places the foot point is exact anyway.
+    Progress follows the tool, and never goes back: from each sample to the next the place is the nearest one ahead within twice the way that
+    the tool has gone since, so that where a path meets itself or goes back over itself it stays on its own branch. Each place near the first
+    sample is tried as a beginning; the one from which the tool stays closest is taken. Between those places the foot point is exact anyway.
     """
     n = int(min(max(path.length / FINEST, 1000.0), PLACES)) + 1
     grid = np.linspace(0.0, path.length, n)
     places = path.position(grid)
     spacing = path.length / (n - 1)
     size = float(np.ptp(places, axis=0).max())
+    limit = FARTHEST * size + 1e-4
     way = np.append(0.0, np.cumsum(np.linalg.norm(np.diff(positions, axis=0), axis=1)))
     # As many samples as there are steps of the path, each a step further than the one before.
     picked = np.unique(np.searchsorted(way, np.arange(0.0, way[-1] + spacing, 2.0 * spacing)).clip(0, len(way) - 1))
+    tool, ahead = positions[picked], (2.0 * np.diff(way[picked], prepend=0.0) / spacing).astype(int) + 3
     first = np.linalg.norm(places - positions[0], axis=1)
-    at = int(np.argmin(first))
-    off = float(first[at])
-    found = np.empty(picked.size)
-    far = off
-    last = 0.0
-    for i, k in enumerate(picked):
-        reach = int(2.0 * (way[k] - last) / spacing) + 3
-        low, high = max(at - 3, 0), min(at + reach + 1, n)
-        distance = ((places[low:high] - positions[k]) ** 2).sum(axis=1)
-        at = low + int(np.argmin(distance))
-        far = max(far, float(distance.min()) ** 0.5)
-        found[i], last = grid[at], way[k]
-    if far > FARTHEST * size + 1e-4:
+    ways: list[tuple[float, NDArray[np.int_]]] = []
+    strays, most = np.inf, np.inf
+    for start in _starts(first, limit):
+        found, total, far = _followed(places, tool, ahead, start, limit, most)
+        strays = min(strays, far)
+        if far <= limit and total <= most:
+            ways.append((total, found))
+            most = min(most, ALIKE * total + len(tool) * spacing**2)
+    if not ways:
         raise ResultError(
-            f"the tool is up to {far * 1e3:.4g} mm from a path of {size * 1e3:.4g} mm in size: are both in the same coordinates and units?"
+            f"the tool strays {strays * 1e3:.4g} mm or more from a path of {size * 1e3:.4g} mm in size: "
+            "are both in the same coordinates and units?"
         )
-    return np.interp(way, way[picked], np.maximum.accumulate(found)), off
+    found = min((found for total, found in ways if total <= most), key=lambda found: int(found[0]))
+    return np.interp(way, way[picked], grid[found]), float(first[found[0]])
+
+
+def _starts(distance: Array, limit: float) -> list[int]:
+    """Return the places (indices, the nearest first) that the tool may have begun at: those nearer than their neighbours."""
+    padded = np.concatenate([[np.inf], distance, [np.inf]])
+    local = np.flatnonzero((distance <= padded[:-2]) & (distance < padded[2:]))
+    near = local[np.argsort(distance[local], kind="stable")][:STARTS]
+    near = near[distance[near] <= max(limit, float(distance[near[0]]))]
+    return list(dict.fromkeys([*near.tolist(), *([0] if distance[0] <= limit else [])]))
+
+
+def _followed(
+    places: Array, tool: Array, ahead: NDArray[np.int_], start: int, limit: float, most: float
+) -> tuple[NDArray[np.int_], float, float]:
+    """Return the place (index) of each position from a beginning on, the sum of their squared distances [m^2] and the largest distance [m].
+
+    It gives up where one is beyond the limit, or the sum beyond what is the most.
+    """
+    found = np.empty(len(tool), dtype=int)
+    at, total, worst = start, 0.0, 0.0
+    for i, (position, reach) in enumerate(zip(tool, ahead, strict=True)):
+        square = ((places[at : at + reach + 1] - position) ** 2).sum(axis=1)
+        nearest = int(np.argmin(square))
+        at += nearest
+        found[i] = at
+        total += float(square[nearest])
+        worst = max(worst, float(square[nearest]))
+        if worst > limit**2 or total > most:
+            break
+    return found, total, worst**0.5

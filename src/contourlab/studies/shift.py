@@ -13,7 +13,7 @@ __all__ = ["fitted_shift"]
 
 Array = NDArray[np.float64]
 MOST, ITERATIONS = 5000, 50
-"""Samples that are looked at, evenly over the log, and steps at most."""
+"""Samples that are looked at, evenly over the way of the tool, and steps at most."""
 SETTLED = 1e-9
 """Metres by which the last step still moves it."""
 STRAIGHT = 1e-6
@@ -27,7 +27,7 @@ def fitted_shift(path: Path, positions: Array) -> Array:
     ----------
     path : Path
     positions : ndarray (n, n_axis) [m]
-        All along the path, from its start to its end.
+        From the start of the path to its end, or all of them from its start as far as the tool came.
 
     Raises
     ------
@@ -36,13 +36,29 @@ def fitted_shift(path: Path, positions: Array) -> Array:
 
     Notes
     -----
-    The middles of both boxes are laid on each other first; then, turn by turn, each position is given its foot point on the path, and the
-    shift that takes the normal distances away is solved for. A constant offset of the tool is taken for a shift, so it is not in the errors
-    that are worked out behind it: at most what the normals average to.
+    It begins with the middles of both boxes laid on each other, and with the first position laid on the start of the path; of what both lead
+    to the closer one is taken. Turn by turn each position is given its foot point on the path, and the shift that takes the normal
+    distances away is solved for. Positions count by the way between them, so that a tool at rest weighs nothing. A constant offset of the
+    tool is taken for a shift, so it is not in the errors that are worked out behind it: at most what the normals average to.
     """
-    tool = positions[:: max(len(positions) // MOST, 1)]
+    way = np.append(0.0, np.cumsum(np.linalg.norm(np.diff(positions, axis=0), axis=1)))
+    tool = positions[np.unique(np.searchsorted(way, np.linspace(0.0, way[-1], MOST)))]
     box = path.position(np.linspace(0.0, path.length, MOST))
-    shift = np.asarray((tool.max(axis=0) + tool.min(axis=0) - box.max(axis=0) - box.min(axis=0)) / 2.0)
+    middles = (tool.max(axis=0) + tool.min(axis=0) - box.max(axis=0) - box.min(axis=0)) / 2.0
+    found: list[tuple[float, Array]] = []
+    faults = []
+    for start in (middles, tool[0] - box[0]):
+        try:
+            found.append(_settled(path, tool, np.asarray(start)))
+        except ResultError as error:
+            faults.append(error)
+    if not found:
+        raise faults[-1]
+    return min(found, key=lambda one: one[0])[1]
+
+
+def _settled(path: Path, tool: Array, shift: Array) -> tuple[float, Array]:
+    """Return the mean squared normal distance [m^2] and the shift [m] that turn by turn is led to from one to begin with."""
     for _ in range(ITERATIONS):
         here = tool - shift
         along, _ = progress_along(path, here)
@@ -52,8 +68,11 @@ def fitted_shift(path: Path, positions: Array) -> Array:
         normal = np.eye(path.n_axis) - np.einsum("ki,kj->ij", tangent, tangent) / len(tangent)
         if np.linalg.eigvalsh(normal)[0] < STRAIGHT:
             raise ResultError("a straight path does not tell where along itself its zero lies: give the shift in numbers")
-        step = np.linalg.solve(normal, (here - foot.position).mean(axis=0))
+        # At corners and ends a foot point is not square to the path.
+        off = here - foot.position
+        off -= (off * tangent).sum(axis=1, keepdims=True) * tangent
+        step = np.linalg.solve(normal, off.mean(axis=0))
         shift = shift + step
         if np.abs(step).max() < SETTLED:
-            return shift
+            return float((off**2).sum(axis=1).mean()), shift
     raise ResultError(f"the shift between path and log is not settled after {ITERATIONS} steps: give it in numbers")
