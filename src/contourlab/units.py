@@ -37,10 +37,10 @@ def _factor(unit: str) -> tuple[Any, float]:
     units = registry()
     try:
         one = units.Quantity(1.0, units.parse_units(unit)).to_base_units() if unit else units.Quantity(1.0)
-    except (pint.UndefinedUnitError, pint.errors.DefinitionSyntaxError, AttributeError, ValueError, TypeError) as error:
-        raise UnitError(f"unknown unit {unit!r}: write for example mm, mm/min, N/V, 1/s, um or full_scale") from error
     except pint.OffsetUnitCalculusError as error:
         raise UnitError(f"unit {unit!r} has an offset and cannot be used here") from error
+    except Exception as error:  # pint's parser lets through whatever it meets in text that is no unit: an AssertionError for "-"
+        raise UnitError(f"unknown unit {unit!r}: write for example mm, mm/min, N/V, 1/s, um or full_scale") from error
     return one.dimensionality, float(one.magnitude)
 
 

@@ -201,3 +201,36 @@ def test_runs_that_cannot_be_compared(tmp_path: Path, capsys: pytest.CaptureFixt
         assert main(["compare", *words, *out]) == 2
         assert said in capsys.readouterr().err
     assert not (tmp_path / "out").exists()
+
+
+def test_a_log_that_begins_in_motion() -> None:
+    """A tool 12 um outside and 30 ms late: at the first samples it is where the recorded path is not yet, 1.9 mm behind its start."""
+    n, late = 4000, 30
+    angle = np.linspace(0.0, 4.0 * np.pi, n + late)
+    whole = 0.02 * np.column_stack([np.cos(angle), np.sin(angle)])
+    wanted, tool = whole[late:], whole[:-late] * (1.0 + 12e-6 / 0.02)
+    found = measure(run_of(tool, wanted))
+    assert found.metrics.contour_error.max == pytest.approx(12e-6, abs=0.1e-6)
+    assert any(f"cut in motion: {late + k} samples" in found.notes[-1] for k in (0, 1))
+    at_rest = measure(run_of(np.vstack([tool[:1]] * 2 + [tool]), np.vstack([wanted[:1]] * 2 + [wanted])))
+    assert at_rest.metrics.contour_error.max > 1e-3  # the reference began from rest, and the tool was not there
+    ended = measure(run_of(whole[late:], whole[:-late]))
+    assert ended.metrics.contour_error.max < 0.1e-6 and "cut in motion" in ended.notes[-1]
+
+
+def test_a_largest_error_that_nobody_measured(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """A run of missing samples on a circle is bridged by a chord: what that is off is said to be no measurement."""
+    wanted = np.vstack([circle(), np.repeat(circle()[-1:], 20, axis=0)]) * 1e3
+    lines = [f"{k * 1e-3:.4f},{x:.6f},{y:.6f},{x:.6f},{y:.6f}" for k, (x, y) in enumerate(wanted)]
+    lines[700:760] = [",".join([*line.split(",")[:3], "", "nan"]) for line in lines[700:760]]
+    log = tmp_path / "log.csv"
+    log.write_text("t [s],x ref [mm],y ref [mm],x pos [mm],y pos [mm]\n" + "\n".join(lines) + "\n")
+    assert main(["measure", str(log), "--out", str(tmp_path / "out"), "--json"]) == 0
+    scheme = json.loads(capsys.readouterr().out)["schemes"]["log"]
+    assert scheme["metrics"]["contour_error"]["max"] > 50e-6
+    assert any("is in a gap of x pos, y pos: it is interpolated, not measured" in note for note in scheme["notes"])
+
+
+def test_an_axis_that_is_named_twice() -> None:
+    with pytest.raises(ResultError, match="named twice"):
+        measure(run_of(circle(), circle()), axes=("x", "x"))

@@ -94,7 +94,8 @@ def look_at_clock(time: Array, name: str, file: Path, period: float | None = Non
     Raises
     ------
     LogError
-        If there are fewer than three samples, a time is not finite, time goes back, stands still, or too much is missing.
+        If there are fewer than three samples, a time is not finite, time goes back or stands still, the period is not that of the
+        times, or too much is missing.
     """
     if not np.isfinite(time).all():
         raise LogError(f"the time of {name!r} is not finite at sample {int(np.argmin(np.isfinite(time)))}", file=file)
@@ -111,7 +112,11 @@ def look_at_clock(time: Array, name: str, file: Path, period: float | None = Non
     if even.size < 3:
         raise LogError(f"holds {even.size} samples of {name!r} at different times: three or more are wanted", file=file)
     step = np.diff(even)
-    usual = period if period is not None else float(np.median(step))
+    usual = float(np.median(step))
+    if period is not None:
+        if period > GAP * usual:
+            raise LogError(f"the times of {name!r} are {show(usual, 'us')} apart, the period is said to be {show(period, 'us')}", file=file)
+        usual = period
     count = np.maximum(np.rint(step / usual), 1.0)
     wide = step > GAP * usual
     gaps = tuple(Gap(float(even[k]), int(count[k]) - 1) for k in np.flatnonzero(wide) if count[k] > 1)

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import csv
 import io
 import re
 from pathlib import Path
@@ -11,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from contourlab.errors import LogError
-from contourlab.logs.reading import name_and_unit, number, numbers, text_of
+from contourlab.logs.reading import CUT, cells_of, name_and_unit, number, numbers, text_of
 from contourlab.logs.record import Channel, Record
 
 __all__ = ["matches", "read"]
@@ -41,18 +40,48 @@ def read(file: Path) -> Record:
     LogError
         If there is no row of numbers, or one is faulty; says the line.
     """
-    lines = [(i, line) for i, line in enumerate(text_of(file).splitlines(), 1) if _bare(line)]
+    text = text_of(file)
+    lines = [(i, line) for i, line in enumerate(text.splitlines(), 1) if _bare(line)]
     if not lines:
         raise LogError("holds no samples", file=file)
-    mark = _mark(lines[min(len(lines) - 1, 5)][1])
-    first = next((k for k, (_, line) in enumerate(lines) if _is_row(_cells(line, mark))), None)
-    if first is None:
-        raise LogError("holds no row of numbers", file=file, line=lines[0][0])
-    width = len(_cells(lines[first][1], mark))
-    names, units = _heads([_cells(line, mark) for _, line in lines[:first]], width)
-    values = _values(lines[first:], width, mark, file)
+    first, mark = _first_row(lines, file)
+    heads, rows = lines[:first], lines[first:]
+    cut = len(rows) > 1 and not text.endswith(("\n", "\r"))
+    if _is_closed(heads, rows[:-1] if cut else rows, mark):
+        heads, rows = ([(i, line.rstrip(" ").removesuffix(mark or "")) for i, line in part] for part in (heads, rows))
+    width = len(_cells(rows[0][1], mark))
+    names, units = _heads([_cells(line, mark) for _, line in heads], width)
+    notes: tuple[str, ...] = ()
+    if cut and len(_cells(rows[-1][1], mark)) != width:
+        rows, notes = rows[:-1], (CUT,)
+    values = _values(rows, width, mark, file, {line for _, line in heads})
     channels = tuple(Channel(name, column, unit) for name, unit, column in zip(names, units, values.T, strict=True))
-    return Record(file, "csv", channels)
+    return Record(file, "csv", channels, notes=notes)
+
+
+def _first_row(lines: list[tuple[int, str]], file: Path) -> tuple[int, str | None]:
+    """Return which line is the first of the table, and what parts its cells: a row of numbers with another as wide below it."""
+    alone = None
+    for k, (_, line) in enumerate(lines):
+        mark = _mark(line)
+        cells = _cells(line, mark)
+        if not _is_row(cells):
+            continue
+        below = _cells(lines[k + 1][1], mark) if k + 1 < len(lines) else []
+        if len(below) == len(cells) and _is_row(below):
+            return k, mark
+        alone = alone or (k, mark)
+    if alone is None:
+        raise LogError("holds no row of numbers", file=file, line=lines[0][0])
+    return alone
+
+
+def _is_closed(heads: list[tuple[int, str]], rows: list[tuple[int, str]], mark: str | None) -> bool:
+    """Tell whether a mark at the end of every line closes the last cell, rather than to open an empty one."""
+    if mark is None or not all(line.rstrip(" ").endswith(mark) for _, line in rows):
+        return False
+    above = heads[-1][1] if heads else ""
+    return not above or above.rstrip(" ").endswith(mark) or len(_cells(above, mark)) < len(_cells(rows[0][1], mark))
 
 
 def _bare(line: str) -> str:
@@ -72,9 +101,7 @@ def _mark(line: str) -> str | None:
 def _cells(line: str, mark: str | None) -> list[str]:
     if mark is None:
         return re.findall(r"[^\s\[(]+\s*(?:[\[(][^\])]*[\])])?", line.strip()) if "[" in line or "(" in line else line.split()
-    cells = next(csv.reader([line], delimiter=mark))
-    # A mark at the end of every line closes the last cell.
-    return cells[:-1] if len(cells) > 1 and not cells[-1].strip() else cells
+    return cells_of(line, mark)
 
 
 def _is_row(cells: list[str]) -> bool:
@@ -106,14 +133,19 @@ def _bracketed(cells: list[str]) -> bool:
     return all(re.fullmatch(r'"?\s*([\[(].*[\])])?\s*"?', cell) for cell in cells)
 
 
-def _values(lines: list[tuple[int, str]], width: int, mark: str | None, file: Path) -> Array:
-    comma = mark != "," and any("," in line for _, line in lines[:100])
-    if not comma:
+def _values(lines: list[tuple[int, str]], width: int, mark: str | None, file: Path, heads: set[str]) -> Array:
+    text = "\n".join(line for _, line in lines)
+    comma = mark != "," and "," in text
+    plain = text if not comma else text.replace(",", ".") if "." not in text else None
+    empty = re.compile(rf"(?m)(^|{mark})[ ]*(?={mark}|$)")
+    for attempt in (lambda text: text, lambda text: empty.sub(r"\1nan", text)):
         try:
-            text = io.StringIO("\n".join(line for _, line in lines))
-            found = np.loadtxt(text, delimiter=mark, ndmin=2, comments=None)
+            found = np.loadtxt(io.StringIO(attempt(plain)), delimiter=mark, ndmin=2, comments=None) if plain else np.empty(0)
             if found.shape == (len(lines), width):
                 return np.asarray(found, dtype=np.float64)
         except ValueError:
-            pass  # the slow way says which line it is, and knows gaps
+            pass  # the slow way says which line it is
+    again = next((i for i, line in lines if line in heads), 0)
+    if again:
+        raise LogError("the head stands here again: two records are in one file", file=file, line=again)
     return numbers([(i, _cells(line, mark)) for i, line in lines], width, file, comma)

@@ -5,14 +5,18 @@ from __future__ import annotations
 from pathlib import Path
 
 import numpy as np
+from numpy.typing import NDArray
 
 from contourlab.errors import LogError
-from contourlab.logs.reading import numbers, text_of
+from contourlab.logs.reading import lines_of, numbers
 from contourlab.logs.record import Channel, Record
 
 __all__ = ["matches", "read"]
 
+Array = NDArray[np.float64]
 OVERRUN = "overrun"
+MOSTLY = 0.9
+"""Part of the steps by one from which on a first column is numbers of samples, even where they begin anew."""
 
 
 def matches(file: Path, head: bytes) -> bool:
@@ -37,24 +41,44 @@ def read(file: Path) -> Record:
     """Read what halsampler wrote, with ``-t`` or without.
 
     The file knows neither names nor period: columns are named 1, 2, ... in the order of the sampler's pins, and the period has to be
-    given. A first column of whole numbers that only grows is the sample's number, which is kept as the channel ``sample``.
+    given. A first column of whole numbers that only grows is the sample's number, which is kept as the channel ``sample``; where that is a
+    pin, ``--format csv`` reads the table as it is.
 
     Raises
     ------
     LogError
-        If a line is faulty, or samples were lost and are not numbered.
+        If a line is faulty, samples were lost and are not numbered, or their numbers begin anew.
     """
-    lines = [(i, line.split()) for i, line in enumerate(text_of(file).splitlines(), 1) if line.strip()]
+    written, notes = lines_of(file)
+    lines = [(i, line.split()) for i, line in written]
     rows = [(i, cells) for i, cells in lines if cells != [OVERRUN]]
     if not rows:
         raise LogError("holds no samples", file=file)
     values = numbers(rows, len(rows[0][1]), file)
-    first = values[:, 0]
-    tagged = values.shape[1] > 1 and len(first) > 1 and bool(np.all(first == np.rint(first)) and np.all(np.diff(first) >= 1.0))
+    tagged = _is_numbered(rows, values[:, 0], file)
     lost = len(lines) - len(rows)
     if lost and not tagged:
         line = next(i for i, cells in lines if cells == [OVERRUN])
         raise LogError("samples were lost here, and they are not numbered: sample again with halsampler -t", file=file, line=line)
     names = (["sample"] if tagged else []) + [str(j + 1) for j in range(values.shape[1] - tagged)]
-    notes = (f"{lost} overruns: samples were lost there",) if lost else ()
+    notes += (f"{lost} overruns: samples were lost there",) if lost else ()
     return Record(file, "halsampler", tuple(Channel(n, v) for n, v in zip(names, values.T, strict=True)), notes=notes)
+
+
+def _is_numbered(rows: list[tuple[int, list[str]]], first: Array, file: Path) -> bool:
+    """Tell whether the first column is the number of the sample: whole, as it is written, and growing."""
+    if len(rows[0][1]) < 2 or len(rows) < 2 or any("." in cells[0] for _, cells in rows):
+        return False
+    step = np.diff(first)
+    if np.all(step >= 1.0):
+        return True
+    # Bits and counts of an encoder stand still, or turn back one by one: numbers of samples do neither.
+    if np.mean(step == 1.0) > MOSTLY and np.all(step[step != 1.0] < 0.0):
+        back = int(np.argmin(step))
+        raise LogError(
+            f"the number of the sample goes back from {first[back]:.0f} to {first[back + 1]:.0f}: are two records in one file? "
+            "If the first column is a pin, read it with --format csv",
+            file=file,
+            line=rows[back + 1][0],
+        )
+    return False

@@ -6,7 +6,7 @@ import re
 from pathlib import Path
 
 from contourlab.errors import LogError
-from contourlab.logs.reading import numbers, text_of
+from contourlab.logs.reading import lines_of, numbers
 from contourlab.logs.record import Channel, Record
 
 __all__ = ["matches", "read"]
@@ -27,7 +27,8 @@ def read(file: Path) -> Record:
     LogError
         If a line is faulty; says which.
     """
-    lines = [(i, line.strip()) for i, line in enumerate(text_of(file).splitlines(), 1) if line.strip()]
+    written, notes = lines_of(file)
+    lines = [(i, line.strip()) for i, line in written]
     first = _FIRST.match(lines[0][1]) if lines else None
     if first is None:
         raise LogError('does not begin with "Sampling period is ... ns"', file=file, line=1)
@@ -37,9 +38,11 @@ def read(file: Path) -> Record:
     if not body:
         raise LogError("holds no samples", file=file)
     names, rows = _table(body) if first[1] else _labelled(body, file)
+    if not rows:
+        raise LogError("holds no samples", file=file)
     values = numbers(rows, len(names), file)
     channels = tuple(Channel(name, column) for name, column in zip(names, values.T, strict=True))
-    return Record(file, "halscope", channels, int(first[2]) / 1e9)
+    return Record(file, "halscope", channels, int(first[2]) / 1e9, notes=notes)
 
 
 def _table(body: list[tuple[int, str]]) -> tuple[list[str], list[tuple[int, list[str]]]]:

@@ -21,7 +21,7 @@ __all__ = ["Log", "load_log", "result_of"]
 
 Array = NDArray[np.float64]
 FARTHEST, FASTEST = 50.0, 50.0
-"""Positions [m] and speeds [m/s] beyond these are no machine's: the unit is wrong."""
+"""Positions [m] and speeds [m/s] beyond these are no machine's: the unit is wrong, or a position jumps."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -39,6 +39,8 @@ class Log:
         By the name of the channel.
     notes : tuple of str
         What there is to know of how it was read.
+    start : float [s]
+        Time of the result's first sample, as the file counts.
     """
 
     result: Result
@@ -46,6 +48,17 @@ class Log:
     columns: tuple[Column, ...]
     clocks: dict[str, ClockReport]
     notes: tuple[str, ...]
+    start: float = 0.0
+
+    def gaps_at(self, time: float) -> list[str]:
+        """Return the channels of positions that have a gap at a time [s] of the result: what stands there is a line between samples."""
+        at = time + self.start
+        named = {self.record.channel(c.column).name for c in self.columns if SIGNALS.get(c.signal) == "m"}
+        return [
+            name
+            for name, report in self.clocks.items()
+            if name in named and any(gap.time < at < gap.time + (gap.missing + 1) * report.period for gap in report.gaps)
+        ]
 
 
 def load_log(
@@ -92,7 +105,7 @@ def result_of(record: Record, given: Columns) -> Log:
     wanted = [column for column in columns if column.signal != TIME]
     if not wanted:
         raise LogError(unknown(record), file=record.file)
-    times = _times(record, columns, given.period)
+    times, how = _times(record, columns, given.period)
     usable: dict[str, Timed] = {}
     for name in dict.fromkeys(column.column for column in wanted):
         channel, time = _timed(record.channel(name), times, record, given.period)
@@ -108,7 +121,7 @@ def result_of(record: Record, given: Columns) -> Log:
     by_name = [f"{column.signal}.{column.axis} {column.column!r}" for column in more if column.signal != TIME and not _is_its_own(column)]
     said = [f"taken by their names: {', '.join(by_name)}"] if by_name else []
     spoken = dict.fromkeys(line for report in clocks.values() for line in report.lines())
-    return Log(result, record, columns, clocks, (*record.notes, *said, *notes, *spoken))
+    return Log(result, record, columns, clocks, (*record.notes, *said, *how, *notes, *spoken), clock[1])
 
 
 def _is_its_own(column: Column) -> bool:
@@ -121,18 +134,19 @@ def _order(axis: str) -> tuple[int, str]:
     return (place if place >= 0 else len(AXIS_LETTERS), axis)
 
 
-def _times(record: Record, columns: Sequence[Column], period: float | None) -> Array | None:
-    """Return the times [s] that channels without their own share; None where samples are even by their number."""
+def _times(record: Record, columns: Sequence[Column], period: float | None) -> tuple[Array | None, list[str]]:
+    """Return the times [s] that channels without their own share, None where samples are even by their number; and what to say of them."""
     column = next((c for c in columns if c.signal == TIME), None)
     if column is not None:
         channel = record.channel(column.column)
-        unit = column.unit or channel.unit or "s"
-        return _in_si(channel, column, unit, "s", record) * column.factor
+        unit = column.unit or channel.unit
+        how = [] if unit else ["time is taken in s: its column says no unit"]
+        return _in_si(channel, column, unit or "s", "s", record) * column.factor, how
     numbered = next((c for c in record.channels if c.name == "sample" and record.format == "halsampler"), None)
     every = period or record.period
     if numbered is not None and every is not None:
-        return np.asarray(numbered.values * every)
-    return None
+        return np.asarray(numbered.values * every), []
+    return None, []
 
 
 @dataclass(eq=False)
@@ -187,6 +201,7 @@ def _signals(
         expected = SIGNALS[column.signal]
         values = _in_si(channel, column, unit, expected, record) * column.factor if unit else channel.values * column.factor
         _check_size(values, column, channel, unit, record)
+        _check_steps(values, column, one, unit, record)
         even, between = resampled(one.time, values, one.report, clock)
         if between:
             one.report = replace(one.report, resampled=True)
@@ -220,6 +235,20 @@ def _check_size(values: Array, column: Column, channel: Channel, unit: str, reco
     if limit is not None and largest > limit:
         shown = show(largest, SIGNALS[column.signal], 4)
         raise LogError(f"column {channel.name!r} reaches {shown}, beyond any machine: is {unit} its unit?", file=record.file)
+
+
+def _check_steps(values: Array, column: Column, one: Timed, unit: str, record: Record) -> None:
+    """Refuse positions that change faster than any machine: wrong units, counters that wrap, two records. References may jump."""
+    if SIGNALS[column.signal] != "m" or column.signal == "reference":
+        return
+    speed = np.abs(np.diff(values)) / np.maximum(np.diff(one.time), one.report.period)
+    k = int(np.argmax(speed))
+    if speed[k] > FASTEST:
+        raise LogError(
+            f"column {one.channel.name!r} goes from {show(values[k], 'mm')} to {show(values[k + 1], 'mm')} at t = {one.time[k]:.6g} s, "
+            f"{show(float(speed[k]), 'm/s', 3)}, faster than any machine: is {unit} its unit, does a counter wrap, are there two records?",
+            file=record.file,
+        )
 
 
 def _stacked(found: dict[str, dict[str, tuple[Array, str]]], axes: tuple[str, ...]) -> dict[str, Signal]:

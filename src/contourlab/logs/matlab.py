@@ -44,7 +44,10 @@ def read(file: Path) -> Record:
         tree = dict(inner)
     period = None
     if _is_capture(tree):
-        channels, constants, period = _capture(tree)
+        try:
+            channels, constants, period = _capture(tree)
+        except (AttributeError, KeyError, TypeError, ValueError) as error:
+            raise LogError(f"looks like a capture (X, Y), but is not laid out as one: {error}", file=file) from error
     else:
         found = list(_leaves(tree, ""))
         columns = [(*name_and_unit(name), value) for name, value in found if value.size >= SHORTEST]
@@ -86,8 +89,8 @@ def _tree_of_hdf(file: Path) -> dict[str, Any]:
 
     try:
         with h5py.File(file, "r") as stored:
-            return {name: _plain_hdf(stored, item) for name, item in stored.items() if not name.startswith("#")}
-    except (OSError, KeyError, RuntimeError, ValueError) as error:
+            return {name: _plain_hdf(stored, item) for name, item in stored.items() if item is not None and not name.startswith("#")}
+    except (AttributeError, KeyError, OSError, RuntimeError, TypeError, ValueError) as error:
         raise LogError(f"cannot be read as MATLAB 7.3: {error}", file=file) from error
 
 
@@ -96,7 +99,7 @@ def _plain_hdf(stored: Any, item: Any) -> Any:
     import h5py
 
     if isinstance(item, h5py.Group):
-        fields = {name: _plain_hdf(stored, inner) for name, inner in item.items()}
+        fields = {name: _plain_hdf(stored, inner) for name, inner in item.items() if inner is not None}
         lists = [value for value in fields.values() if isinstance(value, list)]
         # An array of structures is stored as a structure of arrays of references.
         if fields and len(lists) == len(fields) and len({len(value) for value in lists}) == 1:
@@ -104,7 +107,7 @@ def _plain_hdf(stored: Any, item: Any) -> Any:
         return fields
     values = item[()]
     if item.dtype == h5py.ref_dtype:
-        return [_plain_hdf(stored, stored[reference]) for reference in np.ravel(values)]
+        return [_plain_hdf(stored, stored[reference]) if reference else np.empty(0) for reference in np.ravel(values)]
     kind = item.attrs.get("MATLAB_class", b"")
     if item.attrs.get("MATLAB_empty", 0):
         return np.empty(0)

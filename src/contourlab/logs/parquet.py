@@ -35,12 +35,12 @@ def read(file: Path) -> Record:
     except ImportError as error:
         raise LogError('Parquet needs pyarrow: pip install "contourlab[parquet]"', file=file) from error
     try:
-        table = arrow.read_table(file)
+        table = arrow.ParquetFile(file).read()
     except (ArrowException, OSError, ValueError) as error:
         raise LogError(f"cannot be read as Parquet: {str(error).splitlines()[0]}", file=file) from error
     channels, left = [], []
-    for field in table.schema:
-        found = _channel(field, table.column(field.name))
+    for i, field in enumerate(table.schema):
+        found = _channel(field, table.column(i))
         if found is None:
             left.append(field.name)
         else:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import csv
 import math
 import re
 from collections.abc import Sequence
@@ -12,23 +13,31 @@ from numpy.typing import NDArray
 
 from contourlab.errors import LogError
 
-__all__ = ["head_of", "name_and_unit", "number", "numbers", "text_of"]
+__all__ = ["cells_of", "head_of", "lines_of", "name_and_unit", "number", "numbers", "text_of"]
 
 Array = NDArray[np.float64]
 HEAD = 1 << 16
 """Bytes of a file that its format is told from."""
+UTF_16 = (b"\xff\xfe", b"\xfe\xff")
+"""Marks that text in UTF-16 begins with."""
+CUT = "the last line is cut short and left out"
+"""What is said of a file whose writing was broken off."""
+SHOWN = 40
+"""Characters of a faulty cell that a message shows."""
 _UNIT = re.compile(r"\s*(?P<name>.*?)\s*[\[(]\s*(?P<unit>[^\])]*?)\s*[\])]\s*\Z")
 _EMPTY = frozenset(("", "nan", "-nan", "na", "n/a", "null", "none", "#n/a", "-"))
 
 
 def head_of(file: Path) -> bytes:
-    """Return the first bytes of a file.
+    """Return the first bytes of a file; those of UTF-16 with a mark in UTF-8.
 
     Raises
     ------
     LogError
-        If it cannot be read, or is empty.
+        If it cannot be read, is no plain file, or is empty.
     """
+    if file.exists() and not file.is_file():
+        raise LogError("is no plain file, which can be read more than once: write it to one", file=file)
     try:
         with file.open("rb") as stream:
             head = stream.read(HEAD)
@@ -36,7 +45,7 @@ def head_of(file: Path) -> bytes:
         raise LogError(f"cannot be read: {error.strerror or error}", file=file) from error
     if not head.strip():
         raise LogError("is empty", file=file)
-    return head
+    return head.decode("utf-16", errors="ignore").encode() if head[:2] in UTF_16 else head
 
 
 def text_of(file: Path) -> str:
@@ -45,7 +54,7 @@ def text_of(file: Path) -> str:
         data = file.read_bytes()
     except OSError as error:
         raise LogError(f"cannot be read: {error.strerror or error}", file=file) from error
-    if data[:2] in (b"\xff\xfe", b"\xfe\xff"):
+    if data[:2] in UTF_16:
         return data.decode("utf-16", errors="replace")
     if b"\0" in data[:HEAD]:
         raise LogError("is no text: say what it is with --format", file=file)
@@ -53,6 +62,28 @@ def text_of(file: Path) -> str:
         return data.decode("utf-8-sig")
     except UnicodeDecodeError:
         return data.decode("latin-1")
+
+
+def lines_of(file: Path) -> tuple[list[tuple[int, str]], tuple[str, ...]]:
+    """Return the lines of text that a program wrote, each with its number, but for blank ones; and what there is to say of them.
+
+    The program ends each line: a last one without an end is what was being written when the power or the disk was gone, and is left out.
+    """
+    text = text_of(file)
+    lines = [(i, line) for i, line in enumerate(text.splitlines(), 1) if line.strip()]
+    if not lines or text.endswith(("\n", "\r")):
+        return lines, ()
+    return lines[:-1], (CUT,)
+
+
+def cells_of(line: str, mark: str) -> list[str]:
+    """Return the cells of a line, without the quotes around them."""
+    if '"' not in line:
+        return line.split(mark)
+    try:
+        return next(csv.reader([line], delimiter=mark))
+    except csv.Error:  # a quote that is never closed
+        return line.split(mark)
 
 
 def name_and_unit(text: str) -> tuple[str, str]:
@@ -70,6 +101,8 @@ def number(text: str, comma: bool = False) -> float:
     word = text.strip().strip('"').strip()
     if word.casefold() in _EMPTY:
         return math.nan
+    if "_" in word or (comma and word.rfind(".") > word.rfind(",") >= 0):
+        raise ValueError(f"{word} is no number, or one with commas between thousands")
     return float(word.replace(".", "").replace(",", ".") if comma and "," in word else word)
 
 
@@ -86,11 +119,26 @@ def numbers(rows: Sequence[tuple[int, Sequence[str]]], width: int, file: Path, c
         if len(cells) != width:
             raise LogError(f"has {len(cells)} columns where {width} are wanted", file=file, line=line)
         try:
-            found[i] = [number(cell, comma) for cell in cells]
+            found[i] = _numbers_in(cells, comma)
         except ValueError:
             j = next(j for j, cell in enumerate(cells) if not _is_number(cell, comma))
-            raise LogError(f"{cells[j].strip()!r} in column {j + 1} is no number", file=file, line=line) from None
+            raise LogError(f"{shown(cells[j])} in column {j + 1} is no number", file=file, line=line) from None
     return found
+
+
+def shown(cell: str) -> str:
+    """Return a cell as it stands in a message: in quotes, and not too long."""
+    word = cell.strip()
+    return repr(word if len(word) <= SHOWN else f"{word[:SHOWN]}...")
+
+
+def _numbers_in(cells: Sequence[str], comma: bool) -> list[float]:
+    """Return the numbers of cells; those of plain ones, which is quicker by far, where all are plain. Raises ValueError."""
+    try:
+        found = list(map(float, cells))
+    except ValueError:
+        return [number(cell, comma) for cell in cells]
+    return found if not any("_" in cell for cell in cells) else [number(cell, comma) for cell in cells]
 
 
 def _is_number(cell: str, comma: bool) -> bool:

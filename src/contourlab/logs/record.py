@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 
 import numpy as np
@@ -50,6 +51,7 @@ class Record:
     format : str
         Name of the reader.
     channels : tuple of Channel
+        Those of the same name are numbered, ``x #1``, ``x #2``.
     period : float [s] or None
         Between samples, where the file says so.
     constants : mapping of str to float
@@ -66,6 +68,7 @@ class Record:
     notes: tuple[str, ...] = ()
 
     def __post_init__(self) -> None:
+        object.__setattr__(self, "channels", _told_apart(self.channels))
         if not any(channel.values.size for channel in self.channels):
             raise LogError("holds no samples", file=self.file)
 
@@ -92,6 +95,19 @@ class Record:
             if found:
                 raise LogError(f"column {name!r} may be {said(c.name for c in found)}: write more of its name", file=self.file)
         raise LogError(f"has no column {name!r}; there are {said(self.names)}", file=self.file)
+
+
+def _told_apart(channels: tuple[Channel, ...]) -> tuple[Channel, ...]:
+    """Return channels of which no two have one name: those of the same are numbered, ``x #1``, ``x #2``."""
+    count = Counter(channel.name for channel in channels)
+    if all(n == 1 for n in count.values()):
+        return channels
+    seen: Counter[str] = Counter()
+    found = []
+    for channel in channels:
+        seen[channel.name] += 1
+        found.append(replace(channel, name=f"{channel.name} #{seen[channel.name]}") if count[channel.name] > 1 else channel)
+    return tuple(found)
 
 
 def said(names: Iterable[str], most: int = 30) -> str:

@@ -48,6 +48,8 @@ def read(file: Path) -> Record:
     except ElementTree.ParseError as error:
         line = error.position[0] if error.position else 0
         raise LogError(f"is no complete XML: {error.msg}", file=file, line=line) from error
+    except (LookupError, ValueError) as error:
+        raise LogError(f"is XML in an encoding that is not read: {error}", file=file) from error
     except OSError as error:
         raise LogError(f"cannot be read: {error.strerror or error}", file=file) from error
     channels = [_channel(i, signal, samples) for i, signal in enumerate(signals)]

@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 import platform
 from collections.abc import Sequence
-from dataclasses import asdict, dataclass
+from dataclasses import asdict, dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Literal
 
@@ -115,7 +115,12 @@ def _judged(choice: LogChoice, reference: str | None, shift: str | None = None) 
     log = open_log(choice, more)
     axes = tuple(choice.axes)
     path = program_path(program, axes or log.result.axes) if program else None
-    return _Judged(log.result.scheme, log, measure(log.result, path, axes or None, shift=_shift(shift, axes or log.result.axes)))
+    found = measure(log.result, path, axes or None, shift=_shift(shift, axes or log.result.axes))
+    worst = found.metrics.contour_error.worst.time
+    if gaps := log.gaps_at(worst):
+        words = f"the largest contour error, at t = {worst:.4g} s, is in a gap of {', '.join(gaps)}: it is interpolated, not measured"
+        found = replace(found, notes=(*found.notes, words))
+    return _Judged(log.result.scheme, log, found)
 
 
 def _shift(text: str | None, axes: tuple[str, ...]) -> NDArray[np.float64] | Literal["fit"] | None:

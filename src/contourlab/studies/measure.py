@@ -24,6 +24,8 @@ __all__ = ["Measured", "measure"]
 Array = NDArray[np.float64]
 ACTUAL = ("tool_position", "position", "axis_position")
 """Signals that say where the tool was, the best first: a measured log has the encoders' alone."""
+STILL = 1e-9
+"""Metres behind the start of a path, or ahead of its end, from which on the tool is not on it."""
 COARSE = 40
 """Places on either side of the reference's that are looked at for the one nearest to the tool."""
 
@@ -77,6 +79,7 @@ def measure(
     """
     chosen = _of_axes(result, axes or result.axes)
     position, notes = _position_of(chosen), []
+    of_samples = path is None
     if path is None:
         if shift is not None:
             raise ResultError("a shift is for a path of its own coordinates: the reference is in those of the log already")
@@ -92,6 +95,9 @@ def measure(
     reference = Reference.from_samples(wanted, result.servo_period, path, arc_length=along)
     judged = _judged(_with_motion(chosen, position, wanted, along), reference)
     window = moving(wanted)
+    if of_samples:
+        window, left = _on_the_path(judged, reference, window)
+        notes += left
     metrics = _of_what_is_known(summarise(judged, reference, window), chosen, window)
     spikes, circles = reversal_spikes(judged, window, reference=reference), circles_of(judged, reference)
     return Measured(judged, reference, metrics, spikes, circles, tuple(notes))
@@ -139,6 +145,25 @@ def _with_motion(chosen: Result, position: Array, wanted: Array, along: Array) -
     )
 
 
+def _on_the_path(judged: Result, reference: Reference, window: tuple[int, int]) -> tuple[tuple[int, int], list[str]]:
+    """Return the samples that are judged, and what there is to say of others.
+
+    A log that begins in motion does not hold the path that the tool is on until it comes to where the reference was at the first sample:
+    what it is off there is its lag. The same holds for a tool that is ahead where the log ends in motion.
+    """
+    path, tool, foot = reference.path, judged["tool_position"], judged["foot_arc_length"]
+    start, stop = window
+    ends = np.array([0.0, path.length])
+    behind, ahead = (((tool - at) @ way) for at, way in zip(path.position(ends), path.tangent(ends), strict=True))
+    before, beyond = (foot <= 0.0) & (behind < -STILL), (foot >= path.length) & (ahead > STILL)
+    first = int(np.argmin(before)) if start == 0 and not before.all() else start
+    last = stop - int(np.argmin(beyond[::-1])) if stop == len(foot) and not beyond.all() else stop
+    if last - first < 2 or (first, last) == window:
+        return window, []
+    left = first - start + stop - last
+    return (first, last), [f"the log is cut in motion: {left} samples at which the tool is not on the recorded path are left out"]
+
+
 def _of_what_is_known(metrics: Metrics, chosen: Result, window: tuple[int, int]) -> Metrics:
     """Return the figures without those that the log does not tell."""
     nan = float("nan")
@@ -180,6 +205,8 @@ def _nearest(path: Path, tool: Array, along: Array, step: float) -> Array:
 
 
 def _of_axes(result: Result, axes: tuple[str, ...]) -> Result:
+    if len(set(axes)) < len(axes):
+        raise ResultError(f"axes {', '.join(axes)}: one is named twice")
     unknown = [axis for axis in axes if axis not in result.axes]
     if unknown:
         raise ResultError(f"no axis {unknown[0]} in {result.scheme}; there are {', '.join(result.axes)}")

@@ -39,9 +39,10 @@ def progress_along(path: Path, positions: Array) -> tuple[Array, float]:
 
     Notes
     -----
-    Progress follows the tool, and never goes back: from each sample to the next the place is the nearest one ahead within twice the way that
-    the tool has gone since, so that where a path meets itself or goes back over itself it stays on its own branch. Each place near the first
-    sample is tried as a beginning; the one from which the tool stays closest is taken. Between those places the foot point is exact anyway.
+    Progress follows the tool, and never goes back: from each sample to the next the place is the nearest one ahead within twice the way
+    that the tool has gone since, so that where a path meets itself or goes back over itself it stays on its own branch. Each place near
+    the first sample is tried as a beginning; the one from which the tool stays closest is taken. Between those places the foot point is
+    exact anyway.
     """
     n = int(min(max(path.length / FINEST, 1000.0), PLACES)) + 1
     grid = np.linspace(0.0, path.length, n)

@@ -36,8 +36,8 @@ def fitted_shift(path: Path, positions: Array) -> Array:
 
     Notes
     -----
-    It begins with the middles of both boxes laid on each other, and with the first position laid on the start of the path; of what both lead
-    to the closer one is taken. Turn by turn each position is given its foot point on the path, and the shift that takes the normal
+    It begins with the middles of both boxes laid on each other, and with the first position laid on the start of the path; of what both
+    lead to the closer one is taken. Turn by turn each position is given its foot point on the path, and the shift that takes the normal
     distances away is solved for. Positions count by the way between them, so that a tool at rest weighs nothing. A constant offset of the
     tool is taken for a shift, so it is not in the errors that are worked out behind it: at most what the normals average to.
     """

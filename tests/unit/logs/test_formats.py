@@ -181,6 +181,124 @@ def test_a_faulty_table_is_refused_with_its_line(tmp_path: Path, text: str, said
         read_record(written(tmp_path, "a.csv", text))
 
 
+@pytest.mark.parametrize("encoding", ["utf-16", "utf-8-sig"])
+@pytest.mark.parametrize(
+    ("name", "text", "kind"),
+    [("a.csv", "t [s]\tx [mm]\r\n0\t1,5\r\n1\t2\r\n", "csv"), ("a.csv", twincat(), "twincat"), ("a.xml", SINUMERIK, "sinumerik")],
+)
+def test_text_in_the_encodings_of_windows(tmp_path: Path, encoding: str, name: str, text: str, kind: str) -> None:
+    file = written(tmp_path, name, text.replace('"UTF-8"', f'"{encoding[:6].upper()}"'.replace("UTF-8-", "UTF-8")), encoding)
+    assert format_of(file).name == kind
+    assert read_record(file).channels[0].values.size > 1
+
+
+def test_a_decimal_comma_that_comes_late(tmp_path: Path) -> None:
+    """A drive at rest writes 0, hundreds of times."""
+    record = read_record(written(tmp_path, "a.csv", "t [s];x [mm]\n" + "0;0\n" * 500 + "0,5;1,25\n"))
+    assert record.channel("x").values[-1] == 1.25
+    mixed = read_record(written(tmp_path, "a.csv", "t [s];x [mm]\n0.5;7\n0,5;1.234,5\n"))
+    assert mixed.channel("x").values.tolist() == [7.0, 1234.5] and mixed.channel("t").values.tolist() == [0.5, 0.5]
+    with pytest.raises(LogError, match=r"a.csv:3: '1,234.5' in column 2"):
+        read_record(written(tmp_path, "a.csv", "t [s];x [mm]\n0;1\n1;1,234.5\n"))
+
+
+@pytest.mark.parametrize(
+    ("text", "last"),
+    [
+        ("t,x,y\n0,1,2\n1,1,\n2,2,4\n", [2.0, np.nan, 4.0]),
+        ("t,x,y,\n0,1,2,\n1,1,,\n2,2,4,\n", [2.0, np.nan, 4.0]),
+        ("t,x,y\n0,1,\n1,1,\n", [np.nan, np.nan]),
+        ("0;1;\n1;1;3\n", [np.nan, 3.0]),
+        ("Rate, 1000, Hz\n5, 6\nt;x;y\n0;1;2,5\n1;2;3\n", [2.5, 3.0]),
+    ],
+)
+def test_a_gap_in_the_last_column(tmp_path: Path, text: str, last: list[float]) -> None:
+    """A mark at the end of a line opens an empty cell, unless all lines, the head's too, end in one."""
+    assert read_record(written(tmp_path, "a.csv", text)).channels[2].values == pytest.approx(last, nan_ok=True)
+
+
+@pytest.mark.parametrize(
+    ("name", "text", "last"),
+    [
+        ("a.txt", HALSAMPLER[:-4], 1.501),
+        ("a.csv", HALSCOPE[:-3], 0.09),
+        ("a.csv", twincat(timelines="none").removesuffix("EOF\n")[:-5], 8.5),
+        ("a.csv", "t,x\n0,1\n1,2\n2", 2.0),
+    ],
+)
+def test_a_file_whose_writing_was_broken_off(tmp_path: Path, name: str, text: str, last: float) -> None:
+    record = read_record(written(tmp_path, name, text))
+    values = record.channel({"a.txt": "2"}.get(name, record.names[min(1, len(record.names) - 1)])).values
+    assert values[np.isfinite(values)][-1] == last
+    assert "the last line is cut short and left out" in record.notes
+
+
+def test_two_records_in_one_file(tmp_path: Path) -> None:
+    tagged = "".join(f"{k} {k * 0.1:f} \n" for k in range(40))
+    with pytest.raises(LogError, match=r"a.txt:41: the number of the sample goes back from 39 to 0"):
+        read_record(written(tmp_path, "a.txt", tagged * 2))
+    counts = "".join(f"{k} {k * 0.1:f} \n" for k in [*range(40), *range(40, 0, -1)])
+    assert read_record(written(tmp_path, "a.txt", counts)).names == ["1", "2"]
+    grows = "".join(f"{k:f} {k * 0.1:f} \n" for k in range(40))
+    assert read_record(written(tmp_path, "a.txt", grows)).names == ["1", "2"]  # a float that grows is a pin
+    with pytest.raises(LogError, match=r"a.csv:4: the head stands here again"):
+        read_record(written(tmp_path, "a.csv", "t,x\n0,1\n1,2\n" * 2))
+
+
+def test_columns_of_one_name_are_numbered(tmp_path: Path) -> None:
+    record = read_record(written(tmp_path, "a.csv", "pos [mm],t,pos [mm]\n0,1,2\n3,4,5\n"))
+    assert record.names == ["pos #1", "t", "pos #2"]
+    assert record.channel("pos #2").values.tolist() == [2.0, 5.0]
+    arrow = pytest.importorskip("pyarrow")
+    from pyarrow import parquet
+
+    parquet.write_table(arrow.Table.from_arrays([arrow.array([1.0, 2.0])] * 2, names=["x [mm]", "x [mm]"]), tmp_path / "a.parquet")
+    assert read_record(tmp_path / "a.parquet").names == ["x #1", "x #2"]
+
+
+@pytest.mark.parametrize("kind", ["csv", "twincat", "halsampler", "halscope", "sinumerik"])
+def test_what_is_no_log_is_said_in_words(tmp_path: Path, kind: str) -> None:
+    """Marks and nothing behind them, a quote that never ends in a line of 300 kB, an encoding that is none."""
+    foreign = b'<?xml version="1.0" encoding="foo-8"?><trace><rec/></trace>'
+    for content in (b"\xef\xbb\xbf", b"\xff\xfe", b'Name "' + b"a" * 300_000 + b"\n1\n", foreign):
+        file = tmp_path / "a.txt"
+        file.write_bytes(content)
+        try:
+            read_record(file, kind)
+        except LogError as error:
+            assert len(str(error)) < 1000
+        else:
+            assert kind == "csv"
+
+
+def test_a_device_is_no_file() -> None:
+    with pytest.raises(LogError, match="no plain file"):
+        read_record(Path("/dev/null"))
+
+
+@pytest.mark.parametrize(
+    "run",
+    [
+        {"X": {"Data": "text"}, "Y": {"Name": "a", "Data": np.arange(3.0)}},
+        {"X": {"Data": np.arange(3.0)}, "Y": {"Name": "a"}},
+        {"X": {"Data": np.arange(3.0)}, "Y": np.array([np.arange(3), np.arange(4)], dtype=object)},
+        {"X": {"Data": np.arange(3.0)}, "Y": {"Name": "a", "Data": np.arange(3.0)}, "Capture": {"SamplingPeriod": "n"}},
+    ],
+)
+def test_a_capture_that_is_none(tmp_path: Path, run: dict[str, object]) -> None:
+    savemat(tmp_path / "a.mat", {"run": run})
+    with pytest.raises(LogError, match="looks like a capture"):
+        read_record(tmp_path / "a.mat")
+
+
+def test_links_and_references_of_version_7_3_that_lead_nowhere(tmp_path: Path) -> None:
+    with h5py.File(tmp_path / "a.mat", "w") as stored:
+        stored["x"] = np.arange(3.0)[None, :]
+        stored.create_dataset("cell", (2, 1), dtype=h5py.ref_dtype)
+        stored["gone"] = h5py.SoftLink("/nowhere")
+    assert read_record(tmp_path / "a.mat").names == ["x"]
+
+
 def test_matlab_flat_and_in_structures(tmp_path: Path) -> None:
     t = np.arange(5.0)
     savemat(tmp_path / "a.mat", {"t": t[:, None], "gain": 35.0, "out": {"x [mm]": t * 2.0}, "both": np.column_stack([t, -t]), "who": "me"})

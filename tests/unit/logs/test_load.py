@@ -188,10 +188,51 @@ def test_channels_of_unlike_rates_meet_on_the_fastest_clock() -> None:
 
 def test_even_samples_are_taken_as_they_are() -> None:
     """No interpolation: noise stays what it is to the last bit."""
-    noise = np.random.default_rng(1).standard_normal(500)
+    noise = 1e-4 * np.random.default_rng(1).standard_normal(500)
     time = np.round(np.arange(500) * 1e-4, 9) + 3.0
     log = result_of(
         record(Channel("a", noise, "m", time), Channel("b", noise[5:], "m", time[5:])),
         Columns(parse_columns(["position.x=a", "position.y=b"])),
     )
     assert np.array_equal(log.result["position"][:, 0], noise[5:]) and np.array_equal(log.result["position"][:, 1], noise[5:])
+
+
+@pytest.mark.parametrize(
+    ("values", "unit"),
+    [
+        (20.0 * np.sin(np.arange(2000) * 5e-3), "m"),  # millimetres taken for metres
+        (np.where(np.arange(2000) > 900, -32.768, 32.767), "mm"),  # a counter of 16 bits that wraps
+        (np.append(np.linspace(0.0, 300.0, 1000), np.linspace(0.0, 300.0, 1000)), "mm"),  # two records end to end
+        (np.append(np.zeros(1999), 1e3), "mm"),
+    ],
+)
+def test_a_position_that_jumps_is_refused(values: np.ndarray, unit: str) -> None:
+    columns = Columns(parse_columns(["position.x=a"]), 1e-3)
+    with pytest.raises(LogError, match="faster than any machine"):
+        result_of(record(Channel("a", values, unit)), columns)
+    assert result_of(record(Channel("a", values / 40.0, "mm")), columns).result.n_sample == 2000
+    steps = Columns(parse_columns(["reference.x=a", "position.x=b"]), 1e-3)  # a reference may step
+    result_of(record(Channel("a", np.append(np.zeros(10), np.ones(10)), "m"), Channel("b", np.zeros(20), "m")), steps)
+
+
+def test_a_time_without_a_unit_is_said(tmp_path: Path) -> None:
+    rows = np.column_stack([np.arange(5.0), np.arange(5.0)])
+    assert "time is taken in s: its column says no unit" in load_log(table(tmp_path, "t,x pos [mm]", rows)).notes
+    assert not any("time" in note for note in load_log(table(tmp_path, "t [ms],x pos [mm]", rows)).notes)
+
+
+def test_a_period_that_is_not_that_of_the_times(tmp_path: Path) -> None:
+    file = table(tmp_path, "t [ms],x pos [mm]", np.column_stack([np.arange(50.0), np.arange(50.0)]))
+    for period in (2e-3, 0.5e-3):
+        with pytest.raises(LogError, match=r"1000 us apart|missing at a period of 500 us"):
+            load_log(file, period=period)
+
+
+def test_the_channels_that_have_a_gap_at_a_time() -> None:
+    there = np.ones(100, dtype=bool)
+    there[40:43] = False
+    time = 7.0 + np.arange(100) * 1e-3
+    values = np.where(there, np.arange(100) * 1e-3, np.nan)
+    log = result_of(record(Channel("x pos", values, "mm", time), Channel("y pos", time, "mm", time)), Columns())
+    assert log.start == 7.0
+    assert [log.gaps_at(at) for at in (0.039, 0.0405, 0.042, 0.043)] == [[], ["x pos"], ["x pos"], []]

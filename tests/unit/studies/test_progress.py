@@ -1,6 +1,8 @@
-"""Where on a path a measured tool was: paths that meet themselves, close, go several laps or back over themselves, runs of a part of them."""
+"""Where on a path a measured tool was: paths that close, cross themselves, go laps or back over themselves; runs of a part of them."""
 
 from __future__ import annotations
+
+import itertools
 
 import numpy as np
 import pytest
@@ -12,7 +14,7 @@ from contourlab.studies.shift import fitted_shift
 
 
 def lines(*corners: tuple[float, float]) -> Path:
-    return Path([Line(a, b) for a, b in zip(corners[:-1], corners[1:], strict=True)])
+    return Path([Line(a, b) for a, b in itertools.pairwise(corners)])
 
 
 def turn(centre: tuple[float, float], sweep: float, begin: float) -> Arc:
@@ -51,7 +53,7 @@ def test_progress_stays_on_its_branch(name: str, part: tuple[float, float], late
 @pytest.mark.parametrize("name", ["three laps", "eight", "rows"])
 def test_a_shift_is_found_from_a_part_of_the_run_too(name: str, part: tuple[float, float]) -> None:
     """On these paths 10 um to the left is no shift but for what the normals do not average to; a tool at rest weighs nothing."""
-    along, tool = tool_on(PATHS[name], part, 20e-6)
+    _, tool = tool_on(PATHS[name], part, 20e-6)
     rest = np.repeat(tool[-1:], 20_000, axis=0)
     assert fitted_shift(PATHS[name], np.vstack([tool, rest]) + [0.1, -0.05]) == pytest.approx([0.1, -0.05], abs=11e-6)
 
