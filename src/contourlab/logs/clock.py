@@ -120,14 +120,8 @@ def look_at_clock(time: Array, name: str, file: Path, period: float | None = Non
     count = np.maximum(np.rint(step / usual), 1.0)
     wide = step > GAP * usual
     gaps = tuple(Gap(float(even[k]), int(count[k]) - 1) for k in np.flatnonzero(wide) if count[k] > 1)
-    # The median of rounded differences would drift away from the times: the slope of all of them is better.
     if period is None:
-        index = np.append(0.0, np.cumsum(count))
-        index -= index.mean()
-        usual = float(index @ (even - even.mean()) / (index @ index))
-        # Times are rounded when they are written: 0.1 ms it was, not 0.0999999997 ms, where that makes no difference over the record.
-        short = float(f"{usual:.6g}")
-        usual = short if abs(short - usual) * count.sum() < 0.1 * EVEN * usual else usual
+        usual = _period(even, count)
     jitter = _jitter(even, count, usual)
     report = ClockReport(usual, even.size, float(np.sqrt(np.mean(jitter**2))), float(np.abs(jitter).max()), gaps, int((~kept).sum()))
     if report.missing > MOST_MISSING * (report.n_sample + report.missing):
@@ -137,6 +131,17 @@ def look_at_clock(time: Array, name: str, file: Path, period: float | None = Non
             file=file,
         )
     return report, kept
+
+
+def _period(time: Array, count: Array) -> float:
+    """Return the period [s] of times that are so many periods apart."""
+    # The median of rounded differences would drift away from the times: the slope of all of them is better.
+    index = np.append(0.0, np.cumsum(count))
+    index -= index.mean()
+    slope = float(index @ (time - time.mean()) / (index @ index))
+    # Times are rounded when they are written: 0.1 ms it was, not 0.0999999997 ms, where that makes no difference over the record.
+    short = float(f"{slope:.6g}")
+    return short if abs(short - slope) * count.sum() < 0.1 * EVEN * slope else slope
 
 
 def _jitter(time: Array, count: Array, period: float) -> Array:

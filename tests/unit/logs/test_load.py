@@ -77,6 +77,7 @@ def test_what_the_user_says_goes_first() -> None:
         (["time.x=a"], "time has no axis"),
         (["position.x=a [kg]"], "kg is no unit of position"),
         (["position.x=a [beans]"], "unknown unit"),
+        (["position.x=a [-]"], "unknown unit"),
         (["position.x=a", "position.x=b"], "position.x is given twice"),
     ],
 )

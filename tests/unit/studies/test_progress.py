@@ -55,7 +55,7 @@ def test_a_shift_is_found_from_a_part_of_the_run_too(name: str, part: tuple[floa
     """On these paths 10 um to the left is no shift but for what the normals do not average to; a tool at rest weighs nothing."""
     _, tool = tool_on(PATHS[name], part, 20e-6)
     rest = np.repeat(tool[-1:], 20_000, axis=0)
-    assert fitted_shift(PATHS[name], np.vstack([tool, rest]) + [0.1, -0.05]) == pytest.approx([0.1, -0.05], abs=11e-6)
+    assert fitted_shift(PATHS[name], np.vstack([tool, rest]) + np.array([0.1, -0.05])) == pytest.approx([0.1, -0.05], abs=11e-6)
 
 
 def test_a_tool_that_is_elsewhere() -> None:
