@@ -102,6 +102,26 @@ def test_a_part_program_as_the_reference(tmp_path: Path, capsys: pytest.CaptureF
     assert main([*words[:-1], "--tolerance", "10 um"]) == 1
 
 
+def test_runs_of_a_part_program_are_compared_from_their_folders(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """What was judged against a program has no reference of the drives: no tracking error, neither alone nor beside another."""
+    (tmp_path / "part.ngc").write_text("G21 G90 G64\nG1 X0 Y0 F3000\nG1 X40\nG1 Y30\nG1 X0\nG1 Y0\nM2\n")
+    from contourlab.session.log_choice import program_path
+
+    path = program_path(str(tmp_path / "part.ngc"), ("x", "y"))
+    along = np.linspace(0.0, path.length, 3000)
+    for name, off in (("a", 10e-6), ("b", 15e-6)):
+        tool = (path.position(along) + off * path.normal(along)) * 1e3
+        lines = [f"{x:.7f},{y:.7f}" for x, y in tool]
+        (tmp_path / f"{name}.csv").write_text("x pos [mm],y pos [mm]\n" + "\n".join(lines) + "\n")
+        words = ["measure", str(tmp_path / f"{name}.csv"), "--period", "1 ms", "--reference", str(tmp_path / "part.ngc")]
+        assert main([*words, "--out", str(tmp_path / name)]) == 0
+    capsys.readouterr()
+    assert main(["compare", str(tmp_path / "a"), str(tmp_path / "b"), "--out", str(tmp_path / "both"), "--json"]) == 0
+    metrics = [run["metrics"] for run in json.loads(capsys.readouterr().out)["schemes"].values()]
+    assert [found["contour_error"]["rms"] for found in metrics] == pytest.approx([10e-6, 15e-6], rel=0.01)
+    assert all(axis["rms"] is None for found in metrics for axis in found["tracking_error"])
+
+
 def test_a_part_program_in_other_coordinates(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     """The same with the part anywhere on the table: fitted, the error is the same as with the shift given."""
     program = tmp_path / "part.ngc"

@@ -116,7 +116,11 @@ def result_of(record: Record, given: Columns) -> Log:
     clocks = {one.channel.name: one.report for one in usable.values()}
     axes = tuple(sorted({column.axis for column in wanted}, key=_order))
     result = Result(
-        record.file.stem, axes, clock[0], _stacked(signals, axes), attributes={"log": record.file.name, "format": record.format}
+        record.file.stem,
+        axes,
+        clock[0],
+        _stacked(signals, axes),
+        attributes={**record.attributes, "log": record.file.name, "format": record.format},
     )
     by_name = [f"{column.signal}.{column.axis} {column.column!r}" for column in more if column.signal != TIME and not _is_its_own(column)]
     said = [f"taken by their names: {', '.join(by_name)}"] if by_name else []

@@ -58,6 +58,8 @@ class Record:
         Numbers that stand beside the channels: gains, scales.
     notes : tuple of str
         What was passed over in reading, in words.
+    attributes : mapping of str to str, int or float
+        Of the result that it is, where contourlab wrote it.
     """
 
     file: Path
@@ -66,6 +68,7 @@ class Record:
     period: float | None = None
     constants: Mapping[str, float] = field(default_factory=dict)
     notes: tuple[str, ...] = ()
+    attributes: Mapping[str, str | int | float] = field(default_factory=dict)
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "channels", _told_apart(self.channels))

@@ -35,4 +35,4 @@ def read(file: Path) -> Record:
         else:
             columns = zip(result.axes, signal.data.T, strict=True)
             channels += [Channel(f"{name}.{axis}", column, signal.unit, result.time) for axis, column in columns]
-    return Record(file, "contourlab", tuple(channels), result.servo_period)
+    return Record(file, "contourlab", tuple(channels), result.servo_period, attributes=dict(result.attributes))

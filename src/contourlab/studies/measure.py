@@ -26,6 +26,8 @@ ACTUAL = ("tool_position", "position", "axis_position")
 """Signals that say where the tool was, the best first: a measured log has the encoders' alone."""
 STILL = 1e-9
 """Metres behind the start of a path, or ahead of its end, from which on the tool is not on it."""
+NO_DRIVES = {"reference": "places on the path"}
+"""Attribute of a result whose reference is none of the drives', but where the tool was on the path: there is no tracking error."""
 COARSE = 40
 """Places on either side of the reference's that are looked at for the one nearest to the tool."""
 
@@ -91,7 +93,10 @@ def measure(
             notes.append(words)
         along, off = progress_along(path, position)
         notes.append(f"laid along the path by its own progress; nearest {off * 1e6:.3g} um at the start")
-        wanted = chosen["reference"] if "reference" in chosen else path.position(along)
+        if "reference" in chosen:
+            wanted = chosen["reference"]
+        else:
+            wanted, chosen = path.position(along), replace(chosen, attributes={**chosen.attributes, **NO_DRIVES})
     reference = Reference.from_samples(wanted, result.servo_period, path, arc_length=along)
     judged = _judged(_with_motion(chosen, position, wanted, along), reference)
     window = moving(wanted)
@@ -167,7 +172,7 @@ def _on_the_path(judged: Result, reference: Reference, window: tuple[int, int]) 
 def _of_what_is_known(metrics: Metrics, chosen: Result, window: tuple[int, int]) -> Metrics:
     """Return the figures without those that the log does not tell."""
     nan = float("nan")
-    if "reference" not in chosen:
+    if NO_DRIVES.items() <= chosen.attributes.items():
         metrics = replace(metrics, tracking_error=(AxisFigures(nan, nan),) * len(chosen.axes))
     if "applied_command" not in chosen:
         metrics = replace(metrics, saturation=(nan,) * len(chosen.axes))
