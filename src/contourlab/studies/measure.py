@@ -162,7 +162,7 @@ def _on_the_path(judged: Result, reference: Reference, window: tuple[int, int]) 
     behind, ahead = (((tool - at) @ way) for at, way in zip(path.position(ends), path.tangent(ends), strict=True))
     before, beyond = (foot <= 0.0) & (behind < -STILL), (foot >= path.length) & (ahead > STILL)
     first = int(np.argmin(before)) if start == 0 and not before.all() else start
-    last = stop - int(np.argmin(beyond[::-1])) if stop == len(foot) and not beyond.all() else stop
+    last = stop - int(np.argmin(beyond[:stop][::-1])) if stop >= len(foot) - 1 and not beyond.all() else stop
     if last - first < 2 or (first, last) == window:
         return window, []
     left = first - start + stop - last
