@@ -42,7 +42,12 @@ def test_known_figures_are_found_and_make_an_axis(tmp_path: Path, capsys: pytest
     assert axis.disturbance is not None
     assert axis.disturbance.values()["force"] == pytest.approx(-found["parameters"]["offset"]["value"], rel=1e-5)
     assert axis.sensor.values()["resolution"] == pytest.approx(1e-7)
-    assert "one standard deviation" in out.read_text() and "log-0.csv" in out.read_text()
+    for part, name, figure in ((axis.plant, "mass", "M"), (axis.friction, "coulomb", "Fc"), (axis.disturbance, "force", "offset")):
+        origin, told = part.origins[name], found["parameters"][figure]
+        assert (origin.source, origin.reference) == ("fitted", "log-0.csv")
+        assert origin.deviation == pytest.approx(max(told["deviation"], told["robust_deviation"]), rel=5e-3)
+    assert axis.limits.origins["velocity"].note == "the largest in the log, no limit of the axis"
+    assert {frozenset(pair[:2]) for pair in axis.correlations} >= {frozenset(("plant.damping", "friction.coulomb"))}
 
 
 def test_the_table_says_what_stands_against_the_figures(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:

@@ -26,6 +26,7 @@ from typing import TYPE_CHECKING, Any, ClassVar, dataclass_transform
 import numpy as np
 from numpy.typing import NDArray
 
+from contourlab.components.origin import Traced
 from contourlab.engine.step import Port, Step
 from contourlab.errors import ComponentError, ParameterError
 
@@ -218,7 +219,7 @@ class LinearModel:
 
 
 @dataclass_transform(field_specifiers=(param, text_param), kw_only_default=True, frozen_default=True)
-class Component:
+class Component(Traced):
     """Base of all components; see the module's text.
 
     Class attributes that a component sets
@@ -306,8 +307,8 @@ class Component:
         return {name: getattr(self, name) for name in self.parameters}
 
     def replace(self, **changes: Any) -> Any:
-        """Return a copy with other parameters."""
-        return type(self)(**{**self.values(), **changes})
+        """Return a copy with other parameters; where a changed number is from is not known any more."""
+        return type(self)(**{**self.values(), **changes}).traced({k: v for k, v in self.origins.items() if k not in changes})
 
     # --- what the engine asks for ------------------------------------------------------------------------------------------------
 

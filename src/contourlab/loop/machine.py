@@ -14,6 +14,7 @@ from contourlab.components.contract import Component
 from contourlab.components.controller.position import PositionController
 from contourlab.components.drive.saturation import Saturation
 from contourlab.components.friction.none import NoFriction
+from contourlab.components.origin import Origin
 from contourlab.components.plant.plant import Plant
 from contourlab.components.sensor.ideal import IdealSensor
 from contourlab.components.velocity.true import TrueVelocity
@@ -36,6 +37,8 @@ class Limits:
         A larger tracking error ends the run as diverged, as a drive would trip.
     travel : tuple of two floats [m]
         Lowest and highest position of the axis.
+    origins : mapping of str to Origin
+        Where the numbers are from, by name.
     """
 
     velocity: float = math.inf
@@ -43,6 +46,7 @@ class Limits:
     jerk: float = math.inf
     following_error: float = 0.05
     travel: tuple[float, float] = (-math.inf, math.inf)
+    origins: Mapping[str, Origin] = field(default_factory=dict, compare=False)
 
     def __post_init__(self) -> None:
         for name in ("velocity", "acceleration", "jerk", "following_error"):
@@ -64,11 +68,14 @@ class AxisError:
     repeatability : float [m], >= 0
         Unidirectional repeatability in the sense of ISO 230-2 (4 s): at each reversal the tool takes a new offset, normal with s = a
         quarter of it.
+    origins : mapping of str to Origin
+        Where the numbers are from, by name.
     """
 
     position: NDArray[np.float64] = field(default_factory=lambda: np.zeros(0))
     lead_error: NDArray[np.float64] = field(default_factory=lambda: np.zeros(0))
     repeatability: float = 0.0
+    origins: Mapping[str, Origin] = field(default_factory=dict, compare=False)
 
     def __post_init__(self) -> None:
         if self.position.shape != self.lead_error.shape or np.any(np.diff(self.position) <= 0.0):
@@ -89,6 +96,9 @@ class Axis:
 
     `sensor` measures the load, as a linear scale does. On a plant whose motor can stand elsewhere, `motor_sensor` is the motor's encoder,
     counted at the load, and `motor_friction` rubs on the motor's side.
+
+    `origins` says where `stage_mass` is from; components, limits and error carry their own. `correlations` are those of numbers that were
+    fitted together: names such as ``plant.mass`` and ``friction.coulomb``, and the coefficient.
     """
 
     name: str
@@ -105,6 +115,8 @@ class Axis:
     substeps: int = 1
     motor_friction: Component = field(default_factory=NoFriction)
     motor_sensor: Component = field(default_factory=IdealSensor)
+    origins: Mapping[str, Origin] = field(default_factory=dict, compare=False)
+    correlations: tuple[tuple[str, str, float], ...] = field(default=(), compare=False)
 
 
 @dataclass(frozen=True)
@@ -118,12 +130,15 @@ class Machine:
     servo_period : float [s], > 0
     squareness : mapping of (str, str) to float [rad]
         Deviation from 90 degrees of two axes: the tool moves along the first one by `squareness` times the second one's position.
+    origins : mapping of str to Origin
+        Where `servo_period` and the angles (``squareness.x-y``) are from.
     """
 
     name: str
     axes: tuple[Axis, ...]
     servo_period: float
     squareness: Mapping[tuple[str, str], float] = field(default_factory=dict)
+    origins: Mapping[str, Origin] = field(default_factory=dict, compare=False)
 
     def __post_init__(self) -> None:
         if not (math.isfinite(self.servo_period) and self.servo_period > 0.0):

@@ -14,6 +14,7 @@ from contourlab.loop import Axis, AxisController, AxisError, Controller, Limits,
 from contourlab.loop.machine import AXIS_SLOTS
 from contourlab.scenario.components import find_kind, located, read_component, read_values, read_wishes
 from contourlab.scenario.files import EVERY
+from contourlab.scenario.provenance import read_correlations, without_origins
 from contourlab.scenario.quantities import read_number
 from contourlab.scenario.tables import (
     AxisControllerTable,
@@ -41,6 +42,7 @@ def build_axis(table: Table, name: str) -> Axis:
     ScenarioError
         With file and key.
     """
+    table, origins = without_origins(table, ("stage_mass", "alignment"))
     plain = read_table(AxisTable, table)
     plant = read_component(table.entries["plant"], "plant", ("?", "?"))
     units = (plant.command_unit, plant.force_unit)
@@ -58,20 +60,24 @@ def build_axis(table: Table, name: str) -> Axis:
         alignment=plain.alignment,
         stage_mass=plain.stage_mass,
         substeps=plain.substeps,
+        origins=origins,
+        correlations=read_correlations(table, {"plant": plant, **{k: v for k, v in parts.items() if v is not None}}),
         **parts,
     )
 
 
 def _limits(table: Table) -> Limits:
+    table, origins = without_origins(table)
     found = read_table(LimitsTable, table)
     given = {name: value for name, value in found.model_dump().items() if value is not None}
     if "travel" in given and len(given["travel"]) != 2:
         raise table.error('two positions are wanted, the lower one first: ["-100 mm", "100 mm"]', "travel")
     with located(table):
-        return Limits(**given)
+        return Limits(**given, origins=origins)
 
 
 def _error(table: Table) -> AxisError:
+    table, origins = without_origins(table)
     found = read_table(ErrorTable, table)
     n, rising = len(found.position), all(a < b for a, b in pairwise(found.position))
     if len(found.lead_error) != n:
@@ -79,7 +85,7 @@ def _error(table: Table) -> AxisError:
     if not rising:
         raise table.error("the positions have to rise", "position")
     with located(table):
-        return AxisError(np.array(found.position), np.array(found.lead_error), found.repeatability)
+        return AxisError(np.array(found.position), np.array(found.lead_error), found.repeatability, origins)
 
 
 def build_machine(part: Table) -> Machine:
@@ -93,6 +99,7 @@ def build_machine(part: Table) -> Machine:
     table = part.table("machine")
     if "machine" not in part.entries:
         raise part.error("key machine is missing: [machine] has name, servo_period and axes")
+    table, origins = without_origins(table, ("servo_period",))
     plain = read_table(MachineTable, table)
     names = list(plain.axes)
     twice = [name for name in names if names.count(name) > 1]
@@ -108,9 +115,10 @@ def build_machine(part: Table) -> Machine:
     built = tuple(build_axis(axes.table(name), name) for name in names)
     for axis in built:
         _check_carrier(axis, names, axes.table(axis.name))
-    squareness = _squareness(table.table("squareness"), names)
+    angles, from_where = without_origins(table.table("squareness"))
+    origins |= {f"squareness.{pair}": origin for pair, origin in from_where.items()}
     with located(table):
-        return Machine(plain.name, built, plain.servo_period, squareness)
+        return Machine(plain.name, built, plain.servo_period, _squareness(angles, names), origins)
 
 
 def _check_carrier(axis: Axis, names: list[str], table: Table) -> None:

@@ -8,12 +8,16 @@ from dataclasses import replace
 from typing import Any
 
 from contourlab.components.contract import Component, Parameter
+from contourlab.components.origin import Origin
 from contourlab.components.registry import component, components
 from contourlab.errors import ComponentError, ContourlabError, ParameterError, ScenarioError, UnitError
+from contourlab.scenario.provenance import bare, read_origins
 from contourlab.scenario.quantities import read_list, read_number, show_bound
 from contourlab.scenario.tree import Leaf, Node, Table, hint
 
 __all__ = ["located", "parameters_of", "read_component", "read_values", "read_wishes"]
+
+WORKED_OUT = Origin("design", note="worked out from gains = {...}")
 
 
 @contextmanager
@@ -89,14 +93,16 @@ def read_component(
             raise table.error('kind "none" has no parameters', extra[0])
         return None
     kind = find_kind(table, family)
-    values = {**(given or {}), **read_values(kind, table.without("kind"), units)}
+    own = table.without("kind")
+    values = {**(given or {}), **read_values(kind, own, units)}
     declared = parameters_of(kind, units)
+    origins = {name: WORKED_OUT for name in given or () if name not in own.entries} | read_origins(declared, own, values)
     missing = [name for name, parameter in declared.items() if parameter.default is None and name not in values]
     if missing:
         wanted = ", ".join(f"{name}{_wanted(declared[name])}" for name in missing)
         raise table.error(f"{kind.kind} wants {'a value' if len(missing) == 1 else 'values'} for {wanted}")
     with located(table):
-        return kind(**values)
+        return kind(**values).traced(origins)
 
 
 def _wanted(parameter: Parameter) -> str:
@@ -136,7 +142,7 @@ def _read_declared(what: str, declared: Mapping[str, Parameter], table: Table) -
         if name not in declared:
             raise table.error(f"{what} has no parameter {name!r}: {hint(name, declared)}", name)
         try:
-            values[name] = _value(declared[name], node.plain())
+            values[name] = _value(declared[name], bare(node).plain())
         except (UnitError, ParameterError) as error:
             raise table.error(str(error), name) from error
     return values

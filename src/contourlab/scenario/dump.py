@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping
 from dataclasses import fields
-from functools import singledispatch
+from functools import partial, singledispatch
 from pathlib import Path as File
 from typing import Any
 
@@ -16,6 +16,7 @@ from contourlab.scenario.case import Case, Scenario
 from contourlab.scenario.components import parameters_of
 from contourlab.scenario.files import BUILTIN, builtin_file, builtin_names
 from contourlab.scenario.learning import LearningSettings
+from contourlab.scenario.provenance import origin_table, written
 from contourlab.scenario.toml_text import Noted, toml
 from contourlab.scenario.tree import DEFAULT
 from contourlab.scenario.values import Contour, Motion, PartProgram
@@ -122,7 +123,10 @@ def component_table(part: Component | None, units: tuple[str, str]) -> Any:
     table: dict[str, Any] = {"kind": Noted(part.kind, part.reference)}
     for name, value in part.values().items():
         if not (isinstance(value, float) and math.isinf(value)):  # only a default is infinite, and it is what a file leaves out
-            table[name] = Noted(_value(declared[name], value), declared[name].source)
+            shown = _value(declared[name], value)
+            if name in part.origins:
+                shown = origin_table(shown, part.origins[name], partial(_value, declared[name]))
+            table[name] = Noted(shown, declared[name].source)
     return table
 
 
@@ -132,7 +136,7 @@ def _limits_table(limits: Limits) -> dict[str, Any]:
     }
     if all(math.isfinite(x) for x in limits.travel):
         table["travel"] = [quantity(x, "m", "mm") for x in limits.travel]
-    return table
+    return written(table, limits.origins)
 
 
 def _error_table(error: AxisError) -> dict[str, Any]:
@@ -142,7 +146,7 @@ def _error_table(error: AxisError) -> dict[str, Any]:
         table["lead_error"] = [quantity(float(x), "m", "um") for x in error.lead_error]
     if error.repeatability:
         table["repeatability"] = quantity(error.repeatability, "m", "um")
-    return table
+    return written(table, error.origins)
 
 
 def axis_table(axis: Axis) -> dict[str, Any]:
@@ -155,6 +159,9 @@ def axis_table(axis: Axis) -> dict[str, Any]:
         table["stage_mass"] = quantity(axis.stage_mass, "kg")
     if axis.substeps != 1:
         table["substeps"] = axis.substeps
+    if axis.correlations:
+        table["correlations"] = [list(one) for one in axis.correlations]
+    table = written(table, axis.origins)
     for slot in AXIS_SLOTS:
         part = getattr(axis, slot)
         if part is not None and (axis.plant.two_sided or not slot.startswith("motor_")):
@@ -173,7 +180,9 @@ def machine_tables(machine: Machine) -> dict[str, Any]:
         "axes": list(machine.axis_names),
     }
     if machine.squareness:
-        table["squareness"] = {f"{a}-{b}": quantity(angle, "rad", "um/m") for (a, b), angle in machine.squareness.items()}
+        angles = {f"{a}-{b}": quantity(angle, "rad", "um/m") for (a, b), angle in machine.squareness.items()}
+        table["squareness"] = written(angles, {k.removeprefix("squareness."): v for k, v in machine.origins.items()})
+    table = written(table, machine.origins)
     return {"machine": table, "axes": {axis.name: axis_table(axis) for axis in machine.axes}}
 
 

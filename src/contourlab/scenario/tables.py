@@ -137,6 +137,7 @@ class AxisTable(_Strict):
     alignment: Cosine = 0.0
     stage_mass: Mass = 0.0
     substeps: Annotated[int, Field(ge=1, le=1000)] = 1
+    correlations: Any = None
 
 
 class ControllerTable(_Strict):

@@ -17,13 +17,16 @@ from typing import Any, TypeAlias
 from contourlab.components.contract import FAMILIES
 from contourlab.errors import ScenarioError
 
-__all__ = ["DEFAULT", "Leaf", "Node", "Table", "dotted", "from_mapping", "hint", "merge", "read_tree", "settle"]
+__all__ = ["DEFAULT", "STATED", "Leaf", "Node", "Table", "dotted", "from_mapping", "hint", "merge", "read_tree", "settle"]
 
 DEFAULT = "default"
 """What a file writes to take back a value that it inherits."""
 
 DESIGNED = ("velocity_gain", "position_gain", "integral_gain", "integral_time", "gain", "lead_time", "lag_time", "rate_gain")
 """What gains = {...} work out: given anew, they take back what was inherited of these."""
+
+STATED = "value"
+"""Key of a number that comes in a table with where it is from."""
 
 MAX_DEPTH = 12
 _BARE = re.compile(r"[A-Za-z0-9_-]+\Z")
@@ -187,9 +190,11 @@ def _kind(table: Table) -> Any:
 
 
 def _joined(name: str, base: Node, over: Node) -> Node:
-    if isinstance(over, Leaf) or over.afresh:
+    if isinstance(over, Leaf) or over.afresh or STATED in over.entries:
         return over
     if isinstance(base, Leaf):
+        if "source" in over.entries and name != "file":
+            return over.having(**{STATED: base})  # where an inherited number is from
         # `drive = "saturation"` is short for a table with that kind; more of its keys may follow.
         short = name in FAMILIES and isinstance(base.value, str) and base.value != "none"
         if not short or "kind" in over.entries:

@@ -8,11 +8,13 @@ from pathlib import Path
 from typing import Any
 
 from contourlab.analysis.inverse_dynamics import InverseDynamicsSettings
+from contourlab.components.origin import Origin
 from contourlab.errors import ParameterError, UnitError
 from contourlab.result import write_text_atomic
+from contourlab.scenario.provenance import origin_table
 from contourlab.scenario.toml_text import Noted, toml
 from contourlab.session.log_choice import LogChoice, open_log, positive
-from contourlab.studies.identify import AxisFit, axis_tables, identify_rigid, units_of
+from contourlab.studies.identify import AxisFit, axis_tables, correlations, identify_rigid, units_of
 from contourlab.units import from_si, split, to_si
 
 __all__ = ["MODELS", "Identification", "identify_log"]
@@ -106,17 +108,20 @@ def _gain(text: str | None) -> float | None:
 
 def axis_file(found: AxisFit, model: str) -> str:
     """Return the text of the axis file, with where each number is from behind it."""
-    tables: dict[str, Any] = {}
+    listed = [list(one) for one in correlations(found)]
+    tables: dict[str, Any] = {"correlations": Noted(listed, "of what was fitted together")} if listed else {}
     for name, rows in axis_tables(found).items():
-        tables[name] = {
-            key: value if isinstance(value, str) else Noted(f"{from_si(value, SHOWN.get(unit, unit)):.6g} {SHOWN.get(unit, unit)}", note)
-            for key, (value, unit, note) in rows.items()
-        }
+        tables[name] = {key: value if origin is None else _number(value, unit, origin) for key, (value, unit, origin) in rows.items()}
     fit = found.fit
     worth = f"fit {fit.fit:.4g} %, relative error {fit.relative_error:.4g} %"
     head = [f"# Axis {found.axis}, model {model}, identified from {found.source}: {worth}."]
     head += [f"# {remark}" for remark in fit.remarks]
     return "\n".join(head) + "\n\n" + toml(tables)
+
+
+def _number(value: Any, unit: str, origin: Origin) -> Noted:
+    shown = SHOWN.get(unit, unit)
+    return Noted(origin_table(f"{from_si(value, shown):.6g} {shown}", origin, lambda number: f"{from_si(number, shown):.3g} {shown}"))
 
 
 def _text(found: AxisFit, notes: Sequence[str]) -> str:

@@ -15,11 +15,12 @@ from contourlab.analysis.inverse_dynamics import (
     cross_validate,
     identify_inverse_dynamics,
 )
+from contourlab.components.origin import Origin
 from contourlab.errors import ResultError
 from contourlab.logs import Log
 from contourlab.result import Result
 
-__all__ = ["AxisFit", "axis_tables", "identify_rigid", "units_of"]
+__all__ = ["AxisFit", "axis_tables", "correlations", "identify_rigid", "units_of"]
 
 Array = NDArray[np.float64]
 UNITS = {"M": "kg", "Fv": "N*s/m", "Fc": "N", "offset": "N"}
@@ -115,7 +116,7 @@ def _signals(result: Result, axis: str, gain: float | None) -> tuple[Array, Arra
     return position, command, gain * command
 
 
-def axis_tables(found: AxisFit) -> Mapping[str, Mapping[str, tuple[float | str, str, str]]]:
+def axis_tables(found: AxisFit) -> Mapping[str, Mapping[str, tuple[float | str, str, Origin | None]]]:
     """Return the tables of an axis file: for each key its value in SI, its unit there, and where it is from.
 
     Parameters
@@ -124,45 +125,77 @@ def axis_tables(found: AxisFit) -> Mapping[str, Mapping[str, tuple[float | str, 
 
     Notes
     -----
-    Friction that differs by direction is given as its mean: a component has one for both. What the axis cannot do is not in a log: limits
-    are what was reached in it, and are called so.
+    Friction that differs by direction is given as its mean: a component has one for both. The deviations are those that allow for the
+    residual's colour, where they are the larger ones. What the axis cannot do is not in a log: limits are what was reached in it, and are
+    called so.
     """
-    fit = found.fit
-    value = fit.parameters()
-    deviation = dict(zip(fit.names, np.maximum(fit.deviations, fit.robust_deviations).tolist(), strict=True))
-    signed = fit.settings.friction == "asymmetric"
-
-    def mean(name: str) -> tuple[float, float]:
-        if not signed:
-            return value[name], deviation[name]
-        pair = (f"{name}+", f"{name}-")
-        return 0.5 * sum(value[p] for p in pair), 0.5 * float(np.hypot(*(deviation[p] for p in pair)))
-
-    offset = 0.5 * (value["Fc+"] - value["Fc-"]) if signed else value["offset"]
+    value, deviation = _estimates(found)
     motion = np.gradient(found.position, found.period)
     steps = np.abs(np.diff(found.position))
-    fitted = f"fitted to {found.source}, +- {{:.3g}} {{}} (one standard deviation)"
-    reached = f"the largest in {found.source}, no limit of the axis"
-    tables: dict[str, dict[str, tuple[float | str, str, str]]] = {
+    given = Origin("assumed", note="as given; a command counts as so many amperes")
+
+    def fitted(name: str) -> Origin:
+        return Origin("fitted", deviation=deviation[name] if deviation[name] > 0.0 else None, reference=found.source)
+
+    def reached(note: str = "the largest in the log, no limit of the axis") -> Origin:
+        return Origin("measured", reference=found.source, note=note)
+
+    tables: dict[str, dict[str, tuple[float | str, str, Origin | None]]] = {
         "plant": {
-            "kind": ("mass-damper", "", ""),
-            "mass": (value["M"], "kg", fitted.format(deviation["M"], "kg")),
-            "damping": (max(mean("Fv")[0], 0.0), "N*s/m", fitted.format(mean("Fv")[1], "N s/m")),
-            "force_constant": (found.gain, "N/A", "as given; a command counts as so many amperes"),
+            "kind": ("mass-damper", "", None),
+            "mass": (value["M"], "kg", fitted("M")),
+            "damping": (max(value["Fv"], 0.0), "N*s/m", fitted("Fv")),
+            "force_constant": (found.gain, "N/A", given),
         },
-        "friction": {"kind": ("coulomb", "", ""), "coulomb": (max(mean("Fc")[0], 0.0), "N", fitted.format(mean("Fc")[1], "N"))},
-        "disturbance": {"kind": ("constant", "", ""), "force": (-offset, "N", f"offset of the force, fitted to {found.source}")},
-        "drive": {"kind": ("saturation", "", ""), "limit": (float(np.abs(found.command).max()), "A", reached)},
+        "friction": {"kind": ("coulomb", "", None), "coulomb": (max(value["Fc"], 0.0), "N", fitted("Fc"))},
+        "disturbance": {"kind": ("constant", "", None), "force": (-value["offset"], "N", fitted("offset"))},
+        "drive": {"kind": ("saturation", "", None), "limit": (float(np.abs(found.command).max()), "A", reached())},
         "limits": {
-            "velocity": (float(np.abs(motion).max()), "m/s", reached),
-            "acceleration": (_fastest(found), "m/s^2", reached),
-            "jerk": (100.0 * _fastest(found), "m/s^3", "assumed: the acceleration in 10 ms"),
+            "velocity": (float(np.abs(motion).max()), "m/s", reached()),
+            "acceleration": (_fastest(found), "m/s^2", reached()),
+            "jerk": (100.0 * _fastest(found), "m/s^3", Origin("assumed", note="the acceleration in 10 ms")),
         },
     }
     step = float(steps[steps > 0.0].min()) if steps.any() else 0.0
     if step > 0.0:
-        tables["sensor"] = {"kind": ("encoder", "", ""), "resolution": (step, "m", f"the smallest step in {found.source}")}
+        tables["sensor"] = {"kind": ("encoder", "", None), "resolution": (step, "m", reached("the smallest step in the log"))}
     return tables
+
+
+NUMBERS = {"M": "plant.mass", "Fv": "plant.damping", "Fc": "friction.coulomb", "offset": "disturbance.force"}
+"""Where the figures of a fit stand in an axis file."""
+
+
+def _combined(found: AxisFit) -> Array:
+    """Return the matrix that makes M, Fv, Fc and the offset of the figures of the fit."""
+    if found.fit.settings.friction == "symmetric":
+        return np.eye(4)
+    return np.array([[1.0, 0, 0, 0, 0], [0, 0.5, 0, 0.5, 0], [0, 0, 0.5, 0, 0.5], [0, 0, 0.5, 0, -0.5]])
+
+
+def _covariance(found: AxisFit) -> Array:
+    """Return the covariance of M, Fv, Fc and the offset: the larger deviations, and the correlation of a white residual."""
+    fit, combined = found.fit, _combined(found)
+    deviations = np.maximum(fit.deviations, fit.robust_deviations)
+    return combined @ (fit.correlation * np.outer(deviations, deviations)) @ combined.T
+
+
+def _estimates(found: AxisFit) -> tuple[dict[str, float], dict[str, float]]:
+    values = _combined(found) @ found.fit.values
+    deviations = np.sqrt(np.diag(_covariance(found)))
+    return dict(zip(NUMBERS, values.tolist(), strict=True)), dict(zip(NUMBERS, deviations.tolist(), strict=True))
+
+
+def correlations(found: AxisFit) -> list[tuple[str, str, float]]:
+    """Return the correlations of the numbers of the axis file, two by two; the force of the disturbance is the offset's opposite."""
+    covariance = _covariance(found)
+    scale = np.sqrt(np.diag(covariance))
+    if not scale.all():
+        return []
+    matrix, names = covariance / np.outer(scale, scale), list(NUMBERS.values())
+    sign = [-1.0 if name == "disturbance.force" else 1.0 for name in names]
+    pairs = [(i, j) for i in range(len(names)) for j in range(i)]
+    return [(names[j], names[i], round(sign[i] * sign[j] * float(matrix[i, j]), 4)) for i, j in pairs]
 
 
 def _fastest(found: AxisFit) -> float:

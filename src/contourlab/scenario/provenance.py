@@ -1,0 +1,233 @@
+"""Where the numbers of a file are from: ``mass = {value = "33 kg", source = "datasheet", from = "catalogue, page 12"}``.
+
+The number and what is known of it stand in one table, so that whatever replaces the number replaces both.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Mapping
+from typing import Any
+
+import numpy as np
+
+from contourlab.components.contract import Component, Parameter
+from contourlab.components.origin import SOURCES, Origin
+from contourlab.errors import ContourlabError, ParameterError
+from contourlab.scenario.quantities import read_number
+from contourlab.scenario.toml_text import Noted
+from contourlab.scenario.tree import STATED, Leaf, Node, Table, hint
+
+__all__ = ["bare", "origin_table", "read_correlations", "read_origins", "without_origins", "written"]
+
+_KEYS = (STATED, "source", "deviation", "range", "from", "note")
+_EXAMPLE = '{value = "33 kg", source = "fitted", deviation = "1 %", from = "log.mat"}'
+
+
+def bare(node: Node) -> Node:
+    """Return the value of a number that comes with where it is from; any other value as it stands.
+
+    Raises
+    ------
+    ScenarioError
+        If there is no value in it.
+    """
+    if isinstance(node, Leaf) or not set(_KEYS) & set(node.entries):
+        return node
+    for name in node.entries:
+        if name not in _KEYS:
+            raise node.error(f"unknown key of a number: {hint(name, _KEYS)}", name)
+    for name in (STATED, "source"):
+        if name not in node.entries:
+            raise node.error(f"key {name} is missing: write for example {_EXAMPLE}")
+    return node.entries[STATED]
+
+
+def read_origins(declared: Mapping[str, Parameter], table: Table, values: Mapping[str, Any]) -> dict[str, Origin]:
+    """Return where the numbers of a component are from, for those whose table says it.
+
+    Parameters
+    ----------
+    declared : mapping of str to Parameter
+        With the units of the plant.
+    table : Table
+    values : mapping of str to value in SI
+
+    Raises
+    ------
+    ScenarioError
+        With file and key of what is wrong.
+    """
+    found = {}
+    for name, node in table.entries.items():
+        if isinstance(node, Table) and bare(node) is not node:
+            parameter = declared[name]
+            if parameter.choices:
+                raise node.error("is a word, no number: it is chosen, and needs no source")
+            exact = "a list" if parameter.vector else "a whole number" if parameter.whole else ""
+            exact = exact or ("what the form of the model follows from" if parameter.structural else "")
+            found[name] = _origin(node, None if exact else (parameter, float(values[name])), exact)
+    return found
+
+
+def without_origins(table: Table, names: tuple[str, ...] = ()) -> tuple[Table, dict[str, Origin]]:
+    """Return a table of fixed shape with bare values, and where these are from; `names` are the only ones looked at, all by default.
+
+    Such numbers are held against or planned with, not simulated: they have no deviation.
+    """
+    origins = {}
+    entries = dict(table.entries)
+    for name, node in table.entries.items():
+        if isinstance(node, Table) and (not names or name in names) and bare(node) is not node:
+            origins[name] = _origin(node, None, "no part of what is simulated")
+            entries[name] = bare(node)
+    return Table(entries, table.file, table.key, table.afresh), origins
+
+
+def _origin(table: Table, of: tuple[Parameter, float] | None, exact: str) -> Origin:
+    """Return what the table of a number says; `of` is what may have a deviation, and `exact` why it may not."""
+    words = {name: _text(table, name) for name in ("source", "from", "note")}
+    if words["source"] not in SOURCES:
+        told = ", ".join(f"{name} ({meaning})" for name, meaning in SOURCES.items())
+        raise table.error(f"{words['source']!r} is no source: {told}", "source")
+    given: dict[str, Any] = {}
+    for name in ("deviation", "range"):
+        if name in table.entries:
+            if of is None:
+                raise table.error(f"has no place here: this is {exact}", name)
+            given["span" if name == "range" else name] = _read(table, name, (_span if name == "range" else _deviation), *of)
+    try:
+        return Origin(words["source"], reference=words["from"], note=words["note"], **given)
+    except ParameterError as error:
+        raise table.error(str(error), error.name) from error
+
+
+def _text(table: Table, name: str) -> str:
+    node = table.get(name)
+    if node is None:
+        return ""
+    if not isinstance(node, Leaf) or not isinstance(node.value, str) or not 0 < len(node.value) <= 400 or not node.value.isprintable():
+        raise table.error("text in quotes is wanted, one line of up to 400 characters", name)
+    return node.value
+
+
+def _read(table: Table, name: str, how: Callable[[Any, Parameter, float], Any], parameter: Parameter, value: float) -> Any:
+    try:
+        return how(table.entries[name].plain(), parameter, value)
+    except ContourlabError as error:
+        raise table.error(str(error), name) from error
+
+
+def _deviation(given: Any, parameter: Parameter, value: float) -> float:
+    """Return one standard deviation in SI, out of one with a unit or a share of the value."""
+    if isinstance(given, str) and given.strip().endswith("%"):
+        share = 0.01 * read_number(given.strip()[:-1].strip() + " count", "")
+        if value == 0.0 or not math.isfinite(value):
+            raise ParameterError("deviation", repr(given), f"in {parameter.display or 'bare numbers'}: the value is {value:g}")
+        deviation = share * abs(value)
+    else:
+        deviation = read_number(given, parameter.unit, parameter.display)
+    if not 0.0 < deviation < math.inf:
+        raise ParameterError("deviation", repr(given), "> 0")
+    return deviation
+
+
+def _span(given: Any, parameter: Parameter, value: float) -> tuple[float, float]:
+    if not isinstance(given, list) or len(given) != 2:
+        raise ParameterError("range", repr(given)[:60], "the lowest and the highest value, in a list")
+    low, high = (float(parameter.check(read_number(item, parameter.unit, parameter.display))) for item in given)
+    if not (low <= value <= high and low < high):
+        raise ParameterError("range", repr(given), "the lower one first, with the value between them")
+    return low, high
+
+
+# --- what was fitted together --------------------------------------------------------------------------------------------------------
+
+
+def read_correlations(table: Table, parts: Mapping[str, Component]) -> tuple[tuple[str, str, float], ...]:
+    """Return the correlations of an axis' numbers: ``correlations = [["plant.mass", "friction.coulomb", -0.3]]``.
+
+    Those of numbers that have lost their deviation, because something else was put in their place, are left out.
+
+    Parameters
+    ----------
+    table : Table
+        Of the axis.
+    parts : mapping of str to Component
+        By slot.
+
+    Raises
+    ------
+    ScenarioError
+        If an item is no correlation of two numbers of the axis, or together they contradict each other.
+    """
+    node = table.get("correlations")
+    if node is None:
+        return ()
+    if not isinstance(node, Leaf) or not isinstance(node.value, list):
+        raise table.error('a list is wanted: [["plant.mass", "friction.coulomb", -0.3], ...]', "correlations")
+    kept = []
+    for i, item in enumerate(node.value):
+        fault = _fault(item, table, node, parts)
+        if fault:
+            raise node.error(f"item {i + 1}: {fault}")
+        if all(_deviates(name, parts) for name in item[:2]):
+            kept.append((item[0], item[1], float(item[2])))
+    names = sorted({name for item in kept for name in item[:2]})
+    if len({frozenset(item[:2]) for item in kept}) < len(kept):
+        raise node.error("a pair is listed twice")
+    matrix = np.eye(len(names))
+    for one, other, value in kept:
+        i, j = names.index(one), names.index(other)
+        matrix[i, j] = matrix[j, i] = value
+    if names and float(np.linalg.eigvalsh(matrix).min()) < -1e-3:
+        raise node.error("these contradict each other: no set of numbers has all of these correlations")
+    return tuple(kept)
+
+
+def _fault(item: Any, table: Table, node: Leaf, parts: Mapping[str, Component]) -> str:
+    if not isinstance(item, list) or len(item) != 3 or not all(isinstance(name, str) for name in item[:2]) or item[0] == item[1]:
+        return f'{item!r:.80}: two different numbers and a coefficient are wanted, ["plant.mass", "friction.coulomb", -0.3]'
+    if isinstance(item[2], bool) or not isinstance(item[2], int | float) or not -1.0 <= item[2] <= 1.0:
+        return f"{item[2]!r:.40} is no coefficient: between -1 and 1"
+    for name in item[:2]:
+        slot, _, number = name.partition(".")
+        known = [f"{label}.{key}" for label, part in parts.items() for key in part.numeric()]
+        part = table.get(slot)
+        replaced = part is not None and (part.file, part.key.rpartition(".")[0]) != (node.file, node.key.rpartition(".")[0])
+        if name not in known and not replaced:
+            return f"no number {name!r}: {hint(name, known)}"
+    return ""
+
+
+def _deviates(name: str, parts: Mapping[str, Component]) -> bool:
+    slot, _, number = name.partition(".")
+    origin = parts[slot].origins.get(number) if slot in parts else None
+    return origin is not None and origin.deviation is not None
+
+
+# --- the way back --------------------------------------------------------------------------------------------------------------------
+
+
+def origin_table(value: Any, origin: Origin, quantity: Callable[[float], Any]) -> dict[str, Any]:
+    """Return the table of a number: its value as written, and where it is from.
+
+    Parameters
+    ----------
+    value : object
+        As a file has it.
+    origin : Origin
+    quantity : callable
+        Writes a number of the same unit.
+    """
+    table: dict[str, Any] = {STATED: value, "source": origin.source}
+    if origin.deviation is not None:
+        table["deviation"] = quantity(origin.deviation)
+    if origin.span is not None:
+        table["range"] = [quantity(end) for end in origin.span]
+    return table | {key: text for key, text in (("from", origin.reference), ("note", origin.note)) if text}
+
+
+def written(table: dict[str, Any], origins: Mapping[str, Origin]) -> dict[str, Any]:
+    """Return a table of fixed shape with where its numbers are from; they have no deviation."""
+    return {name: Noted(origin_table(value, origins[name], float)) if name in origins else value for name, value in table.items()}
