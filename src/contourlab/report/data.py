@@ -20,6 +20,7 @@ if TYPE_CHECKING:
     from contourlab.loop.switches import Switches
     from contourlab.report.feed_picture import FeedRun
     from contourlab.report.trials import TrialCourse
+    from contourlab.report.trust import Trust
 
 __all__ = [
     "AxisBounds",
@@ -196,6 +197,8 @@ class SchemeReport:
         From one controller of an axis to another.
     gaps : mapping of str to (ndarray (n,), ndarray (n,)) [m]
         For each axis with a motor and a load: places of the load, and the free travel there.
+    trust : Trust or None
+        Where the numbers are from, and what their deviations make of the contour error.
     """
 
     name: str
@@ -213,6 +216,7 @@ class SchemeReport:
     tick: float | None = None
     switches: Switches | None = None
     gaps: Mapping[str, tuple[Array, Array]] = field(default_factory=dict)
+    trust: Trust | None = None
 
     @property
     def runs(self) -> tuple[CircleRun, ...]:

@@ -25,6 +25,7 @@ from contourlab.report.style import scheme_style
 from contourlab.report.switching import strip_charts, switch_tables
 from contourlab.report.text import nominal, number, quantity
 from contourlab.report.trials import trial_charts
+from contourlab.report.trust import interval_rows, origin_tables, trust_lines
 from contourlab.result.atomic import write_text_atomic
 
 __all__ = ["MOST_POINTS", "TOTAL_POINTS", "render_html", "write_html"]
@@ -85,6 +86,7 @@ def render_html(data: ReportData) -> str:
             limit_tables=limit_tables(data),
             reversals=reversal_table(data),
             switch_tables=switch_tables(data),
+            trust={"tables": origin_tables(data), "rows": interval_rows(data), "lines": trust_lines(data)},
             verdicts=[_verdict(scheme, index, len(data.schemes)) for index, scheme in enumerate(data.schemes)],
             program=_program(data),
             scenario=_clipped(data.provenance.scenario),

@@ -16,6 +16,7 @@ from contourlab.metrics.circles import CircleFigures, pairs
 from contourlab.report.data import AxisBounds, CircleRun, FrequencyResponse, Provenance, ReportData, SchemeReport
 from contourlab.report.feed_picture import FeedRun
 from contourlab.report.trials import TrialCourse
+from contourlab.session.trust import trust_of
 from contourlab.studies.compare import AxisBode, Outcome
 
 __all__ = ["report_data"]
@@ -103,6 +104,7 @@ def _scheme(outcome: Outcome) -> SchemeReport:
         tick=outcome.tick,
         switches=outcome.switches,
         gaps=_gaps(outcome),
+        trust=trust_of(outcome),
     )
 
 

@@ -47,6 +47,7 @@ def run_scenario(
     plots: Sequence[str] = (),
     signals: Sequence[str] = (),
     progress: bool = False,
+    interval: bool = True,
 ) -> RunOutcome:
     """Run a scenario file, or a part program with a machine and a controller.
 
@@ -72,6 +73,8 @@ def run_scenario(
         Signals to write; by default those of the scenario, or all.
     progress : bool
         Whether to show a bar.
+    interval : bool
+        Whether the deviations that are stated make an interval of the contour error.
     """
     from contourlab.scenario import BUILTIN
 
@@ -90,7 +93,9 @@ def run_scenario(
     words += [word for file in plugins for word in ("--plugin", str(file))]
     for option, value in parts.items():
         words += [] if value is None else [option] if isinstance(value, bool) else [option, str(value)]
-    return run_session(scenario, out, command=shlex.join(words), plots=plots, signals=signals, progress=progress)
+    words += [] if interval else ["--no-interval"]
+    options = {"plots": plots, "signals": signals, "progress": progress, "interval": interval}
+    return run_session(scenario, out, command=shlex.join(words), **options)
 
 
 def _option(name: str, value: Any) -> str:
@@ -200,11 +205,13 @@ def run_session(
     progress: bool = False,
     costs: bool = False,
     foretell: bool = False,
+    interval: bool = True,
 ) -> RunOutcome:
     """Run every scheme of a scenario; write signals, summary.json, report.html and plots into a folder.
 
     A scheme that runs away is named in the summary and takes nothing from the others. With `costs` the servo tick of each scheme is timed;
-    with `foretell` an analysis says beforehand how learning will go.
+    with `foretell` an analysis says beforehand how learning will go; with `interval` the stated deviations make an interval of the contour
+    error.
 
     Raises
     ------
@@ -220,7 +227,7 @@ def run_session(
         outcomes: list[Outcome] = []
         runaways: dict[str, DivergenceError] = {}
         with shown(progress) as stages:
-            _run_each(cases, stages, outcomes, runaways, costs, foretell)
+            _run_each(cases, stages, outcomes, runaways, {"costs": costs, "foretell": foretell, "interval": interval})
             first = next(iter(runaways.values()), None)
             if first is not None and not outcomes:
                 raise first
@@ -248,12 +255,11 @@ def _run_each(
     stages: Stages,
     outcomes: list[Outcome],
     runaways: dict[str, DivergenceError],
-    costs: bool,
-    foretell: bool,
+    asked: Mapping[str, bool],
 ) -> None:
     for case in cases:
         try:
-            outcomes.append(run_case(case, progress=stages.advance, stage=stages.begin, costs=costs, foretell=foretell))
+            outcomes.append(run_case(case, progress=stages.advance, stage=stages.begin, **asked))
         except DivergenceError as error:
             runaways[case.name] = error
         if outcomes and _interrupted(outcomes[-1]):
@@ -325,6 +331,7 @@ def _write_report(scenario: Scenario, outcomes: Sequence[Outcome], folder: Path,
     from contourlab.report.reversal_table import reversal_text
     from contourlab.report.switching import switch_lines
     from contourlab.report.tables import comparison_text, trials_text
+    from contourlab.report.trust import trust_lines
     from contourlab.session.page import report_data
 
     data = report_data(scenario.name, outcomes, scenario=scenario.text, command=command)
@@ -336,7 +343,7 @@ def _write_report(scenario: Scenario, outcomes: Sequence[Outcome], folder: Path,
     trials = trials_text(data)
     turns = reversal_text(data) if any(_turns_hard(outcome) for outcome in outcomes) else ""
     lines = [comparison_text(data).rstrip(), *([f"{trials}\n"] if trials else []), *([f"\n{turns}\n"] if turns else [])]
-    return "\n".join([*lines, *switch_lines(data), *verdict_lines(outcomes)])
+    return "\n".join([*lines, *switch_lines(data), *verdict_lines(outcomes), *trust_lines(data)])
 
 
 def _turns_hard(outcome: Outcome) -> bool:

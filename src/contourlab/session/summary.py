@@ -14,6 +14,7 @@ from contourlab.metrics import reversal_figures
 from contourlab.metrics.circles import pairs
 from contourlab.report.limit_table import nearest
 from contourlab.session.plain import plain
+from contourlab.session.trust import told_of
 from contourlab.studies.compare import Outcome
 from contourlab.studies.learn import LearningRun
 
@@ -77,6 +78,7 @@ def _scheme(outcome: Outcome) -> dict[str, Any]:
         "learning": _learning(outcome.learning) if outcome.learning else None,
         "warnings": list(outcome.warnings),
         "tick": outcome.tick,
+        "trust": told_of(outcome),
     }
 
 

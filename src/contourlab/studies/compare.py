@@ -16,6 +16,7 @@ from contourlab.loop.switches import Switches, switches_of
 from contourlab.metrics import CircleFigures, Metrics, Spike, circles_of, judge, reversal_spikes, summarise
 from contourlab.result import Result
 from contourlab.studies.cost import tick_cost
+from contourlab.studies.interval import Interval, contour_interval
 from contourlab.studies.learn import LearnedTable, LearningRun, Stopping, learn
 from contourlab.studies.remarks import remarks
 from contourlab.studies.verdict import Verdict, verdict
@@ -130,7 +131,8 @@ class Outcome:
 
     `limits` is None where the motion was not planned within limits, `learning` where nothing was learned. `foretold` is what an
     analysis said of learning beforehand, `unstable` what it says of an unstable coupling; `tick` [s] is what a tick of the servo loop
-    costs, where it was asked for. `switches` is None where no axis has several controllers.
+    costs, where it was asked for. `switches` is None where no axis has several controllers, `interval`
+    where the deviations of the machine's numbers were not asked for.
     """
 
     name: str
@@ -148,6 +150,7 @@ class Outcome:
     tick: float | None = None
     unstable: str = ""
     switches: Switches | None = None
+    interval: Interval | None = None
 
     def loop_meant(self, axis: str) -> str:
         """Say which loop of an axis a linear analysis is of; nothing where it has just one."""
@@ -170,6 +173,7 @@ def run_case(
     stage: Callable[[str], None] | None = None,
     costs: bool = False,
     foretell: bool = False,
+    interval: bool = False,
 ) -> Outcome:
     """Run one case and judge it.
 
@@ -187,6 +191,8 @@ def run_case(
         Whether the servo tick is timed.
     foretell : bool
         Whether an analysis says beforehand how learning will go.
+    interval : bool
+        Whether machines are drawn from the stated deviations, for the interval of the contour error.
 
     Raises
     ------
@@ -216,6 +222,7 @@ def run_case(
     explain = explain and case.tolerance is not None and figures.part_error.max > case.tolerance and learned is None
     if explain:
         begin(f"looking for the causes of the error of {case.name}")
+    spread = _interval(case, reference, learned, begin, progress) if interval else None
     return Outcome(
         name=case.name,
         case=case,
@@ -232,7 +239,22 @@ def run_case(
         tick=tick_cost(case.machine, case.controller, reference) if costs else None,
         unstable=_unstable(case) if costs or foretell else "",
         switches=switches_of(judged, case.controller, reference, case.changes),
+        interval=spread,
     )
+
+
+def _interval(
+    case: Case,
+    reference: Reference,
+    learned: LearningRun | None,
+    begin: Callable[[str], None],
+    progress: Callable[[int, int], None] | None,
+) -> Interval:
+    """Return what the stated deviations make of the contour error of a case."""
+    begin(f"drawing machines from the deviations, {case.name}")
+    given: dict[str, Any] = {"seed": case.seed, "tolerance": case.tolerance, "moving": case.moving, "changes": case.changes}
+    table = None if learned is None else learned.table.learned
+    return contour_interval(case.machine, case.controller, reference, **given, learned=table, progress=progress)
 
 
 def _unstable(case: Case) -> str:

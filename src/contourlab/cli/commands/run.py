@@ -31,6 +31,9 @@ def run(
     check: Annotated[bool, typer.Option("--check", help="Read and check everything, simulate nothing.")] = False,
     plots: Annotated[list[str] | None, typer.Option(help="Also write plots as png, svg or pdf; may be given again.")] = None,
     signals: Annotated[list[str] | None, typer.Option(help="Write this signal only; may be given again; all by default.")] = None,
+    no_interval: Annotated[
+        bool, typer.Option("--no-interval", help="Leave out the interval of the contour error that stated deviations imply.")
+    ] = False,
     plugin: Annotated[list[Path] | None, typer.Option(help="Load components from a Python file; may be given again.")] = None,
 ) -> int:
     """Simulate a scenario or a part program, judge the contour, write report and results."""
@@ -55,5 +58,6 @@ def run(
         plots=tuple(plots or ()),
         signals=tuple(signals or ()),
         progress=wants_progress(as_json),
+        interval=not no_interval,
     )
     return conclude(outcome, as_json)
