@@ -6,10 +6,13 @@ import json
 from pathlib import Path
 from typing import Any
 
+import numpy as np
 import pytest
 
 from contourlab.cli.main import main
-from contourlab.studies.reproduce.emps import reproduce
+from contourlab.studies.reproduce.emps import identified, reproduce
+from contourlab.studies.reproduce.emps_engine import simulate_in_engine
+from contourlab.studies.reproduce.emps_simulation import axis_of, simulate_emps
 
 Table = dict[tuple[str, str], dict[str, Any]]
 ALIKE, DIRECTED = "friction alike in both directions", "friction by direction"
@@ -98,6 +101,24 @@ def test_the_published_simulation_comes_out_with_its_clock_and_solver(table: Tab
 def test_the_simulated_loop_follows_the_log(table: Table, case: str, percent: dict[str, float]) -> None:
     for name, bound in percent.items():
         assert 0.9 * bound < table[f"simulated {name}", case]["here"] < 1.01 * bound
+
+
+@pytest.mark.parametrize("delay", [0, 1])
+def test_the_engine_runs_the_same_loop(log: Path, delay: int) -> None:
+    """From rest at the first sample, while the log starts on the way; half a second later that is forgotten."""
+    found = identified(log)
+    axis = axis_of(found.symmetric)
+    own, engine = simulate_emps(found.log, axis, delay=delay), simulate_in_engine(found.log, axis, delay=delay)
+    assert np.abs(own.position - engine.position)[500:].max() < 1e-12
+    assert np.abs(own.velocity - engine.velocity)[500:].max() < 1e-10
+    assert np.abs(own.force - engine.force)[500:].max() < 1e-6
+
+
+def test_the_engine_follows_the_log_as_closely(table: Table) -> None:
+    for case in ("one tick of control delay", "no control delay"):
+        for name in ("position", "velocity", "acceleration", "force"):
+            here = table[f"simulated {name}", f"contourlab's engine, {case}"]["here"]
+            assert here == pytest.approx(table[f"simulated {name}", case]["here"], rel=0.02)
 
 
 def test_the_measured_loop_has_no_delay_of_a_tick(table: Table) -> None:

@@ -18,6 +18,7 @@ from contourlab.analysis.inverse_dynamics import (
     identify_inverse_dynamics,
 )
 from contourlab.errors import LogError
+from contourlab.studies.reproduce.emps_engine import simulate_in_engine
 from contourlab.studies.reproduce.emps_log import WANTED, EmpsLog, read_emps
 from contourlab.studies.reproduce.emps_simulation import EmpsRun, axis_of, percent_errors, simulate_as_published, simulate_emps
 from contourlab.studies.reproduce.rows import Row, ours, printed
@@ -52,6 +53,7 @@ CLOCK = (
     "here the clock is the log's, and the axis sticks: the published run has t_10 - t_9 for its clock, which drifts against the log "
     "(0.4 ms over the 24.8 s for estimation), friction that chatters at rest, and pulses that rise in ramps"
 )
+FROM_REST = "the axis and the controller of builtin:emps from rest, while the log starts on the way: the rest of the run is the same"
 LATE = "the published model delays the command by a tick, and the logged voltage obeys the law without (see controller law)"
 
 
@@ -156,6 +158,9 @@ def _simulated(found: Identified, log: EmpsLog, published: dict[str, float], pre
     for delay, case in ((1, "one tick of control delay"), (0, "no control delay")):
         for name, here in errors(simulate_emps(log, alike, delay=delay)).items():
             yield row(name, case, here, "", CLOCK if delay or name == "position" else LATE)
+    for delay, case in ((1, "one tick of control delay"), (0, "no control delay")):
+        for name, here in errors(simulate_in_engine(log, alike, delay=delay)).items():
+            yield ours(f"simulated {name}", f"{prefix}contourlab's engine, {case}", here, "%", FROM_REST)
     for name, here in errors(simulate_emps(log, directed)).items():
         yield ours(f"simulated {name}", f"{prefix}no control delay, friction by direction", here, "%")
 
