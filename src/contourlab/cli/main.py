@@ -24,6 +24,7 @@ from contourlab.cli.commands.demo import demo
 from contourlab.cli.commands.identify import identify
 from contourlab.cli.commands.interpolate import interpolate
 from contourlab.cli.commands.learn import learn
+from contourlab.cli.commands.machines import machines
 from contourlab.cli.commands.measure import measure
 from contourlab.cli.commands.new import new
 from contourlab.cli.commands.reproduce import reproduce
@@ -55,6 +56,7 @@ app.command("canon")(canon)
 app.command("interpolate")(interpolate)
 app.add_typer(reproduce, name="reproduce")
 app.command("components")(components)
+app.command("machines")(machines)
 app.add_typer(new, name="new")
 
 

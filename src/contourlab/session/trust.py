@@ -2,16 +2,18 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import asdict
 from typing import Any
 
+from contourlab.components.origin import Origin
 from contourlab.report.trust import Contribution, IntervalFigures, StatedNumber, Trust
 from contourlab.studies.compare import Outcome
 from contourlab.studies.interval import Interval, Spread
 from contourlab.studies.provenance import Number, numbers_of
 from contourlab.units import from_si
 
-__all__ = ["told_of", "trust_of"]
+__all__ = ["printed", "stated_of", "told_of", "trust_of"]
 
 MOST_ITEMS = 4
 """Items of a list that are printed."""
@@ -21,15 +23,19 @@ def told_of(outcome: Outcome) -> dict[str, Any]:
     """Return provenance and interval of an outcome for the summary, in SI."""
     numbers = numbers_of(outcome.case.machine, outcome.case.controller)
     return {
-        "provenance": [_plain(number) for number in numbers if number.origin is not None],
+        "provenance": stated_of(numbers),
         "not_stated": [number.name for number in numbers if number.origin is None],
         "interval": None if outcome.interval is None else _interval(outcome.interval),
     }
 
 
-def _plain(number: Number) -> dict[str, Any]:
-    assert number.origin is not None  # the caller's choice
-    told = asdict(number.origin)
+def stated_of(numbers: Sequence[Number]) -> list[dict[str, Any]]:
+    """Return those numbers of which something is stated, in SI."""
+    return [_plain(number, number.origin) for number in numbers if number.origin is not None]
+
+
+def _plain(number: Number, origin: Origin) -> dict[str, Any]:
+    told = asdict(origin)
     span = told.pop("span")
     value = list(number.value) if isinstance(number.value, tuple) else number.value
     return {
@@ -41,7 +47,7 @@ def _plain(number: Number) -> dict[str, Any]:
         "range": None if span is None else list(span),
         "from": told["reference"],
         "note": told["note"],
-        "drawn": number.drawn and number.origin.uncertain,
+        "drawn": number.drawn and origin.uncertain,
     }
 
 
@@ -67,7 +73,7 @@ def trust_of(outcome: Outcome) -> Trust | None:
     if found is None:
         return None
     numbers = numbers_of(outcome.case.machine, outcome.case.controller)
-    stated = [_printed(number) for number in numbers if number.origin is not None]
+    stated = [printed(number) for number in numbers if number.origin is not None]
     silent = [number.name for number in numbers if number.origin is None]
     return Trust(stated, silent, _figures(found), found.reason)
 
@@ -80,22 +86,21 @@ def _figures(found: Interval) -> IntervalFigures | None:
     return IntervalFigures(rms, largest, found.n, found.failed, found.beyond, parts, found.noticeable)
 
 
-def _printed(number: Number) -> StatedNumber:
-    origin, display = number.origin, number.display
-    assert origin is not None  # the caller's choice
+def printed(number: Number) -> StatedNumber:
+    """Return a number in the unit that people use, with where it is from."""
+    display, value, origin = number.display, number.value, number.origin
 
     def shown(value: float, digits: int = 6) -> str:
         return f"{from_si(value, display):.{digits}g}"
 
-    value = number.value
     text = shown(value) if not isinstance(value, tuple) else ", ".join(shown(item) for item in value[:MOST_ITEMS])
     if isinstance(value, tuple) and len(value) > MOST_ITEMS:
         text += f", ... ({len(value)})"
     deviation = ""
-    if origin.deviation is not None:
+    if origin is not None and origin.deviation is not None:
         share = f" ({100.0 * origin.deviation / abs(value):.2g} %)" if isinstance(value, float) and value else ""
         deviation = f"± {shown(origin.deviation, 3)}{share}"
-    elif origin.span is not None:
+    elif origin is not None and origin.span is not None:
         deviation = f"{shown(origin.span[0])} to {shown(origin.span[1])}"
-    unit = display.replace("*", "·")
-    return StatedNumber(number.name, text, unit, origin.source, deviation, origin.reference, origin.note)
+    reference, note = ("", "") if origin is None else (origin.reference, origin.note)
+    return StatedNumber(number.name, text, display.replace("*", "·"), number.source, deviation, reference, note)

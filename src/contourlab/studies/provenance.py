@@ -7,10 +7,10 @@ from dataclasses import dataclass
 
 from contourlab.components.contract import Component, Parameter
 from contourlab.components.origin import Origin
-from contourlab.loop import Axis, Controller, Machine, parameter_names
+from contourlab.loop import Axis, Controller, Machine
 from contourlab.loop.machine import AXIS_SLOTS, CONTROLLER_SLOTS
 
-__all__ = ["NOT_STATED", "Number", "numbers_of"]
+__all__ = ["NOT_STATED", "Number", "numbers_of", "numbers_of_axis", "numbers_of_machine"]
 
 NOT_STATED = "not stated"
 
@@ -60,10 +60,7 @@ def numbers_of(machine: Machine, controller: Controller) -> tuple[Number, ...]:
     tuple of Number
         Those of the machine first, then those of the controller.
     """
-    variable = set(parameter_names(machine, controller))
-    found = [*_machine(machine)]
-    for axis in machine.axes:
-        found += [*_axis(axis, variable)]
+    found = [*numbers_of_machine(machine)]
     units = {axis.name: (axis.plant.command_unit, axis.plant.force_unit) for axis in machine.axes}
     first = units[machine.axis_names[0]]
     for name in machine.axis_names:
@@ -76,6 +73,16 @@ def numbers_of(machine: Machine, controller: Controller) -> tuple[Number, ...]:
     return tuple(found)
 
 
+def numbers_of_machine(machine: Machine) -> tuple[Number, ...]:
+    """Return the numbers of a machine, as `numbers_of` does."""
+    return (*_machine(machine), *(number for axis in machine.axes for number in _axis(axis, f"axes.{axis.name}.")))
+
+
+def numbers_of_axis(axis: Axis) -> tuple[Number, ...]:
+    """Return the numbers of an axis by themselves, named as in its own file."""
+    return tuple(_axis(axis, ""))
+
+
 def _machine(machine: Machine) -> Iterator[Number]:
     yield Number("machine.servo_period", machine.servo_period, "s", "ms", machine.origins.get("servo_period"))
     for pair, angle in machine.squareness.items():
@@ -83,24 +90,23 @@ def _machine(machine: Machine) -> Iterator[Number]:
         yield Number(f"machine.{key}", angle, "rad", "um/m", machine.origins.get(key))
 
 
-def _axis(axis: Axis, variable: set[str]) -> Iterator[Number]:
-    head = f"axes.{axis.name}"
+def _axis(axis: Axis, head: str) -> Iterator[Number]:
     units = (axis.plant.command_unit, axis.plant.force_unit)
     if axis.stage_mass:
-        yield Number(f"{head}.stage_mass", axis.stage_mass, "kg", "kg", axis.origins.get("stage_mass"))
+        yield Number(f"{head}stage_mass", axis.stage_mass, "kg", "kg", axis.origins.get("stage_mass"))
     for slot in AXIS_SLOTS:
-        yield from _component(f"{head}.{slot}", getattr(axis, slot), units, variable)
+        yield from _component(f"{head}{slot}", getattr(axis, slot), units, drawn=True)
     # What is planned with and held against: told where something is stated.
     shown = {"velocity": ("m/s", "mm/min"), "acceleration": ("m/s^2", "m/s^2"), "jerk": ("m/s^3", "m/s^3")}
     for name, origin in axis.limits.origins.items():
         unit, display = shown.get(name, ("m", "mm"))
-        yield Number(f"{head}.limits.{name}", getattr(axis.limits, name), unit, display, origin)
+        yield Number(f"{head}limits.{name}", getattr(axis.limits, name), unit, display, origin)
     for name, origin in axis.error.origins.items():
         value = getattr(axis.error, name)
-        yield Number(f"{head}.error.{name}", value if isinstance(value, float) else tuple(value.tolist()), "m", "um", origin)
+        yield Number(f"{head}error.{name}", value if isinstance(value, float) else tuple(value.tolist()), "m", "um", origin)
 
 
-def _component(head: str, part: Component | None, units: tuple[str, str], variable: set[str] | None = None) -> Iterator[Number]:
+def _component(head: str, part: Component | None, units: tuple[str, str], *, drawn: bool = False) -> Iterator[Number]:
     if part is None:
         return
     for name, value in part.values().items():
@@ -108,5 +114,5 @@ def _component(head: str, part: Component | None, units: tuple[str, str], variab
         origin = part.origins.get(name)
         if parameter.choices or (origin is None and value == parameter.default):
             continue
-        drawn = variable is not None and f"{head}.{name}" in variable and not parameter.whole
-        yield Number(f"{head}.{name}", value, parameter.unit, parameter.display, origin, drawn)
+        varied = drawn and name in part.numeric() and not parameter.whole
+        yield Number(f"{head}.{name}", value, parameter.unit, parameter.display, origin, varied)
