@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
 from contourlab.report.text import NONE, number
@@ -97,13 +97,21 @@ def origin_tables(data: ReportData) -> tuple[OriginTable, ...]:
         if scheme.trust is None:
             continue
         rows = tuple(one for one in scheme.trust.numbers if one not in seen)
+        shown = tuple(replace(one, unit=_signs(one.unit)) for one in rows)
         names = tuple(name for name in scheme.trust.not_stated if name not in blank)
         seen |= set(rows)
         blank |= set(names)
         if rows or names:
             title = "Stated numbers" if not found else f"{scheme.name}: what differs from the schemes before"
-            found.append(OriginTable(title, rows, names))
+            found.append(OriginTable(title, shown, names))
     return tuple(found)
+
+
+def _signs(unit: str) -> str:
+    """Return a unit in print."""
+    for plain, sign in (("*", "·"), ("^2", "²"), ("^3", "³")):
+        unit = unit.replace(plain, sign)
+    return "µm" if unit == "um" else unit
 
 
 def interval_rows(data: ReportData) -> tuple[tuple[str, ...], ...]:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from pathlib import Path
@@ -146,9 +147,9 @@ def copy_shipped(name: str, folder: str | Path, *, force: bool = False) -> list[
     OutputError
         If one of the files is there already, before anything is written; or if one cannot be written.
     """
-    first = builtin_file(name)
-    files = list(dict.fromkeys(_with_parts(first)))
-    targets = {Path(folder) / file.relative_to(first.parent): file for file in files}
+    files = list(dict.fromkeys(_with_parts(builtin_file(name).resolve())))
+    base = os.path.commonpath([file.parent for file in files])  # what lies beside its folder stays beside it
+    targets = {Path(folder) / file.relative_to(base): file for file in files}
     there = [target.name for target in targets if target.exists()]
     if there and not force:
         listed = f"{', '.join(there)} {'is' if len(there) == 1 else 'are'}"
@@ -162,7 +163,7 @@ def _with_parts(file: Path) -> Iterator[Path]:
     yield file
     if file.suffix == ".toml":
         for text in _texts(read_tree(file).plain()):
-            part = file.parent / text
+            part = (file.parent / text).resolve()
             if Path(text).suffix in (".toml", ".ngc", ".csv") and part.is_file():
                 yield from _with_parts(part)
 

@@ -47,7 +47,7 @@ def run_scenario(
     plots: Sequence[str] = (),
     signals: Sequence[str] = (),
     progress: bool = False,
-    interval: bool = True,
+    interval: bool | None = None,
 ) -> RunOutcome:
     """Run a scenario file, or a part program with a machine and a controller.
 
@@ -73,8 +73,8 @@ def run_scenario(
         Signals to write; by default those of the scenario, or all.
     progress : bool
         Whether to show a bar.
-    interval : bool
-        Whether the deviations that are stated make an interval of the contour error.
+    interval : bool, optional
+        Whether the deviations that are stated make an interval of the contour error; by default where that does not take long.
     """
     from contourlab.scenario import BUILTIN
 
@@ -93,9 +93,9 @@ def run_scenario(
     words += [word for file in plugins for word in ("--plugin", str(file))]
     for option, value in parts.items():
         words += [] if value is None else [option] if isinstance(value, bool) else [option, str(value)]
-    words += [] if interval else ["--no-interval"]
-    options = {"plots": plots, "signals": signals, "progress": progress, "interval": interval}
-    return run_session(scenario, out, command=shlex.join(words), **options)
+    words += {None: [], True: ["--interval"], False: ["--no-interval"]}[interval]
+    shown: dict[str, Any] = {"plots": plots, "signals": signals, "progress": progress, "interval": interval}
+    return run_session(scenario, out, command=shlex.join(words), **shown)
 
 
 def _option(name: str, value: Any) -> str:
@@ -205,7 +205,7 @@ def run_session(
     progress: bool = False,
     costs: bool = False,
     foretell: bool = False,
-    interval: bool = True,
+    interval: bool | None = None,
 ) -> RunOutcome:
     """Run every scheme of a scenario; write signals, summary.json, report.html and plots into a folder.
 
@@ -255,7 +255,7 @@ def _run_each(
     stages: Stages,
     outcomes: list[Outcome],
     runaways: dict[str, DivergenceError],
-    asked: Mapping[str, bool],
+    asked: Mapping[str, Any],
 ) -> None:
     for case in cases:
         try:

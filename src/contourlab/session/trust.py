@@ -103,4 +103,4 @@ def printed(number: Number) -> StatedNumber:
     elif origin is not None and origin.span is not None:
         deviation = f"{shown(origin.span[0])} to {shown(origin.span[1])}"
     reference, note = ("", "") if origin is None else (origin.reference, origin.note)
-    return StatedNumber(number.name, text, display.replace("*", "·"), number.source, deviation, reference, note)
+    return StatedNumber(number.name, text, display, number.source, deviation, reference, note)

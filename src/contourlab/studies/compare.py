@@ -173,7 +173,7 @@ def run_case(
     stage: Callable[[str], None] | None = None,
     costs: bool = False,
     foretell: bool = False,
-    interval: bool = False,
+    interval: bool | None = False,
 ) -> Outcome:
     """Run one case and judge it.
 
@@ -191,8 +191,8 @@ def run_case(
         Whether the servo tick is timed.
     foretell : bool
         Whether an analysis says beforehand how learning will go.
-    interval : bool
-        Whether machines are drawn from the stated deviations, for the interval of the contour error.
+    interval : bool or None
+        Whether machines are drawn from the stated deviations, for the interval of the contour error; None where it does not take long.
 
     Raises
     ------
@@ -222,7 +222,7 @@ def run_case(
     explain = explain and case.tolerance is not None and figures.part_error.max > case.tolerance and learned is None
     if explain:
         begin(f"looking for the causes of the error of {case.name}")
-    spread = _interval(case, reference, learned, begin, progress) if interval else None
+    spread = None if interval is False else _interval(case, reference, learned, begin, progress, bool(interval))
     return Outcome(
         name=case.name,
         case=case,
@@ -249,12 +249,13 @@ def _interval(
     learned: LearningRun | None,
     begin: Callable[[str], None],
     progress: Callable[[int, int], None] | None,
+    patient: bool,
 ) -> Interval:
     """Return what the stated deviations make of the contour error of a case."""
     begin(f"drawing machines from the deviations, {case.name}")
     given: dict[str, Any] = {"seed": case.seed, "tolerance": case.tolerance, "moving": case.moving, "changes": case.changes}
     table = None if learned is None else learned.table.learned
-    return contour_interval(case.machine, case.controller, reference, **given, learned=table, progress=progress)
+    return contour_interval(case.machine, case.controller, reference, **given, learned=table, progress=progress, patient=patient)
 
 
 def _unstable(case: Case) -> str:

@@ -30,6 +30,8 @@ FIGURES = {"rms": "contour_error_rms", "max": "contour_error_max"}
 UNKNOWN = "not known: no number of the machine has a deviation"
 NO_CHANGES = "not known: the run changes controllers on the way, which the lanes cannot"
 
+TOO_LONG = "not known: with a gap observer, a bank of filters, it takes as long as 64 runs one by one; ask for it with --interval"
+
 
 @dataclass(frozen=True)
 class Spread:
@@ -106,6 +108,7 @@ def contour_interval(
     learned: Learned | None = None,
     threads: int | None = None,
     n: int = SAMPLES,
+    patient: bool = False,
     progress: Callable[[int, int], None] | None = None,
 ) -> Interval:
     """Return the interval of the contour error that the stated deviations imply.
@@ -127,6 +130,8 @@ def contour_interval(
     threads : int, optional
     n : int
         Samples, a power of two.
+    patient : bool
+        Whether machines whose observer is a bank of filters are drawn too, which takes as long as that many runs one by one.
     progress : callable, optional
         Told samples done and samples in all.
 
@@ -144,6 +149,8 @@ def contour_interval(
         return Interval(UNKNOWN)
     if changes:
         return Interval(NO_CHANGES)
+    if not patient and any(controller.axes[name].gap_observer is not None for name in machine.axis_names):
+        return Interval(TOO_LONG)
     columns = draw(uncertain, machine, controller, seed, n)
 
     def told(done: int) -> None:

@@ -31,9 +31,14 @@ def run(
     check: Annotated[bool, typer.Option("--check", help="Read and check everything, simulate nothing.")] = False,
     plots: Annotated[list[str] | None, typer.Option(help="Also write plots as png, svg or pdf; may be given again.")] = None,
     signals: Annotated[list[str] | None, typer.Option(help="Write this signal only; may be given again; all by default.")] = None,
-    no_interval: Annotated[
-        bool, typer.Option("--no-interval", help="Leave out the interval of the contour error that stated deviations imply.")
-    ] = False,
+    interval: Annotated[
+        bool | None,
+        typer.Option(
+            "--interval/--no-interval",
+            help="Draw machines from the stated deviations, for the interval of the contour error; by default where it is quick.",
+            show_default=False,
+        ),
+    ] = None,
     plugin: Annotated[list[Path] | None, typer.Option(help="Load components from a Python file; may be given again.")] = None,
 ) -> int:
     """Simulate a scenario or a part program, judge the contour, write report and results."""
@@ -58,6 +63,6 @@ def run(
         plots=tuple(plots or ()),
         signals=tuple(signals or ()),
         progress=wants_progress(as_json),
-        interval=not no_interval,
+        interval=interval,
     )
     return conclude(outcome, as_json)
