@@ -94,8 +94,8 @@ def run_scenario(
     for option, value in parts.items():
         words += [] if value is None else [option] if isinstance(value, bool) else [option, str(value)]
     words += {None: [], True: ["--interval"], False: ["--no-interval"]}[interval]
-    shown: dict[str, Any] = {"plots": plots, "signals": signals, "progress": progress, "interval": interval}
-    return run_session(scenario, out, command=shlex.join(words), **shown)
+    rest: dict[str, Any] = {"plots": plots, "signals": signals, "progress": progress, "interval": interval}
+    return run_session(scenario, out, command=shlex.join(words), **rest)
 
 
 def _option(name: str, value: Any) -> str:
