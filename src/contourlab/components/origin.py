@@ -97,6 +97,6 @@ class Traced:
             raise ComponentError(f"{self.kind}: no parameter {unknown[0]!r}; there are: {', '.join(self.parameters) or 'none'}")
         if not origins and not self._origins:
             return self
-        copy = type(self)(**self.values())  # type: ignore[call-arg, attr-defined]
+        copy = type(self)(**self.values())  # type: ignore[attr-defined]
         object.__setattr__(copy, "_origins", dict(origins))
         return copy

@@ -1,4 +1,4 @@
-"""How far to trust the figures: where the numbers of the machine are from, and the interval of contour error that their deviations imply."""
+"""How far to trust the figures: where the numbers are from, and the interval of contour error that their deviations imply."""
 
 from __future__ import annotations
 

@@ -191,7 +191,7 @@ def _fault(item: Any, table: Table, node: Leaf, parts: Mapping[str, Component]) 
     if isinstance(item[2], bool) or not isinstance(item[2], int | float) or not -1.0 <= item[2] <= 1.0:
         return f"{item[2]!r:.40} is no coefficient: between -1 and 1"
     for name in item[:2]:
-        slot, _, number = name.partition(".")
+        slot = name.partition(".")[0]
         known = [f"{label}.{key}" for label, part in parts.items() for key in part.numeric()]
         part = table.get(slot)
         replaced = part is not None and (part.file, part.key.rpartition(".")[0]) != (node.file, node.key.rpartition(".")[0])

@@ -177,7 +177,8 @@ def _covariance(found: AxisFit) -> Array:
     """Return the covariance of M, Fv, Fc and the offset: the larger deviations, and the correlation of a white residual."""
     fit, combined = found.fit, _combined(found)
     deviations = np.maximum(fit.deviations, fit.robust_deviations)
-    return combined @ (fit.correlation * np.outer(deviations, deviations)) @ combined.T
+    found_together: Array = combined @ (fit.correlation * np.outer(deviations, deviations)) @ combined.T
+    return found_together
 
 
 def _estimates(found: AxisFit) -> tuple[dict[str, float], dict[str, float]]:

@@ -218,7 +218,7 @@ def draw(uncertain: Sequence[Number], machine: Machine, controller: Controller, 
     from scipy.stats import qmc
 
     share = qmc.Sobol(len(uncertain), scramble=True, rng=np.random.default_rng([seed, len(uncertain)])).random(n)
-    share = np.clip(share, 0.5 ** 31, 1.0 - 0.5 ** 31)
+    share = np.clip(share, 0.5**31, 1.0 - 0.5**31)
     mixed = ndtr(ndtri(share) @ _root(uncertain, machine).T)
     known = parameter_names(machine, controller)
     return {number.name: _placed(number, known[number.name], mixed[:, i]) for i, number in enumerate(uncertain)}
@@ -253,6 +253,7 @@ def _root(uncertain: Sequence[Number], machine: Machine) -> Array:
     if np.array_equal(matrix, np.eye(len(uncertain))):
         return matrix
     sizes, directions = np.linalg.eigh(matrix)
-    root: Array = directions * np.sqrt(np.maximum(sizes, 0.0))
+    root = directions * np.sqrt(np.maximum(sizes, 0.0))
     # Rounded coefficients may leave a size just below zero: each number keeps its own deviation.
-    return root / np.linalg.norm(root, axis=1, keepdims=True)
+    scaled: Array = root / np.linalg.norm(root, axis=1, keepdims=True)
+    return scaled

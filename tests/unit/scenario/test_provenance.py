@@ -166,7 +166,9 @@ def test_other_correlations_are_refused(said: str, words: str) -> None:
 
 
 def test_correlations_that_contradict_each_other_are_refused() -> None:
-    three = '[["plant.mass", "friction.coulomb", 0.9], ["plant.mass", "friction.viscous", 0.9], ["friction.coulomb", "friction.viscous", -0.9]]'
+    three = (
+        '[["plant.mass", "friction.coulomb", 0.9], ["plant.mass", "friction.viscous", 0.9], ["friction.coulomb", "friction.viscous", -0.9]]'
+    )
     viscous = '\nviscous = {value = "1 N*s/m", source = "fitted", deviation = "1 %"}'
     with pytest.raises(ScenarioError, match="contradict"):
         axis(mass=FITTED, coulomb=TWO["coulomb"] + viscous, top=f"correlations = {three}")
@@ -176,7 +178,9 @@ def test_correlations_that_contradict_each_other_are_refused() -> None:
 
 
 def scheme(change: str) -> Origin | None:
-    found: Origin | None = parse_scenario(SCENARIO.format(more=f"[schemes.s]\n{change}")).case("s").machine.axes[0].plant.origins.get("gain")
+    found: Origin | None = (
+        parse_scenario(SCENARIO.format(more=f"[schemes.s]\n{change}")).case("s").machine.axes[0].plant.origins.get("gain")
+    )
     return found
 
 

@@ -1,9 +1,9 @@
 """The EMPS in simulation: a mass with friction under its two nested loops, tick by tick, against the log.
 
 The controller is nu = k_v (k_p (q_r - q) - v), where v is the difference of two-tap means of the measured position, (q_k - q_(k-2))/(2 T),
-and saturates at 10 V. Between ticks the force is held and the axis slides exponentially, or is held by its friction, both exactly. The loop is
-written out here for what contourlab's engine has not got: a start in the state in which the log starts, the published solver whose friction
-chatters, and friction by direction. `contourlab.studies.reproduce.emps_engine` runs the rest in the engine, and agrees with it.
+and saturates at 10 V. Between ticks the force is held and the axis slides exponentially, or is held by its friction, both exactly. The loop
+is written out here for what contourlab's engine has not got: a start in the state in which the log starts, the published solver whose
+friction chatters, and friction by direction. `contourlab.studies.reproduce.emps_engine` runs the rest in the engine, and agrees with it.
 """
 
 from __future__ import annotations
