@@ -306,10 +306,6 @@ class Component(Traced):
         """Return every parameter with its value in SI."""
         return {name: getattr(self, name) for name in self.parameters}
 
-    def replace(self, **changes: Any) -> Any:
-        """Return a copy with other parameters; where a changed number is from is not known any more."""
-        return type(self)(**{**self.values(), **changes}).traced({k: v for k, v in self.origins.items() if k not in changes})
-
     # --- what the engine asks for ------------------------------------------------------------------------------------------------
 
     @classmethod

@@ -84,6 +84,15 @@ class Traced:
         """Where its numbers are from, by parameter."""
         return self._origins
 
+    def values(self) -> dict[str, Any]:
+        """Return every parameter with its value in SI."""
+        raise NotImplementedError  # of a component
+
+    def replace(self, **changes: Any) -> Any:
+        """Return a copy with other parameters; where a changed number is from is not known any more."""
+        kind: Any = type(self)
+        return kind(**{**self.values(), **changes}).traced({k: v for k, v in self._origins.items() if k not in changes})
+
     def traced(self, origins: Mapping[str, Origin]) -> Any:
         """Return a copy whose numbers are from there.
 
@@ -97,6 +106,7 @@ class Traced:
             raise ComponentError(f"{self.kind}: no parameter {unknown[0]!r}; there are: {', '.join(self.parameters) or 'none'}")
         if not origins and not self._origins:
             return self
-        copy = type(self)(**self.values())  # type: ignore[attr-defined]
+        kind: Any = type(self)
+        copy = kind(**self.values())
         object.__setattr__(copy, "_origins", dict(origins))
         return copy

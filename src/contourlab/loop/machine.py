@@ -46,7 +46,7 @@ class Limits:
     jerk: float = math.inf
     following_error: float = 0.05
     travel: tuple[float, float] = (-math.inf, math.inf)
-    origins: Mapping[str, Origin] = field(default_factory=dict, compare=False)
+    origins: Mapping[str, Origin] = field(default_factory=dict, compare=False, repr=False)
 
     def __post_init__(self) -> None:
         for name in ("velocity", "acceleration", "jerk", "following_error"):
@@ -75,7 +75,7 @@ class AxisError:
     position: NDArray[np.float64] = field(default_factory=lambda: np.zeros(0))
     lead_error: NDArray[np.float64] = field(default_factory=lambda: np.zeros(0))
     repeatability: float = 0.0
-    origins: Mapping[str, Origin] = field(default_factory=dict, compare=False)
+    origins: Mapping[str, Origin] = field(default_factory=dict, compare=False, repr=False)
 
     def __post_init__(self) -> None:
         if self.position.shape != self.lead_error.shape or np.any(np.diff(self.position) <= 0.0):
@@ -115,8 +115,8 @@ class Axis:
     substeps: int = 1
     motor_friction: Component = field(default_factory=NoFriction)
     motor_sensor: Component = field(default_factory=IdealSensor)
-    origins: Mapping[str, Origin] = field(default_factory=dict, compare=False)
-    correlations: tuple[tuple[str, str, float], ...] = field(default=(), compare=False)
+    origins: Mapping[str, Origin] = field(default_factory=dict, compare=False, repr=False)
+    correlations: tuple[tuple[str, str, float], ...] = field(default=(), compare=False, repr=False)
 
 
 @dataclass(frozen=True)
@@ -138,7 +138,7 @@ class Machine:
     axes: tuple[Axis, ...]
     servo_period: float
     squareness: Mapping[tuple[str, str], float] = field(default_factory=dict)
-    origins: Mapping[str, Origin] = field(default_factory=dict, compare=False)
+    origins: Mapping[str, Origin] = field(default_factory=dict, compare=False, repr=False)
 
     def __post_init__(self) -> None:
         if not (math.isfinite(self.servo_period) and self.servo_period > 0.0):

@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Mapping
+from dataclasses import fields, is_dataclass, replace
 from typing import Any
 
 import numpy as np
@@ -18,7 +19,7 @@ from contourlab.scenario.quantities import read_number
 from contourlab.scenario.toml_text import Noted
 from contourlab.scenario.tree import STATED, Leaf, Node, Table, hint
 
-__all__ = ["bare", "origin_table", "read_correlations", "read_origins", "without_origins", "written"]
+__all__ = ["bare", "origin_table", "read_correlations", "read_origins", "unstated", "without_origins", "written"]
 
 _KEYS = (STATED, "source", "deviation", "range", "from", "note")
 _EXAMPLE = '{value = "33 kg", source = "fitted", deviation = "1 %", from = "log.mat"}'
@@ -231,3 +232,23 @@ def origin_table(value: Any, origin: Origin, quantity: Callable[[float], Any]) -
 def written(table: dict[str, Any], origins: Mapping[str, Origin]) -> dict[str, Any]:
     """Return a table of fixed shape with where its numbers are from; they have no deviation."""
     return {name: Noted(origin_table(value, origins[name], float)) if name in origins else value for name, value in table.items()}
+
+
+def unstated(value: Any) -> Any:
+    """Return a machine or a controller of which nothing is stated: what it is, for comparisons.
+
+    Parameters
+    ----------
+    value : Machine, Controller, or any part of them
+    """
+    if isinstance(value, Component):
+        return value.traced({})
+    if isinstance(value, tuple):
+        return tuple(unstated(item) for item in value)
+    if isinstance(value, Mapping):
+        return {name: unstated(item) for name, item in value.items()}
+    if is_dataclass(value) and not isinstance(value, type):
+        bare_parts = {one.name: unstated(getattr(value, one.name)) for one in fields(value) if one.name not in ("origins", "correlations")}
+        empty: dict[str, Any] = {name: kind() for name, kind in (("origins", dict), ("correlations", tuple)) if hasattr(value, name)}
+        return replace(value, **bare_parts, **empty)
+    return value

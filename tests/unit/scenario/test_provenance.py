@@ -15,6 +15,7 @@ from contourlab.errors import ParameterError, ScenarioError
 from contourlab.loop import Axis
 from contourlab.scenario import builtin_names, dump, load_axis, load_machine, parse_scenario
 from contourlab.scenario.build import build_axis
+from contourlab.scenario.provenance import unstated
 from contourlab.scenario.tree import parse_tree, settle
 
 AXIS = """
@@ -248,6 +249,15 @@ def test_shipped_axes_say_where_all_of_their_numbers_are_from(name: str) -> None
         given_ = {key for key, value in part.values().items() if not part.parameters[key].choices and value != part.parameters[key].default}
         assert given_ <= set(part.origins)
     assert origins_of(parsed(dump(found))) == origins_of(found)
+
+
+def test_what_a_machine_is_does_not_depend_on_what_is_said_of_it() -> None:
+    """A learned table belongs to a machine, whatever is found out later of where its numbers are from."""
+    stated = parse_scenario(SCENARIO.format(more="")).base
+    plain = unstated(stated.machine)
+    assert "source" in dump(stated.machine) and "source" not in dump(plain)
+    assert plain.axes[0].plant == stated.machine.axes[0].plant and plain.squareness == stated.machine.squareness
+    assert "source" not in dump(unstated(stated.controller), plain)
 
 
 def test_an_origin_is_checked_wherever_it_is_made() -> None:

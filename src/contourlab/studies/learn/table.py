@@ -19,6 +19,7 @@ from contourlab.loop import Controller, Learned, Machine
 from contourlab.result.atomic import replacing
 from contourlab.scenario import dump
 from contourlab.scenario.dump import component_table
+from contourlab.scenario.provenance import unstated
 from contourlab.scenario.toml_text import toml
 
 __all__ = ["LearnedTable"]
@@ -75,8 +76,7 @@ class LearnedTable:
             servo_period=machine.servo_period,
             path=reference.path.digest,
             reference=reference.digest,
-            machine=dump(machine),
-            controller=dump(controller, machine),
+            **_texts(machine, controller),
             law=_law_text(law, machine),
             figures=figures or {},
         )
@@ -122,7 +122,8 @@ class LearnedTable:
             mine = f"a motion of {len(self.values)} samples ({self.reference[:12]})"
             other_motion = f"one of {reference.n_sample} ({reference.digest[:12]}) along the same path"
             raise self._refused(mine, other_motion, "take the feed, the limits and the blending that it was learned with")
-        for what, mine, now in (("machine", self.machine, dump(machine)), ("controller", self.controller, dump(controller, machine))):
+        for what, now in _texts(machine, controller).items():
+            mine = getattr(self, what)
             if mine != now:
                 was, has = _first_difference(mine, now)
                 raise self._refused(f"a {what} with {was}", f"one with {has}", f"take the {what} that it was learned on, or learn again")
@@ -187,6 +188,12 @@ class LearnedTable:
 
 def _text(value: Any) -> str:
     return value.decode("utf-8") if isinstance(value, bytes) else str(value)
+
+
+def _texts(machine: Machine, controller: Controller) -> dict[str, str]:
+    """Return machine and controller as text; where their numbers are said to be from is no part of what they are."""
+    plain = unstated(machine)
+    return {"machine": dump(plain), "controller": dump(unstated(controller), plain)}
 
 
 def _law_text(law: LearningLaw, machine: Machine) -> str:
