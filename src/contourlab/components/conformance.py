@@ -56,6 +56,7 @@ SLOTS: dict[str, tuple[tuple[str, ...], tuple[str, ...]]] = {
         ("reference", "position", "foot_position", "error_vector", "contour_error_estimate", "tangent", "command", "accepted"),
         ("modified_reference", "correction"),
     ),
+    "link": (("sent",), ("received",)),
     "learning": ((), ()),
 }
 """What the slot of each family offers, and what it wants back."""

@@ -51,6 +51,7 @@ FAMILIES = (
     "controller",
     "estimator",
     "coupling",
+    "link",
     "learning",
 )
 """The slots of the servo loop, in the order in which `contourlab components` lists them."""

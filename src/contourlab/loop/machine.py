@@ -20,6 +20,7 @@ from contourlab.components.sensor.ideal import IdealSensor
 from contourlab.components.velocity.true import TrueVelocity
 from contourlab.errors import FeedError, ParameterError
 from contourlab.feed import AxisLimits
+from contourlab.loop.division import Division
 
 __all__ = ["CONTROLLER_SLOTS", "Axis", "AxisController", "AxisError", "Controller", "Limits", "Machine"]
 
@@ -279,6 +280,9 @@ class AxisController:
 
     `feedback` and `velocity_feedback` say which side of a drive with backlash the controller's position and velocity are measured on. Under
     a `supervisor` the `controller` is one of several: it is number 0, those of `others`, each with its name, are 1, 2 ...
+
+    Under a `link` part of it stands in the axis and the rest in the base; what is in the base is the same for all axes that may come, so that
+    `local` names parameters of the axis' part alone.
     """
 
     controller: Component = field(default_factory=PositionController)
@@ -293,6 +297,7 @@ class AxisController:
     others: tuple[tuple[str, Component], ...] = ()
     feedback: str = "load"
     velocity_feedback: str = "motor"
+    link: Division | None = None
 
     @property
     def controllers(self) -> dict[str, Component]:
@@ -317,6 +322,26 @@ class AxisController:
                 'made from the predicted position, as by "filtered-difference": the true one knows nothing of the commands on their way'
             )
             raise ParameterError("velocity", '"true"', wanted)
+        if self.link is not None:
+            self._check_link(self.link)
+
+    def _check_link(self, link: Division) -> None:
+        if self.predictor is not None and link.division == "observer":
+            wanted = '"drive" or "controller": the observer asks for the velocity behind the predictor, which stands with the controller'
+            raise ParameterError("link.division", '"observer"', wanted)
+        for name in self.local:
+            if not link.is_local(name.partition(".")[0]):
+                wanted = f'a parameter of a part in the axis, as the division "{link.division}" leaves this one in the base'
+                raise ParameterError("local", repr(name), wanted)
+
+    @property
+    def local_parameters(self) -> tuple[str, ...]:
+        """Names of the parameters that may move with the axis: those of `local`, else all of the parts that stand in the axis."""
+        if self.local or self.link is None:
+            return self.local
+        parts = {slot: getattr(self, slot) for slot in CONTROLLER_SLOTS} | {f"others.{label}": part for label, part in self.others}
+        mine = {slot: part for slot, part in parts.items() if part is not None and self.link.is_local(slot)}
+        return tuple(f"{slot}.{name}" for slot, part in mine.items() for name in part.numeric())
 
 
 @dataclass(frozen=True)
@@ -339,6 +364,10 @@ class Controller:
     def __post_init__(self) -> None:
         if self.coupling is not None and self.estimator is None:
             raise ParameterError("controller.coupling", self.coupling.kind, "given with an estimator, whose foot point it uses")
+        blind = [name for name, mine in self.axes.items() if mine.link is not None and mine.link.up is None]
+        if self.estimator is not None and blind:
+            wanted = f"left out, as axis {blind[0]} sends the base no position: its link goes one way"
+            raise ParameterError("controller.estimator", f'"{self.estimator.kind}"', wanted)
 
 
 def parameter_names(machine: Machine, controller: Controller) -> dict[str, Any]:
@@ -360,6 +389,8 @@ def parameter_names(machine: Machine, controller: Controller) -> dict[str, Any]:
             collect(f"controller.axes.{axis.name}.{slot}", getattr(mine, slot))
         for label, part in mine.others:
             collect(f"controller.axes.{axis.name}.others.{label}", part)
+        for direction in ("down", "up") if mine.link is not None else ():
+            collect(f"controller.axes.{axis.name}.link.{direction}", getattr(mine.link, direction))
     collect("controller.estimator", controller.estimator)
     collect("controller.coupling", controller.coupling)
     return found

@@ -36,7 +36,7 @@ def recorded(builder: Builder) -> dict[str, tuple[str, ...]]:
         "axis_position": tuple(f"{name}.plant.position" for name in builder.names),
         "axis_velocity": tuple(f"{name}.plant.velocity" for name in builder.names),
         "velocity": tuple(plain(builder.sensing[name].velocity) for name in builder.names),
-        "command": tuple(builder.command(name) for name in builder.names),
+        "command": tuple(builder.arrived.get(name, builder.command(name)) for name in builder.names),
         "applied_command": tuple(f"{name}.drive.applied" for name in builder.names),
     }
     found |= _inside(builder)

@@ -50,10 +50,11 @@ class Sensing:
             if not isinstance(sensor, IdealSensor):
                 signal = self._signal(side, "position")
                 noisy = self.builder.noisy(sensor, self.name, slot)
-                start = self.at if slot == "sensor" else self._motor_start()
+                start = self.at if slot == "sensor" else self.motor_start()
                 self.builder.add(f"{self.name}.{slot}", noisy, f"axes.{self.name}.{slot}", {"position": Late(signal)}, start)
 
-    def _motor_start(self) -> float:
+    def motor_start(self) -> float:
+        """Return where the motor stands at first [m]."""
         return float(self.axis.plant.at_rest(self.at)[1].get("motor_position", self.at))
 
     def _signal(self, side: str, what: str) -> str:
@@ -75,7 +76,7 @@ class Sensing:
             predicted = self.mine.predictor is not None and side == self.mine.velocity_feedback
             node = f"{self.name}.velocity" if side == self.mine.velocity_feedback else f"{self.name}.{side}_velocity"
             wires = {"position": self.position if predicted else self.position_on(side)}
-            start = self._motor_start() if side == "motor" else self.at
+            start = self.motor_start() if side == "motor" else self.at
             self.builder.add(node, self.mine.velocity, f"controller.axes.{self.name}.velocity", wires, start)
             self._velocities[side] = f"{node}.velocity"
         return self._velocities[side]

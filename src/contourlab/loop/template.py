@@ -16,7 +16,8 @@ signals are recorded here, and then
 
 5. the **disturbance** and the reaction of axes mounted on top act on the **plant**, which moves to the next tick with its command held.
 
-Ideal parts have no node: their wires lead to what they would have passed on.
+Ideal parts have no node: their wires lead to what they would have passed on. Where the controller of an axis is divided between base and
+axis, what crosses goes through the nodes of a link: see `contourlab.loop.crossing`.
 """
 
 from __future__ import annotations
@@ -34,6 +35,7 @@ from contourlab.engine.step import Port
 from contourlab.errors import ParameterError
 from contourlab.geometry import Path
 from contourlab.geometry.view import PathView, view_of
+from contourlab.loop.crossing import add_taken, compensated_in_axis, controlled_from_base, cross, subtract_node, taken_wire
 from contourlab.loop.feeding import AHEAD, LEARNED_COMMAND, LEARNED_REFERENCE, SOURCE_LINE
 from contourlab.loop.machine import Controller, Machine
 from contourlab.loop.mixing import sum_step
@@ -104,6 +106,8 @@ class Builder:
         self.nodes: list[Node] = []
         self.names = machine.axis_names
         self.sensing: dict[str, Sensing] = {}
+        # Where commands come down a link: the signal of what has arrived.
+        self.arrived: dict[str, str] = {}
 
     # --- helpers -----------------------------------------------------------------------------------------------------------------
 
@@ -114,21 +118,31 @@ class Builder:
 
     def add(self, name: str, part: Component, prefix: str, wires: Mapping[str, Any], at: float = 0.0) -> None:
         """Add the node of a component of one axis."""
+        self.nodes.append(self.node(name, part, prefix, wires, at))
+
+    def node(self, name: str, part: Component, prefix: str, wires: Mapping[str, Any], at: float = 0.0) -> Node:
+        """Return the node of a component of one axis."""
         initial, start = part.at_rest(at)
         changed = self.changed(prefix)
         step, values = part.make_step(len(self.names)), part.block(self.period, changed)
-        self.nodes.append(Node(name, step, wires, values, part.table_values(), initial, start, self.ring_length(part, changed)))
+        return Node(name, step, wires, values, part.table_values(), initial, start, self.ring_length(part, changed))
 
     def ring_length(self, part: Component, changed: Mapping[str, Array]) -> int:
         """Return how much of its past a component keeps, so that it is enough for every variant."""
         lengths = [part.ring_length(self.period)]
         for name, values in changed.items() if part.ring else ():
             lengths += [part.replace(**{name: float(extreme)}).ring_length(self.period) for extreme in (values.min(), values.max())]
+        if part.ring and len(changed) > 1:  # two that make it longer may come together
+            lengths.append(part.replace(**{name: float(values.max()) for name, values in changed.items()}).ring_length(self.period))
         return max(lengths)
 
     # --- slots -------------------------------------------------------------------------------------------------------------------
 
-    def accepted(self, axis: str) -> Late:
+    def accepted(self, axis: str) -> Any:
+        """Return the wire of the last command that was taken, as the controller of an axis knows it."""
+        return taken_wire(self, axis) if controlled_from_base(self.controller.axes[axis].link) else self.drive_accepted(axis)
+
+    def drive_accepted(self, axis: str) -> Late:
         """Return the wire of the last command that the drive took, behind its limit and ahead of its delay."""
         late = any(port.name == "accepted" for port in self.machine.axis(axis).drive.outputs)
         return Late(f"{axis}.drive.{'accepted' if late else 'applied'}")
@@ -141,6 +155,7 @@ class Builder:
 
     def sense(self) -> None:
         for axis, at in zip(self.machine.axes, self.start, strict=True):
+            add_taken(self, axis.name)
             self.sensing[axis.name] = Sensing(self, axis, float(at))
 
     def contour(self, view: PathView | None) -> None:
@@ -156,7 +171,7 @@ class Builder:
         if coupling is not None:
             offered = {"reference": "in.reference", "position": positions}
             offered |= {port.name: f"estimator.{port.name}" for port in step.outputs}
-            offered["command"] = tuple(Late(self.command(name)) for name in self.names)
+            offered["command"] = tuple(Late(self.wanted(name)) for name in self.names)
             offered["accepted"] = tuple(self.accepted(name) for name in self.names)
             self.add("coupling", coupling, "controller.coupling", {port.name: offered[port.name] for port in coupling.inputs})
 
@@ -166,7 +181,11 @@ class Builder:
         return coupling is not None and any(port.name == output for port in coupling.outputs)
 
     def command(self, axis: str) -> str:
-        """Return the signal of the command that goes to an axis' drive."""
+        """Return the signal of the command that goes to an axis' drive, ahead of any link."""
+        return f"{axis}.compensated.command" if compensated_in_axis(self, axis) else self.wanted(axis)
+
+    def wanted(self, axis: str) -> str:
+        """Return the signal of the command that an axis' controller gives."""
         handed = self.controller.axes[axis].supervisor is not None or self.handover_time is not None
         return f"{axis}.{'handover' if handed else 'controller'}.command"
 
@@ -188,14 +207,18 @@ class Builder:
                 part = getattr(mine, slot)
                 if part is not None:
                     self.add(f"{name}.{slot}", part, f"{prefix}.{slot}", self.wires_of(part, name, offered), float(at))
+            here = compensated_in_axis(self, name)
+            subtracted = mine.observer is not None and not here
             offered |= {
                 "reference": self.followed(name, j),
                 "position": seen.position,
                 "velocity": seen.velocity,
-                "disturbance_estimate": f"{name}.observer.disturbance_estimate" if mine.observer is not None else 0.0,
+                "disturbance_estimate": f"{name}.observer.disturbance_estimate" if subtracted else 0.0,
                 "feedforward": self.added(name, j),
             }
             self.decide(name, float(at), offered)
+            if here:
+                self.nodes.append(subtract_node(name, self.wanted(name)))
             self.add(f"{name}.drive", axis.drive, f"axes.{name}.drive", {"command": self.command(name)})
 
     def wires_of(self, part: Component, axis: str, offered: Mapping[str, Any]) -> dict[str, Any]:
@@ -216,7 +239,7 @@ class Builder:
         mine, prefix = self.controller.axes[name], f"controller.axes.{name}"
         if mine.supervisor is not None:
             self.add(f"{name}.supervisor", mine.supervisor, f"{prefix}.supervisor", self.wires_of(mine.supervisor, name, offered), at)
-        handed = self.command(name) == f"{name}.handover.command"
+        handed = self.wanted(name) == f"{name}.handover.command"
         for number, (label, part) in enumerate(mine.controllers.items()):
             node, key = (f"{name}.other_{label}", f"others.{label}") if number else (f"{name}.controller", "controller")
             if handed:
@@ -334,6 +357,7 @@ def build(
     builder.sense()
     builder.contour(view)
     builder.control()
+    cross(builder)
     signals = recorded(builder)
     builder.nodes += (*extra, watch_node(machine, tuple(map(builder.command, machine.axis_names))))
     record_point = len(builder.nodes)

@@ -1,0 +1,117 @@
+"""A link of periodic messages that take time, take unequal time, and get lost."""
+
+from __future__ import annotations
+
+import math
+from functools import cache
+from typing import Any
+
+import numpy as np
+
+from contourlab.components.contract import Component, Port, param, text_param
+from contourlab.primitives import delayed, floor, minimum, select, uniform
+
+__all__ = ["Network"]
+
+NEARLY = 1e-9
+"""Ticks by which rounding may take a whole number of them for more."""
+
+
+@cache
+def _make(extrapolate: bool) -> Any:
+    def step(par: Any, x: Any, inp: Any, clock: Any) -> Any:
+        newest, value, slope = x.newest, x.value, x.slope
+        # Of the messages that may arrive at this tick, the newest first: older ones than are held are of no use.
+        number = floor((clock.k - par.soonest) / par.spacing)
+        while number > newest and number * par.spacing >= clock.k - par.latest:
+            sent_at = number * par.spacing
+            taken = -floor(NEARLY - par.delay_ticks - par.jitter_ticks * uniform(par.stream, number, 0.0))
+            # A draw lies between 0 and 1 and is neither: a loss of 0 loses none, one of 1 all.
+            there = select(sent_at + taken <= clock.k, uniform(par.stream, number, 1.0), 0.0)
+            if there > par.loss:
+                fresh = delayed(par.ring, clock, clock.k - sent_at)
+                if extrapolate:
+                    slope = select(newest >= 0.0, (fresh - value) / ((number - newest) * par.spacing), 0.0)
+                value, newest = fresh, number
+            number -= 1.0
+        if extrapolate:
+            age = minimum(clock.k - newest * par.spacing, par.horizon_ticks)
+            received = value + slope * age
+        else:
+            received = value
+        return (newest, value, slope), (received,)
+
+    return step
+
+
+class Network(Component):
+    """Signals sampled into messages, one each `message_period`, that arrive after `delay` and up to `jitter` more, or never.
+
+    A message carries what stood on the wire at the tick at which it was sent, and that tick as its time stamp. It is seen at the first
+    tick at which it has arrived: times are rounded up to servo periods, the message period too. Of messages that have overtaken each other
+    the one with the newest stamp counts; an older one that comes in later is passed over. Between messages, and where they are lost, the
+    last value is held; with ``between = "extrapolate"`` the line through the last two messages is followed from the stamp to now, but for
+    no longer than `horizon`, so that it makes good the delay as well as the loss.
+
+    Jitter is uniform, independent from message to message, and so is loss. Both follow from the number of the message and the stream
+    alone: all signals of one axis in one direction travel in the same message and share its fate, and the same seed gives the same run.
+    With a message at each servo period, no delay, jitter or loss, the other side sees the signal as it is.
+
+    References
+    ----------
+    Sampled, delayed and held signals over a network: Nilsson, "Real-time control systems with delays", Lund Institute of Technology
+    (1998), chapters 2 and 3; independent losses with hold: Schenato, IEEE Trans. Automatic Control 54(5), 2009. The two sides are those of
+    Ghaffari & Ulsoy, Fig 1.
+    """
+
+    family = "link"
+    kind = "network"
+    reference = "sampled, delayed, lost and held messages: Nilsson 1998; Ghaffari & Ulsoy, Fig 1"
+    example = {
+        "message_period": 0.003,
+        "delay": 0.0021,
+        "jitter": 0.0062,
+        "loss": 0.2,
+        "between": "extrapolate",
+        "horizon": 0.011,
+        "stream": 7.0,
+    }
+    states = (Port("newest"), Port("value"), Port("slope"))
+    inputs = (Port("sent"),)
+    outputs = (Port("received"),)
+    derived = ("spacing", "soonest", "latest", "delay_ticks", "jitter_ticks", "horizon_ticks")
+    ring = "sent"
+
+    message_period: float = param(
+        default=0.0, unit="s", minimum=0.0, maximum=10.0, display="ms", doc="from message to message; 0 for one at each servo period"
+    )
+    delay: float = param(default=0.0, unit="s", minimum=0.0, maximum=10.0, display="ms", doc="least time from sending to arrival")
+    jitter: float = param(
+        default=0.0, unit="s", minimum=0.0, maximum=10.0, display="ms", doc="longest time beyond that; uniform from 0 to this"
+    )
+    loss: float = param(default=0.0, minimum=0.0, maximum=1.0, doc="part of the messages that never arrive")
+    between: str = text_param(default="hold", choices=("hold", "extrapolate"), doc="what stands until the next message has arrived")
+    horizon: float = param(
+        default=0.02, unit="s", minimum=0.0, maximum=10.0, display="ms", doc="how far beyond its stamp a message is extrapolated"
+    )
+    stream: float = param(
+        default=0.0,
+        minimum=0.0,
+        maximum=2.0**53,
+        whole=True,
+        doc="number of the stream of jitter and loss; set by the run from its seed",
+    )
+
+    def derive(self, par: Any, dt: float) -> tuple[Any, ...]:
+        delay, jitter = par.delay / dt, par.jitter / dt
+        spacing = np.maximum(np.ceil(par.message_period / dt - NEARLY), 1.0)
+        return spacing, np.ceil(delay - NEARLY), np.ceil(delay + jitter - NEARLY), delay, jitter, par.horizon / dt
+
+    def step_function(self) -> Any:
+        return _make(self.between == "extrapolate")
+
+    def at_rest(self, position: float) -> tuple[dict[str, float], dict[str, float]]:
+        return {"newest": -1.0, "value": position}, {"received": position}
+
+    def ring_length(self, dt: float) -> int:
+        return math.ceil((self.delay + self.jitter) / dt - NEARLY) + 1
