@@ -9,7 +9,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-__all__ = ["Margins", "margins"]
+__all__ = ["Margins", "delay_margin", "margins"]
 
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
@@ -64,6 +64,20 @@ def margins(loop: LoopGain, frequency: ArrayLike, *, stable: bool) -> Margins:
     larger = [found for found in _factors(loop, w, gain) if found[1] > 1.0]
     phase_crossover, factor = min(larger, key=lambda found: found[1], default=(math.nan, math.inf))
     return Margins(factor, phase, crossover, _modulus(loop, w, gain), True, phase_crossover)
+
+
+def delay_margin(loop: LoopGain, frequency: ArrayLike) -> float:
+    """Return the least delay [s] in a stable loop that brings its gain to -1; infinite if none does.
+
+    Parameters
+    ----------
+    loop, frequency
+        As of `margins`.
+    """
+    w = np.asarray(frequency, dtype=float)
+    found = _phases(loop, w, np.asarray(loop(w), dtype=complex))
+    # A crossing that a lead would bring to -1 is brought there by a lag of the rest of the turn.
+    return min(((phase % (2.0 * math.pi)) / at for at, phase in found), default=math.inf)
 
 
 def _phases(loop: LoopGain, w: Array, gain: Complex) -> Iterator[tuple[float, float]]:

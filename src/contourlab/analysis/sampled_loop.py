@@ -16,7 +16,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from contourlab.analysis.delay_form import DelayForm
-from contourlab.analysis.margins import Margins, margins
+from contourlab.analysis.margins import Margins, delay_margin, margins
 from contourlab.analysis.response import AxisResponse
 from contourlab.analysis.tick_map import poles_of, tick_map
 from contourlab.components.contract import Component
@@ -28,7 +28,7 @@ from contourlab.loop.machine import Axis, AxisController, Controller, Machine
 from contourlab.loop.template import EXTERNALS, build
 from contourlab.loop.watch import NAME as WATCH
 
-__all__ = ["SampledLoop", "sampled_loop"]
+__all__ = ["SampledLoop", "linear_axis", "sampled_loop", "without_limits"]
 
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
@@ -107,6 +107,29 @@ class SampledLoop:
         """
         return _gain(self._opened(self._checked(frequency)))
 
+    def delay_margin(self, *, observed_in_axis: bool = False) -> float:
+        """Return how much longer the signals may take round the loop before it loses its stability [s].
+
+        Parameters
+        ----------
+        observed_in_axis : bool
+            Whether the observer's loop stays as it is, and the delay acts on the command ahead of it alone; by default on all that goes to the
+            drive.
+
+        Returns
+        -------
+        float
+            Infinite if no delay does; nan for a loop that is unstable without one. Exact for whole servo periods.
+        """
+        if not self.stable:
+            return math.nan
+
+        def gain(w: Array) -> Complex:
+            opened = self._opened(w)
+            return -opened[:, 0, 0] / (1.0 + opened[:, 1, 0]) if observed_in_axis else _gain(opened)
+
+        return delay_margin(gain, self._grid())
+
     def response(self, frequency: ArrayLike) -> AxisResponse:
         """Return the responses of the axis at frequencies (n,) [rad/s] above 0 and up to the Nyquist frequency.
 
@@ -168,7 +191,8 @@ def _gain(opened: Complex) -> Complex:
 def sampled_loop(axis: Axis, controller: AxisController, servo_period: float, carried_mass: float = 0.0) -> SampledLoop:
     """Return the sampled loop of an axis, friction, disturbance, quantisation and limits left out.
 
-    Axes are taken one at a time: without coupling by the contour, and without the reaction of axes that move along each other.
+    Axes are taken one at a time: without coupling by the contour, and without the reaction of axes that move along each other. A link
+    between base and axis is left out: what it costs is for `contourlab.analysis.divided_loop`.
 
     Parameters
     ----------
@@ -187,9 +211,9 @@ def sampled_loop(axis: Axis, controller: AxisController, servo_period: float, ca
     # What is fed forward is no part of the loop: of it only what is linear has a place in the response to the reference.
     ahead = ahead if ahead is not None and ahead.linearize() is not None else None
     # Under a supervisor it is the loop of the first controller, which is that for contact.
-    nonlinear = dict.fromkeys(("gap_observer", "compensation", "supervisor"))
-    made = replace(controller, controller=_without_limits(controller.controller).linear(), feedforward=ahead, others=(), **nonlinear)  # type: ignore[arg-type]
-    machine = Machine("axis", (_linear(axis, carried_mass),), servo_period)
+    nonlinear = dict.fromkeys(("gap_observer", "compensation", "supervisor", "link"))
+    made = replace(controller, controller=without_limits(controller.controller).linear(), feedforward=ahead, others=(), **nonlinear)  # type: ignore[arg-type]
+    machine = Machine("axis", (linear_axis(axis, carried_mass),), servo_period)
     path = Path([Line((0.0,), (1.0,))])
     whole = build(machine, Controller({axis.name: made}), path, np.zeros(1)).schedule
     if sum(node.ring_length for node in whole.nodes) > LONGEST:
@@ -215,7 +239,7 @@ def _opened(name: str, whole: Schedule) -> Schedule:
     return Schedule(tuple(nodes), externals, whole.period, len(nodes) - 1)
 
 
-def _linear(axis: Axis, carried_mass: float) -> Axis:
+def linear_axis(axis: Axis, carried_mass: float) -> Axis:
     """Return the axis alone, without what is not linear."""
     drive, limit = axis.drive, axis.drive.parameters.get("limit")
     if limit is not None and limit.default == math.inf:
@@ -224,7 +248,7 @@ def _linear(axis: Axis, carried_mass: float) -> Axis:
     return Axis(axis.name, plant, drive=drive, limits=axis.limits, substeps=axis.substeps)
 
 
-def _without_limits(controller: Component) -> Component:
+def without_limits(controller: Component) -> Component:
     """Return the controller without a limit of its own, whose integral does not wait for the drive, which is never at its limit here."""
     known = controller.parameters
     free: dict[str, Any] = {}

@@ -1,18 +1,21 @@
 """The servo loop: machine and controller as values, and the runs that bring them to life."""
 
 from contourlab.loop.batch import BatchResult, simulate_batch
+from contourlab.loop.division import DIVISIONS, Division
 from contourlab.loop.feeding import Learned
 from contourlab.loop.machine import Axis, AxisController, AxisError, Controller, Limits, Machine, parameter_names
 from contourlab.loop.reconfigure import Change
 from contourlab.loop.simulate import result_of, simulate, simulate_blocks
 
 __all__ = [
+    "DIVISIONS",
     "Axis",
     "AxisController",
     "AxisError",
     "BatchResult",
     "Change",
     "Controller",
+    "Division",
     "Learned",
     "Limits",
     "Machine",

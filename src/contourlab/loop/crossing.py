@@ -66,15 +66,18 @@ def _take(par: Any, x: Any, inp: Any, clock: Any) -> Any:
     return (), (select(inp.short > 0.5, inp.taken, inp.own),)
 
 
+def _echo(par: Any, x: Any, inp: Any, clock: Any) -> Any:
+    return (), (inp.own,)
+
+
 _KEPT = Step("kept", _keep, (), (), "", (), tuple(map(Port, ("received", "command", "accepted", "estimate"))), (Port("taken"), Port("short")))
+_ECHO = Step("echo", _echo, (), (), "", (), (Port("own"),), (Port("accepted"),))
 _TAKEN = Step("taken", _take, (), (), "", (), tuple(map(Port, ("own", "taken", "short"))), (Port("accepted"),))
 
 
-def taken_wire(builder: Builder, axis: str) -> Any:
+def taken_wire(axis: str) -> str:
     """Return the wire of what the base knows of the command that the drive took last."""
-    if _may_cut(builder, axis):
-        return f"{axis}.taken.accepted"
-    return Late(builder.wanted(axis))
+    return f"{axis}.taken.accepted"
 
 
 def _may_cut(builder: Builder, axis: str) -> bool:
@@ -89,13 +92,16 @@ def add_taken(builder: Builder, axis: str) -> None:
     The axis says what its drive took of the command that had come down, its own estimate added back; the base takes its last command for
     taken until it hears that something was cut off.
     """
-    if not (controlled_from_base(builder.controller.axes[axis].link) and _may_cut(builder, axis)):
+    if not controlled_from_base(builder.controller.axes[axis].link):
+        return
+    own = {"own": Late(builder.wanted(axis))}
+    if not _may_cut(builder, axis):
+        builder.nodes.append(Node(f"{axis}.taken", _ECHO, own))
         return
     estimate = Late(f"{axis}.observer.disturbance_estimate") if compensated_in_axis(builder, axis) else 0.0
     wires = {"command": Late(builder.command(axis)), "accepted": builder.drive_accepted(axis), "estimate": estimate}
     builder.nodes.append(Node(f"{axis}.kept", _KEPT, {**wires, "received": Late(builder.wanted(axis))}))
-    own = {"own": Late(builder.wanted(axis)), "taken": f"{axis}.kept.taken", "short": f"{axis}.kept.short"}
-    builder.nodes.append(Node(f"{axis}.taken", _TAKEN, own))
+    builder.nodes.append(Node(f"{axis}.taken", _TAKEN, {**own, "taken": f"{axis}.kept.taken", "short": f"{axis}.kept.short"}))
 
 
 # --- the links ---------------------------------------------------------------------------------------------------------------------------

@@ -70,12 +70,14 @@ class Prepared:
     loop: Loop
 
 
-def prepared(changes: Sequence[Change], machine: Machine, reference: Reference, given: Mapping[str, Any], compiled: bool) -> list[Prepared]:
+def prepared(
+    changes: Sequence[Change], machine: Machine, controller: Controller, reference: Reference, given: Mapping[str, Any], compiled: bool
+) -> list[Prepared]:
     """Return the changes in their order, compiled; those beyond the end of the reference are left out.
 
     Parameters
     ----------
-    changes, machine, reference
+    changes, machine, controller, reference
         As of `contourlab.loop.simulate`.
     given : mapping
         Further arguments of `contourlab.loop.template.build`.
@@ -84,19 +86,27 @@ def prepared(changes: Sequence[Change], machine: Machine, reference: Reference, 
     Raises
     ------
     ParameterError
-        If two come at the same sample, or a controller wants to look ahead where the first one did not.
+        If two come at the same sample, or a controller wants to look ahead where the first one did not, or has other links than that.
     """
     found: list[Prepared] = []
     for change in sorted(changes, key=lambda one: one.time):
         sample = change.sample(machine.servo_period)
         if found and found[-1].sample == sample:
             raise ParameterError("changes", f"two at {change.time:g} s", "one for each sample")
+        other = [name for name in machine.axis_names if name in change.controller.axes and _link(change.controller, name) != _link(controller, name)]
+        if other:
+            # What is on its way in a link could not be taken over.
+            raise ParameterError("changes", f"another link of axis {other[0]} at {change.time:g} s", "with the link of the first controller")
         if sample < reference.n_sample:
             first = reference.block(0, 1).position[0]
             loop = build(machine, change.controller, reference.path, first, handover_time=change.handover_time, **given)
             make_group(loop.schedule, 1, slice(0, 1), compiled)
             found.append(Prepared(change, sample, loop))
     return found
+
+
+def _link(controller: Controller, axis: str) -> Any:
+    return controller.axes[axis].link
 
 
 def taken_over(

@@ -216,7 +216,7 @@ def simulate_blocks(
     given: dict[str, Any] = {"view": view, "seed": seed, "trial": trial, "fed": feed.names}
     loop = build(machine, controller, reference.path, **start_at, **given)
     group = make_group(loop.schedule, 1, slice(0, 1), compiled)
-    due = prepared(changes, machine, reference, given, compiled)
+    due = prepared(changes, machine, controller, reference, given, compiled)
     tool = ToolPosition(machine, seed, trial)
     wanted = _wanted([loop, *(one.loop for one in due)], signals)
     for start, stop in _spans(reference.n_sample, block, [one.sample for one in due]):

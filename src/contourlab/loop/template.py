@@ -140,7 +140,7 @@ class Builder:
 
     def accepted(self, axis: str) -> Any:
         """Return the wire of the last command that was taken, as the controller of an axis knows it."""
-        return taken_wire(self, axis) if controlled_from_base(self.controller.axes[axis].link) else self.drive_accepted(axis)
+        return taken_wire(axis) if controlled_from_base(self.controller.axes[axis].link) else self.drive_accepted(axis)
 
     def drive_accepted(self, axis: str) -> Late:
         """Return the wire of the last command that the drive took, behind its limit and ahead of its delay."""

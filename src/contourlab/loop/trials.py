@@ -255,7 +255,7 @@ def _excess(command: Array, limit: Array) -> Array:
 
 def _undisturbed(mine: AxisController) -> AxisController:
     """Return an axis' controller without what answers to errors besides its own law."""
-    bare: dict[str, Any] = dict.fromkeys(("observer", "predictor", "gap_observer", "compensation", "supervisor"))
+    bare: dict[str, Any] = dict.fromkeys(("observer", "predictor", "gap_observer", "compensation", "supervisor", "link"))
     return replace(mine, controller=mine.controller.linear(), others=(), **bare)
 
 

@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 
 from contourlab.components.contract import Component
-from contourlab.loop import Axis, AxisController, AxisError, Controller, Limits, Machine
+from contourlab.loop import Axis, AxisController, AxisError, Controller, Division, Limits, Machine
 from contourlab.loop.machine import AXIS_SLOTS
 from contourlab.scenario.components import find_kind, located, read_component, read_values, read_wishes
 from contourlab.scenario.files import EVERY
@@ -22,6 +22,7 @@ from contourlab.scenario.tables import (
     ControllerTable,
     ErrorTable,
     LimitsTable,
+    LinkTable,
     MachineTable,
     ZeroPhaseTable,
     read_table,
@@ -194,8 +195,21 @@ def _axis_controller(table: Table, machine: Machine, name: str) -> AxisControlle
         parts["feedforward"] = _feedforward(table, units, parts, machine, axis)
     parts["others"] = _others(table.table("others"), units, model)
     local = _local(plain.local, parts, table)
+    link = _link(table.entries["link"], units) if "link" in table.entries else None
     with located(table):
-        return AxisController(local=local, feedback=plain.feedback, velocity_feedback=plain.velocity_feedback, **parts)
+        return AxisController(local=local, link=link, feedback=plain.feedback, velocity_feedback=plain.velocity_feedback, **parts)
+
+
+def _link(node: Node, units: tuple[str, str]) -> Division | None:
+    """Return how an axis' controller is divided between base and axis; ``link = "none"`` says that it is not."""
+    if isinstance(node, Leaf):
+        if node.value == "none":
+            return None
+        raise node.error(f'{node.value!r} is no link: write a table with division = "...", and down and up')
+    plain = read_table(LinkTable, node)
+    ways = {way: read_component(node.entries[way], "link", units, optional=way == "up") for way in ("down", "up") if way in node.entries}
+    with located(node):
+        return Division(plain.division, **ways)
 
 
 def _others(table: Table, units: tuple[str, str], model: _Model) -> tuple[tuple[str, Component], ...]:

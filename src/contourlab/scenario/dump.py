@@ -195,6 +195,9 @@ def _axis_controller_table(part: AxisController, units: tuple[str, str]) -> dict
     plain = {
         name: getattr(part, name) for name in ("feedback", "velocity_feedback") if getattr(part, name) != getattr(AxisController, name)
     }
+    if part.link is not None:
+        ways = {way: component_table(getattr(part.link, way), units) for way in ("down", "up")}
+        table["link"] = {"division": part.link.division, **ways}
     return {**({"local": list(part.local)} if part.local else {}), **plain, **table}
 
 

@@ -20,6 +20,7 @@ __all__ = [
     "FeedTable",
     "LearningTable",
     "LimitsTable",
+    "LinkTable",
     "MachineTable",
     "ProgramTable",
     "RunTable",
@@ -163,6 +164,15 @@ class AxisControllerTable(_Strict):
     feedback: Literal["load", "motor"] = "load"
     velocity_feedback: Literal["load", "motor"] = "motor"
     local: list[str] = []
+    link: Any = None
+
+
+class LinkTable(_Strict):
+    """``[controller.axes.x.link]``; the links themselves are read by their own declarations."""
+
+    division: Literal["drive", "observer", "controller"]
+    down: Any = None
+    up: Any = None
 
 
 class ZeroPhaseTable(_Strict):
