@@ -107,7 +107,7 @@ class DividedLoop:
 
         for k in range(repeat):
             product = at(tuple((k - t.taken) % t.spacing == 0 for t in timings)) @ product
-        return float(np.abs(poles_of(product)).max(initial=0.0)) ** (1.0 / repeat)
+        return float(np.abs(poles_of(product)).max(initial=0.0) ** (1.0 / repeat))
 
     def stable(self, down: LinkTiming, up: LinkTiming) -> bool:
         """Tell whether errors die."""
@@ -161,7 +161,7 @@ def divided_loop(machine: Machine, controller: Controller, tangent: ArrayLike | 
         raise ParameterError("controller.axes", "without a link", "one with a link at least, whose controller is divided")
     t = np.ones(len(names)) if tangent is None else np.asarray(tangent, dtype=float)
     if t.shape != (len(names),) or not np.isfinite(t).all() or not t.any():
-        raise ParameterError("tangent", f"{tangent}", f"{len(names)} numbers, not all zero")
+        raise ParameterError("tangent", f"{t.tolist()}", f"{len(names)} numbers, not all zero")
     path = Path([Line(tuple(np.zeros(len(names))), tuple(t / np.linalg.norm(t)))])
     axes = tuple(linear_axis(axis, machine.carried_mass(axis.name)) for axis in machine.axes)
     estimator = None if controller.coupling is None else Tangent()
@@ -197,7 +197,7 @@ def _cut(whole: Schedule, names: Sequence[str]) -> DividedLoop:
         elif node.name != WATCH:
             wires = {port: led(wire) for port, wire in node.wires.items()}
             # The place on the path does not matter: it is straight.
-            nodes.append(replace(node, wires={**wires, "arc_length": 0.5} if "arc_length" in wires else wires))
+            nodes.append(replace(node, wires={**wires, "arc_length": 0.0} if "arc_length" in wires else wires))
     externals = (*whole.externals, *(Port(f"received_{i}") for i in range(len(links))))
     found = tick_map(Schedule(tuple(nodes), externals, whole.period, len(nodes)))
     n, m = len(found.a), len(links)

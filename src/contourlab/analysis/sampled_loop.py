@@ -113,8 +113,8 @@ class SampledLoop:
         Parameters
         ----------
         observed_in_axis : bool
-            Whether the observer's loop stays as it is, and the delay acts on the command ahead of it alone; by default on all that goes to the
-            drive.
+            Whether the observer's loop stays as it is, and the delay acts on the command ahead of it alone; by default it acts on all
+            that goes to the drive.
 
         Returns
         -------

@@ -25,6 +25,7 @@ from contourlab.cli.commands.identify import identify
 from contourlab.cli.commands.interpolate import interpolate
 from contourlab.cli.commands.learn import learn
 from contourlab.cli.commands.machines import machines
+from contourlab.cli.commands.link import link
 from contourlab.cli.commands.measure import measure
 from contourlab.cli.commands.new import new
 from contourlab.cli.commands.reproduce import reproduce
@@ -49,6 +50,7 @@ app.command("compare")(compare)
 app.command("learn")(learn)
 app.command("analyse")(analyse)
 app.command("backlash")(backlash)
+app.command("link")(link)
 app.command("measure")(measure)
 app.command("identify")(identify)
 app.command("check")(check)

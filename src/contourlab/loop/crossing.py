@@ -39,7 +39,9 @@ def compensated_in_axis(builder: Builder, axis: str) -> bool:
     """Tell whether an axis takes its observer's estimate off the command that comes down to it."""
     mine = builder.controller.axes[axis]
     takes = any(port.name == "disturbance_estimate" for part in mine.controllers.values() for port in part.inputs)
-    return controlled_from_base(mine.link) and mine.link is not None and mine.link.is_local("observer") and mine.observer is not None and takes
+    return (
+        controlled_from_base(mine.link) and mine.link is not None and mine.link.is_local("observer") and mine.observer is not None and takes
+    )
 
 
 # --- commands that come down -------------------------------------------------------------------------------------------------------------
@@ -70,7 +72,9 @@ def _echo(par: Any, x: Any, inp: Any, clock: Any) -> Any:
     return (), (inp.own,)
 
 
-_KEPT = Step("kept", _keep, (), (), "", (), tuple(map(Port, ("received", "command", "accepted", "estimate"))), (Port("taken"), Port("short")))
+_KEPT = Step(
+    "kept", _keep, (), (), "", (), tuple(map(Port, ("received", "command", "accepted", "estimate"))), (Port("taken"), Port("short"))
+)
 _ECHO = Step("echo", _echo, (), (), "", (), (Port("own"),), (Port("accepted"),))
 _TAKEN = Step("taken", _take, (), (), "", (), tuple(map(Port, ("own", "taken", "short"))), (Port("accepted"),))
 

@@ -26,11 +26,11 @@ _LOCAL = {
 
 @dataclass(frozen=True)
 class Division:
-    """One axis' controller in two: the base, the same whatever axis it drives, and the local controller, which comes and goes with the axis.
+    """One axis' controller in two: the base, the same whatever axis it drives, and the local one, which comes and goes with the axis.
 
-    Each wire from one side to the other goes through the link of its direction; wires within a side do not. Plant, drive, sensors and what
-    makes a velocity of the sensors' counts are in the axis always; contour estimator, coupling, reference and what was learned are in the
-    base always.
+    Each wire from one side to the other goes through the link of its direction; wires within a side do not. Plant, drive and sensors are in
+    the axis always, and what makes a velocity of the sensors' counts, unless a predictor in the base comes before it; contour estimator,
+    coupling, reference and what was learned are in the base always.
 
     Attributes
     ----------

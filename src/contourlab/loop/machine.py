@@ -281,8 +281,8 @@ class AxisController:
     `feedback` and `velocity_feedback` say which side of a drive with backlash the controller's position and velocity are measured on. Under
     a `supervisor` the `controller` is one of several: it is number 0, those of `others`, each with its name, are 1, 2 ...
 
-    Under a `link` part of it stands in the axis and the rest in the base; what is in the base is the same for all axes that may come, so that
-    `local` names parameters of the axis' part alone.
+    Under a `link` part of it stands in the axis and the rest in the base; what is in the base is the same for all axes that may come, so
+    that `local` names parameters of the axis' part alone.
     """
 
     controller: Component = field(default_factory=PositionController)

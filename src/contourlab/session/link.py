@@ -1,0 +1,319 @@
+"""``contourlab link``: what it costs to divide the controllers of a scenario between base and axes, and how little network is enough."""
+
+from __future__ import annotations
+
+import math
+import re
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from contourlab.errors import ParameterError, UnitError
+from contourlab.session.stages import shown
+from contourlab.units import to_si
+
+if TYPE_CHECKING:
+    from contourlab.components.link.network import Network
+    from contourlab.loop import Controller
+    from contourlab.scenario import Case
+    from contourlab.studies.division import DivisionCost
+    from contourlab.studies.link_sweep import LinkSweep
+
+__all__ = ["LinkOptions", "LinkOutcome", "link_scenario"]
+
+SHOWN = {
+    "rms": ("contour_error_rms", "um", 1e6),
+    "max": ("contour_error_max", "um", 1e6),
+    "integral": ("contour_error_integral", "um s", 1e6),
+}
+"""Figures as they are asked for, with the unit in which they are printed."""
+
+
+@dataclass(frozen=True)
+class LinkOptions:
+    """What is asked for, as typed.
+
+    Attributes
+    ----------
+    divisions, ways, quantities : tuple of str
+        Empty for all; a scenario with links of its own is taken as it stands unless a division is named.
+    figure : str
+        Of `SHOWN`.
+    within : str
+        As ``"10 %"``: more than the undivided loop's error that is allowed.
+    tolerance : str, optional
+        Largest error in place of that, as ``"15 um"``.
+    network : mapping of str to str
+        Message period, delay, jitter and loss of the links while another is varied.
+    extrapolate : bool
+        Whether messages are extrapolated instead of held.
+    longest : str
+        Up to where times are varied.
+    seeds : int
+        Runs of which the worst counts where chance plays a part.
+    """
+
+    divisions: tuple[str, ...] = ()
+    ways: tuple[str, ...] = ()
+    quantities: tuple[str, ...] = ()
+    figure: str = "rms"
+    within: str = "10 %"
+    tolerance: str | None = None
+    network: Mapping[str, str] | None = None
+    extrapolate: bool = False
+    longest: str = "100 ms"
+    seeds: int = 8
+
+
+@dataclass(frozen=True)
+class LinkOutcome:
+    """What the command prints: as JSON, and as text."""
+
+    summary: dict[str, Any]
+    text: str
+
+
+def link_scenario(
+    file: str | Path,
+    options: LinkOptions,
+    *,
+    schemes: Sequence[str] = (),
+    plugins: Sequence[str | Path] = (),
+    plots: Sequence[str] = (),
+    folder: str | Path = "results",
+    progress: bool = False,
+) -> LinkOutcome:
+    """Divide the controllers of a scenario's schemes, and vary the links between.
+
+    Parameters
+    ----------
+    file : str or Path
+        A scenario.
+    options : LinkOptions
+    schemes : sequence of str
+        As of `contourlab.session.schemes.compare_schemes`; all by default.
+    plugins : sequence of str or Path
+        Python files with components.
+    plots : sequence of str
+        png, svg or pdf, into `folder`.
+    folder : str or Path
+    progress : bool
+        Whether to show a bar.
+
+    Raises
+    ------
+    ParameterError
+        If an option is out of range.
+    """
+    from contourlab.session.schemes import loaded
+
+    asked = _read(options)
+    scenario = loaded(file, schemes, plugins)
+    texts, found = [], {}
+    files: list[Path] = []
+    with shown(progress) as stages:
+        for case in scenario.cases():
+            stages.begin(f"planning {case.name}")
+            reference = case.reference()
+            whole, allowed, costs = _costs(case, reference, options, asked, stages)
+            texts.append("\n".join(_lines(case.name, whole, allowed, costs, options)))
+            found[case.name] = _summary(whole, allowed, costs, options)
+            if plots:
+                label = case.name if len(scenario.cases()) > 1 else ""
+                files += _draw(label, whole, allowed, costs, options, folder, plots)
+    text = "\n\n".join(texts) + "".join(f"\nplot: {file}" for file in files)
+    return LinkOutcome({"name": scenario.name, "schemes": found}, text)
+
+
+# --- what is asked -----------------------------------------------------------------------------------------------------------------------
+
+
+@dataclass(frozen=True)
+class _Asked:
+    within: float
+    allowed: float | None
+    longest: float
+    network: Network
+    divisions: tuple[str, ...]
+    ways: tuple[str, ...]
+    quantities: tuple[str, ...]
+
+
+def _read(options: LinkOptions) -> _Asked:
+    from contourlab.components.link.network import Network
+    from contourlab.loop import DIVISIONS
+    from contourlab.studies.link_sweep import QUANTITIES, WAYS
+
+    if options.figure not in SHOWN:
+        raise ParameterError("--figure", repr(options.figure), "one of " + ", ".join(SHOWN))
+    if options.seeds < 1:
+        raise ParameterError("--seeds", f"{options.seeds}", ">= 1")
+    given = {name: _value(name, text) for name, text in (options.network or {}).items()}
+    allowed = None
+    if options.tolerance is not None:
+        unit = "m*s" if options.figure == "integral" else "m"
+        allowed = _positive("--tolerance", options.tolerance, unit, '"15 um s"' if unit == "m*s" else '"15 um"')
+    return _Asked(
+        within=_part("--within", options.within),
+        allowed=allowed,
+        longest=_positive("--longest", options.longest, "s", '"100 ms"'),
+        network=Network(**given, between="extrapolate" if options.extrapolate else "hold"),
+        divisions=_named("--division", options.divisions, tuple(DIVISIONS)),
+        ways=_named("--ways", options.ways, tuple(WAYS)),
+        quantities=_named("--vary", tuple(name.replace("-", "_") for name in options.quantities), QUANTITIES),
+    )
+
+
+def _named(option: str, names: tuple[str, ...], known: tuple[str, ...]) -> tuple[str, ...]:
+    for name in names:
+        if name not in known:
+            raise ParameterError(option, repr(name), "of " + ", ".join(known))
+    return names or known
+
+
+def _value(name: str, text: str) -> float:
+    option = "--" + name.replace("_", "-")
+    return _part(option, text) if name == "loss" else _quantity(option, text, "s", '"2 ms"')
+
+
+def _part(option: str, text: str) -> float:
+    return _quantity(option, text, "", '"10 %" or 0.1')
+
+
+def _quantity(option: str, text: str, unit: str, example: str) -> float:
+    try:
+        value = to_si(float(text) if not unit and re.fullmatch(r"[\d.eE+-]+", text.strip()) else text, unit)
+    except (UnitError, ValueError) as error:
+        raise ParameterError(option, repr(text), f"a quantity, such as {example}") from error
+    if not (value >= 0.0 and math.isfinite(value)):
+        raise ParameterError(option, text, ">= 0 and finite")
+    return value
+
+
+def _positive(option: str, text: str, unit: str, example: str) -> float:
+    value = _quantity(option, text, unit, example)
+    if not value > 0.0:
+        raise ParameterError(option, text, "> 0")
+    return value
+
+
+def _costs(case: Case, reference: Any, options: LinkOptions, asked: _Asked, stages: Any) -> tuple[float, float, list[DivisionCost]]:
+    from contourlab.studies.division import allowed_error, division_cost, undivided_error
+
+    figure = SHOWN[options.figure][0]
+    same: dict[str, Any] = {"seed": case.seed, "moving": case.moving}
+    whole = undivided_error(case.machine, case.controller, reference, figure, **same)
+    allowed = allowed_error(whole, asked.within, asked.allowed)
+    costs = []
+    for label, controller in _controllers(case.controller, options, asked):
+        stages.begin(f"{case.name}: {label}")
+        swept = {"quantities": asked.quantities, "longest": asked.longest, "seeds": options.seeds, "progress": stages.advance}
+        costs.append(division_cost(case.machine, controller, reference, allowed=allowed, figure=figure, **same, **swept))
+    return whole, allowed, costs
+
+
+def _controllers(controller: Controller, options: LinkOptions, asked: _Asked) -> Iterator[tuple[str, Controller]]:
+    from contourlab.studies.link_sweep import divided
+
+    if not options.divisions and any(mine.link is not None for mine in controller.axes.values()):
+        yield "as the scenario divides it", controller
+        return
+    for division in asked.divisions:
+        for ways in asked.ways:
+            yield f"{division} in the axis, {ways}", divided(controller, division, ways, asked.network)
+
+
+# --- what is said ------------------------------------------------------------------------------------------------------------------------
+
+
+def _amount(quantity: str, value: float) -> str:
+    return f"{100.0 * value:.3g} %" if quantity == "loss" else f"{value * 1e3:.4g} ms"
+
+
+def _most(sweep: LinkSweep) -> str:
+    if math.isnan(sweep.most):
+        return "none"
+    words = _amount(sweep.quantity, sweep.most)
+    if sweep.quantity == "message_period":
+        words += f" ({1.0 / sweep.most:.4g} Hz)"
+    return words if sweep.seen else f"all seen, to {words}"
+
+
+def _stable(sweep: LinkSweep) -> str:
+    def words(value: float) -> str:
+        return "-" if math.isnan(value) else "all seen" if math.isinf(value) else _amount(sweep.quantity, value)
+
+    return f"{words(sweep.stable_linear)} / {words(sweep.stable_simulated)}"
+
+
+def _lines(name: str, whole: float, allowed: float, costs: Sequence[DivisionCost], options: LinkOptions) -> Iterator[str]:
+    _, unit, scale = SHOWN[options.figure]
+    yield name
+    yield f"  contour error, {options.figure}: {whole * scale:.4g} {unit} undivided, {allowed * scale:.4g} {unit} allowed"
+    heads = [head for head in ("message_period", "delay", "jitter", "loss") if any(head in cost.sweeps for cost in costs)]
+    rows = [["in the axis", "messages", "error", *(head.replace("_", " ") for head in heads)]]
+    for cost in costs:
+        error = "runs away" if math.isnan(cost.error) else f"{cost.error * scale:.4g} {unit}"
+        rows.append([cost.division, f"{cost.ways} way{'s' * (cost.ways == 'both')}", error, *(_most(cost.sweeps[head]) for head in heads)])
+    yield "  the most of each that holds, with the others as they are given (times are those of one direction):"
+    yield from _table(rows)
+    timed = [head for head in ("message_period", "delay") if head in heads]
+    if timed:
+        yield "  the most at which the loop is stable: linear model / simulated without friction, counting and limits"
+        stable = [["in the axis", "messages", *(head.replace("_", " ") for head in timed)]]
+        stable += [[*row[:2], *(_stable(cost.sweeps[head]) for head in timed)] for row, cost in zip(rows[1:], costs, strict=True)]
+        yield from _table(stable)
+    for cost in costs:
+        yield from (f"  {cost.division}, {cost.ways}: {remark}" for remark in cost.remarks)
+
+
+def _table(rows: Sequence[Sequence[str]]) -> Iterator[str]:
+    widths = [max(map(len, column)) for column in zip(*rows, strict=True)]
+    for row in rows:
+        yield "    " + "  ".join(cell.ljust(width) for cell, width in zip(row, widths, strict=True)).rstrip()
+
+
+def _summary(whole: float, allowed: float, costs: Sequence[DivisionCost], options: LinkOptions) -> dict[str, Any]:
+    divisions = []
+    for cost in costs:
+        sweeps = {
+            name: {
+                "most": sweep.most,
+                "rate": 1.0 / sweep.most if name == "message_period" else None,
+                "limited": sweep.seen,
+                "stable_linear": sweep.stable_linear,
+                "stable_simulated": sweep.stable_simulated,
+                "values": sweep.values,
+                "error": sweep.error,
+                "median": sweep.median,
+                "growth": sweep.growth,
+            }
+            for name, sweep in cost.sweeps.items()
+        }
+        head = {"division": cost.division, "ways": cost.ways, "error": cost.error, "local_parameters": dict(cost.local)}
+        divisions.append({**head, "sweeps": sweeps, "remarks": list(cost.remarks)})
+    return {"figure": SHOWN[options.figure][0], "undivided": whole, "allowed": allowed, "divisions": divisions}
+
+
+def _draw(
+    name: str,
+    whole: float,
+    allowed: float,
+    costs: Sequence[DivisionCost],
+    options: LinkOptions,
+    folder: str | Path,
+    plots: Sequence[str],
+) -> tuple[Path, ...]:
+    from contourlab.report.link_pictures import link_chart
+    from contourlab.report.plots import write_charts
+
+    _, unit, scale = SHOWN[options.figure]
+    slug = re.sub(r"[^a-z0-9]+", "-", name.lower()).strip("-")
+    levels = {f"allowed; undivided {whole * scale:.3g}": allowed}
+    charts = []
+    for quantity in costs[0].sweeps:
+        curves = {f"{cost.division}, {cost.ways}": (cost.sweeps[quantity].values, cost.sweeps[quantity].error) for cost in costs}
+        shown_unit = unit.replace("um", "µm")
+        charts.append(link_chart(quantity, curves, levels, f"contour error, {options.figure} [{shown_unit}]", scale, slug))
+    return write_charts(charts, folder, plots)
