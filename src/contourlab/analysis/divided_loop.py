@@ -162,6 +162,8 @@ def divided_loop(machine: Machine, controller: Controller, tangent: ArrayLike | 
     t = np.ones(len(names)) if tangent is None else np.asarray(tangent, dtype=float)
     if t.shape != (len(names),) or not np.isfinite(t).all() or not t.any():
         raise ParameterError("tangent", f"{t.tolist()}", f"{len(names)} numbers, not all zero")
+    # What is left of a sine of half a turn is rounding, and would be told from what is not linear by nothing.
+    t = np.where(np.abs(t) < 1e-9 * np.abs(t).max(), 0.0, t)
     path = Path([Line(tuple(np.zeros(len(names))), tuple(t / np.linalg.norm(t)))])
     axes = tuple(linear_axis(axis, machine.carried_mass(axis.name)) for axis in machine.axes)
     estimator = None if controller.coupling is None else Tangent()
