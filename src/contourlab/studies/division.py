@@ -61,6 +61,8 @@ def undivided_error(
     moving: bool = False,
 ) -> float:
     """Return a figure of the contour error of the loop without any link."""
+    if figure not in FIGURES:
+        raise ParameterError("figure", repr(figure), "one of " + ", ".join(FIGURES))
     whole = replace(controller, axes={name: replace(mine, link=None) for name, mine in controller.axes.items()})
     name, (part, parameter) = next(iter(parameter_names(machine, whole).items()))
     found = simulate_batch(machine, whole, reference, {name: [part.values()[parameter]]}, seed=seed, moving=moving)

@@ -20,12 +20,14 @@ from contourlab.components.estimator.newton import Newton
 from contourlab.components.friction.coulomb import Coulomb
 from contourlab.components.friction.lugre import LuGre
 from contourlab.components.friction.smooth_coulomb import SmoothCoulomb
+from contourlab.components.link.network import Network
 from contourlab.components.observer.disturbance_observer import DisturbanceObserver
 from contourlab.components.plant.rigid_axis import RigidAxis
 from contourlab.components.sensor.encoder import Encoder
 from contourlab.components.supervisor.estimator_based import EstimatorBased
 from contourlab.components.velocity.filtered_difference import FilteredDifference
 from contourlab.engine.step import Step
+from contourlab.loop import Division
 from contourlab.primitives import exp, fabs, select
 
 PERIOD = 1e-3
@@ -49,6 +51,17 @@ class RottenSensor(Encoder):
     def step(par: Any, x: Any, inp: Any, clock: Any) -> Any:
         _, out = sense(par, x, inp, clock)
         return (), (out[0] + rotten(clock.k >= TICK),)
+
+
+class RottenLink(Network):
+    kind = "rotten"
+
+    @staticmethod
+    def step(par: Any, x: Any, inp: Any, clock: Any) -> Any:
+        return (x.newest, x.value, x.slope), (inp.sent + rotten(clock.k >= TICK),)
+
+    def step_function(self) -> Any:
+        return RottenLink.step
 
 
 class RottenVelocity(FilteredDifference):
@@ -210,6 +223,7 @@ PLANTED = [
     (RottenController(position_gain=100.0), 0),
     (RottenEstimator(), 0),
     (RottenCoupling(), 0),
+    (RottenLink(), 0),
     # What stands behind the commands is seen by the controllers, and in the position, at the next tick.
     (RottenDrive(), 1),
     (RottenLoad(**LOAD), 1),
@@ -244,6 +258,8 @@ def loop_with(planted: Component | None) -> tuple[cl.Machine, cl.Controller]:
             "observer": make("observer", "disturbance-observer", model_gain=1.0, model_damping=6.0),
         }
         parts |= dict.fromkeys(("predictor", "feedforward", "compensation", "gap_observer", "supervisor"))
+        if name == "x" and family == "link":
+            return cl.AxisController(**parts, link=Division("observer", planted, planted))
         if name == "x" and family == "supervisor":
             parts["others"] = (("other", parts["controller"]),)
         return cl.AxisController(**{**parts, **({family: planted} if name == "x" and family in parts else {})})

@@ -1,0 +1,119 @@
+"""``contourlab link`` as typed."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+import pytest
+
+from contourlab.cli.main import main
+
+CIRCLE = """
+name = "circle"
+machine = "builtin:ghaffari/a3a1"
+controller = {file = "builtin:ghaffari/calibrated"LINK}
+[contour]
+name = "circle"
+radius = "20 mm"
+[feed]
+law = "uniform"
+frequency = "0.5 Hz"
+laps = 2
+"""
+OWN = ', axes = {"*" = {link = {division = "observer", down = {kind = "network", message_period = "2 ms"}, up = "ideal"}}}'
+
+
+@pytest.fixture
+def circle(tmp_path: Path) -> str:
+    (tmp_path / "circle.toml").write_text(CIRCLE.replace("LINK", ""), encoding="utf-8")
+    return str(tmp_path / "circle.toml")
+
+
+def told(capsys: pytest.CaptureFixture[str], *words: str, code: int = 0) -> str:
+    assert main(["link", *words]) == code
+    said = capsys.readouterr()
+    return said.err if code else said.out
+
+
+def test_the_smallest_message_rate_is_told(circle: str, capsys: pytest.CaptureFixture[str]) -> None:
+    said = told(capsys, circle, "--division", "observer", "--vary", "message-period,delay", "--longest", "20 ms")
+    assert "9.987 um undivided, 10.99 um allowed" in said
+    both, one = (line.split() for line in said.splitlines() if line.strip().startswith("observer") and "Hz" in line)
+    assert both[1:3] == ["both", "ways"] and "(125" in both and one[1:3] == ["one", "way"]
+
+
+def test_json_alone_holds_curves_and_limits(circle: str, capsys: pytest.CaptureFixture[str]) -> None:
+    words = (
+        circle,
+        "--division",
+        "drive,controller",
+        "--ways",
+        "both",
+        "--vary",
+        "delay,loss",
+        "--longest",
+        "10 ms",
+        "--seeds",
+        "2",
+        "--json",
+    )
+    found = json.loads(told(capsys, *words))["schemes"]["base"]
+    assert found["allowed"] == pytest.approx(1.1 * found["undivided"])
+    drive, controller = found["divisions"]
+    assert (drive["division"], controller["division"]) == ("drive", "controller")
+    sweep = drive["sweeps"]["delay"]
+    assert sweep["most"] == sweep["stable_linear"] == sweep["stable_simulated"] == pytest.approx(1e-3)
+    assert sweep["error"][0] == pytest.approx(found["undivided"])
+    assert len(sweep["values"]) == len(sweep["error"]) == len(sweep["growth"]) == 11
+    assert controller["sweeps"]["delay"]["stable_linear"] is None  # none at all was found that it is not stable at
+    assert 0.0 < drive["sweeps"]["loss"]["most"] < 1.0
+    assert controller["local_parameters"]["1"]
+
+
+def test_a_tolerance_in_place_of_a_part_and_another_figure(circle: str, capsys: pytest.CaptureFixture[str]) -> None:
+    words = (circle, "--division", "observer", "--ways", "both", "--vary", "message-period", "--longest", "20 ms", "--json")
+    largest = json.loads(told(capsys, *words, "--figure", "max", "--tolerance", "30 um"))["schemes"]["base"]
+    assert (largest["figure"], largest["allowed"]) == ("contour_error_max", pytest.approx(30e-6))
+    within = json.loads(told(capsys, *words, "--figure", "integral", "--within", "50 %"))["schemes"]["base"]
+    assert within["undivided"] == pytest.approx(18.31e-6, rel=5e-3)
+    assert within["allowed"] == pytest.approx(1.5 * within["undivided"])
+
+
+def test_a_scenario_with_links_is_taken_as_it_stands(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    (tmp_path / "own.toml").write_text(CIRCLE.replace("LINK", OWN), encoding="utf-8")
+    found = json.loads(told(capsys, str(tmp_path / "own.toml"), "--vary", "delay", "--longest", "8 ms", "--json"))["schemes"]["base"]
+    (division,) = found["divisions"]
+    assert (division["division"], division["ways"]) == ("observer", "one")
+    assert division["sweeps"]["delay"]["error"][0] == division["error"] != found["undivided"]
+
+
+def test_plots_are_written_where_they_are_asked_for(circle: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    words = (circle, "--division", "observer", "--vary", "delay,loss", "--longest", "4 ms", "--seeds", "1")
+    said = told(capsys, *words, "--plots", "svg", "--out", str(tmp_path / "out"))
+    assert sorted(file.name for file in (tmp_path / "out").iterdir()) == ["link-delay.svg", "link-loss.svg"]
+    assert said.count("plot: ") == 2
+
+
+@pytest.mark.parametrize(
+    ("words", "wanted"),
+    [
+        (("--division", "half"), "drive, observer, controller"),
+        (("--ways", "three"), "both, one"),
+        (("--vary", "colour"), "message_period"),
+        (("--figure", "mood"), "rms"),
+        (("--within", "often"), "10 %"),
+        (("--tolerance", "15 s"), "15 um"),
+        (("--tolerance", "0 um"), "> 0"),
+        (("--delay", "5 mm"), "2 ms"),
+        (("--delay", "-2 ms"), ">= 0"),
+        (("--loss", "2"), "<= 1"),
+        (("--longest", "0.1 ms"), "servo period"),
+        (("--seeds", "0"), ">= 1"),
+        (("--plots", "bmp", "--vary", "delay", "--longest", "2 ms"), "png"),
+    ],
+)
+def test_bad_input_is_2_in_one_line(circle: str, words: tuple[str, ...], wanted: str, capsys: pytest.CaptureFixture[str]) -> None:
+    said = told(capsys, circle, *words, code=2)
+    assert wanted in said
+    assert said.count("\n") == 1

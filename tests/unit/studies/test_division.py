@@ -1,0 +1,142 @@
+"""What a division costs: limits of the links, and the message rate that a swap asks for."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+import contourlab as cl
+from contourlab.components.link.ideal import IdealLink
+from contourlab.components.link.network import Network
+from contourlab.errors import ParameterError
+from contourlab.loop import Division, simulate_batch
+from contourlab.scenario import load_controller, load_machine
+from contourlab.studies.division import allowed_error, division_cost, link_limit, message_rate, undivided_error
+from contourlab.studies.link_sweep import LinkSweep, divided
+
+
+@pytest.fixture(scope="module")
+def machine() -> cl.Machine:
+    return load_machine("builtin:ghaffari/a3a1")
+
+
+@pytest.fixture(scope="module")
+def controller(machine: cl.Machine) -> cl.Controller:
+    return load_controller("builtin:ghaffari/calibrated", machine)
+
+
+@pytest.fixture(scope="module")
+def circle(machine: cl.Machine) -> cl.Reference:
+    """The circle of the paper, as in Fig 9."""
+    return cl.uniform(cl.contour("circle", radius=0.02), 0.5, 2, machine.servo_period)
+
+
+def test_the_undivided_error_is_that_of_a_run(machine: cl.Machine, controller: cl.Controller, circle: cl.Reference) -> None:
+    found = undivided_error(machine, divided(controller, "observer", link=Network(delay=0.02)), circle)
+    metrics = cl.summarise(cl.judge(cl.simulate(machine, controller, circle), circle), circle)
+    assert found == pytest.approx(metrics.contour_error.rms, rel=1e-6)
+
+
+def test_the_axes_of_the_paper_hold_at_125_messages_a_second(machine: cl.Machine, controller: cl.Controller, circle: cl.Reference) -> None:
+    """Table III with the observer in the axis: what the study says, held against runs of its own on both sides of the limit."""
+    found = message_rate(machine, controller, circle)
+    assert found.rate == pytest.approx(125.0)
+    assert found.limited and found.error <= found.allowed == pytest.approx(1.1 * found.undivided)
+    at, beyond = (
+        simulate_batch(
+            machine, divided(controller, "observer", link=Network(message_period=ticks * 1e-3)), circle, {"axes.1.plant.damping": [10.1]}
+        )
+        for ticks in (8, 12)
+    )
+    assert at.figures["contour_error_rms"][0] == pytest.approx(found.error)
+    assert beyond.figures["contour_error_rms"][0] > found.allowed
+
+
+@pytest.mark.parametrize(
+    ("division", "ways", "delay"), [("drive", "both", 1e-3), ("drive", "one", 3e-3), ("observer", "both", 1e-3), ("observer", "one", 3e-3)]
+)
+def test_delay_that_holds_is_that_of_the_linear_model(
+    division: str, ways: str, delay: float, machine: cl.Machine, controller: cl.Controller, circle: cl.Reference
+) -> None:
+    allowed = allowed_error(undivided_error(machine, controller, circle), 0.1)
+    made = divided(controller, division, ways)
+    cost = division_cost(machine, made, circle, allowed=allowed, quantities=("delay",), longest=0.03)
+    sweep = cost.sweeps["delay"]
+    assert (cost.division, cost.ways, cost.remarks) == (division, ways, ())
+    assert sweep.most == pytest.approx(delay)
+    assert sweep.stable_linear == pytest.approx(delay) == sweep.stable_simulated
+
+
+def test_a_reference_may_be_as_late_as_it_likes(machine: cl.Machine, controller: cl.Controller, circle: cl.Reference) -> None:
+    """One way with the whole controller in the axis: both axes are late together, and the contour stays."""
+    found = link_limit(machine, divided(controller, "controller", "one"), circle, "delay", longest=0.05)
+    assert not found.limited
+    assert found.value == pytest.approx(0.05)
+
+
+def test_chance_counts_by_its_worst(machine: cl.Machine, controller: cl.Controller, circle: cl.Reference) -> None:
+    made = divided(controller, "observer", "both")
+    one, many = (link_limit(machine, made, circle, "loss", seeds=seeds) for seeds in (1, 8))
+    assert 0.0 < many.value <= one.value < 1.0
+    again = link_limit(machine, made, circle, "loss", seeds=8)
+    assert (again.value, again.error) == (many.value, many.error)
+
+
+def test_more_allowed_is_never_less_network(machine: cl.Machine, controller: cl.Controller, circle: cl.Reference) -> None:
+    rates = [message_rate(machine, controller, circle, "controller", within=within).rate for within in (0.05, 0.2, 0.5)]
+    assert rates[0] >= rates[1] >= rates[2]
+    none = message_rate(machine, controller, circle, "controller", allowed=1e-9)
+    assert math.isnan(none.value) and math.isnan(none.rate) and none.limited
+
+
+def test_a_link_that_is_slow_already_leaves_less_for_delay(machine: cl.Machine, controller: cl.Controller, circle: cl.Reference) -> None:
+    fast, slow = (
+        link_limit(machine, divided(controller, "observer", "one", Network(message_period=period)), circle, "delay")
+        for period in (1e-3, 6e-3)
+    )
+    assert slow.value < fast.value
+
+
+def test_ways_of_dividing(controller: cl.Controller) -> None:
+    both = divided(controller, "drive", "both", Network(delay=1e-3), axes=("1",))
+    assert both.axes["1"].link == Division("drive", Network(delay=1e-3), Network(delay=1e-3))
+    assert both.axes["3"].link is None
+    assert divided(controller, "observer", "one").axes["1"].link == Division("observer", Network(), IdealLink())
+    blind = divided(controller, "controller", "one")
+    assert blind.axes["1"].link == Division("controller", Network(), None) and blind.estimator is None and blind.coupling is None
+
+
+def test_what_makes_no_sense_is_refused(machine: cl.Machine, controller: cl.Controller, circle: cl.Reference) -> None:
+    for given in ({"ways": "three"}, {"axes": ("7",)}, {"division": "half"}):
+        with pytest.raises(ParameterError):
+            divided(controller, **{"division": "drive", **given})  # type: ignore[arg-type]
+    made = divided(controller, "observer")
+    for given in ({"quantity": "colour"}, {"within": -0.1}, {"allowed": 0.0}, {"longest": 1e-4}, {"figure": "mood"}):
+        with pytest.raises(ParameterError):
+            link_limit(machine, made, circle, **given)  # type: ignore[arg-type]
+    whole = replace(made, axes={name: replace(mine, link=None) for name, mine in made.axes.items()})
+    with pytest.raises(ParameterError, match="network"):
+        link_limit(machine, whole, circle)
+
+
+def test_rounding_of_a_message_period_is_said(machine: cl.Machine, controller: cl.Controller, circle: cl.Reference) -> None:
+    made = divided(controller, "observer", link=Network(message_period=2.4e-3))
+    cost = division_cost(machine, made, circle, allowed=1e-5, quantities=("delay",), longest=2e-3)
+    assert "messages each 2.4 ms go each 3 ms" in cost.remarks[0]
+    assert set(cost.local["1"]) >= {"observer.model_gain", "velocity.bandwidth"}
+
+
+def test_limits_are_read_off_the_values_in_order() -> None:
+    unknown = np.full(5, np.nan)
+    sweep = LinkSweep("delay", np.arange(5.0), np.array([1.0, 2.0, 9.0, 1.0, 1.0]), np.ones(5), unknown, unknown, 3.0)
+    assert sweep.holds.tolist() == [True, True, False, True, True]
+    assert (sweep.most, sweep.seen) == (1.0, True)  # what holds beyond a gap is none to build on
+    assert math.isnan(sweep.stable_linear)
+    stable = replace(sweep, error=np.ones(5), growth=np.array([0.9, 0.95, 0.99, 1.01, np.nan]))
+    assert (stable.most, stable.stable_linear) == (2.0, 2.0)
+    assert replace(stable, growth=np.full(5, 0.9)).stable_linear == math.inf
+    lost = replace(sweep, error=np.full(5, np.nan))
+    assert math.isnan(lost.most) and lost.seen
