@@ -95,6 +95,12 @@ def test_plots_are_written_where_they_are_asked_for(circle: str, tmp_path: Path,
     assert said.count("plot: ") == 2
 
 
+def test_extrapolated_messages_have_no_linear_model(circle: str, capsys: pytest.CaptureFixture[str]) -> None:
+    words = (circle, "--division", "observer", "--ways", "both", "--vary", "delay", "--longest", "4 ms")
+    said = told(capsys, *words, "--extrapolate")
+    assert "no linear model of messages that are extrapolated" in said
+
+
 @pytest.mark.parametrize(
     ("words", "wanted"),
     [

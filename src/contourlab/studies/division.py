@@ -242,3 +242,5 @@ def _remarks(machine: Machine, controller: Controller, setting: LinkSetting) -> 
         yield "the base sees no position: contour estimator and coupling are left out"
     if not setting.loops:
         yield "no linear model: a component is not linear, or the axes have unlike links"
+    elif any(part.between != "hold" for part in setting.networks.values()):
+        yield "no linear model of messages that are extrapolated"

@@ -236,9 +236,9 @@ class LinkSetting:
         """Return the growth of the linear model in the worst of a few directions; nan where there is none."""
         if self.by_chance(quantity) or not self.loops:
             return math.nan
-        down, up = (self._timing(way, quantity, value) for way in ("down", "up"))
-        size = len(self.loops[0].a) + sum((down if way == "down" else up).taken + 1 for _, way in self.loops[0].links)
         try:
+            down, up = (self._timing(way, quantity, value) for way in ("down", "up"))
+            size = len(self.loops[0].a) + sum((down if way == "down" else up).taken + 1 for _, way in self.loops[0].links)
             return math.nan if size > LARGEST else max(loop.growth(down, up) for loop in self.loops)
         except ComponentError:
             return math.nan
