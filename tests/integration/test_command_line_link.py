@@ -101,6 +101,26 @@ def test_extrapolated_messages_have_no_linear_model(circle: str, capsys: pytest.
     assert "no linear model of messages that are extrapolated" in said
 
 
+LATE = OWN.replace('up = "ideal"', 'up = {kind = "network", delay = "20 ms"}')
+
+
+def test_analyse_says_whether_the_messages_leave_it_stable(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    for name, link, code in (("own", OWN, 0), ("late", LATE, 1)):
+        (tmp_path / f"{name}.toml").write_text(CIRCLE.replace("LINK", link), encoding="utf-8")
+        assert main(["analyse", str(tmp_path / f"{name}.toml")]) == code
+        said = capsys.readouterr().out
+        assert ("stable, the slowest error dies" if code == 0 else "unstable, an error grows e-fold") in said
+    assert main(["analyse", str(tmp_path / "late.toml"), "--json"]) == 1
+    found = json.loads(capsys.readouterr().out)["schemes"]["base"]["links"]
+    assert not found["stable"] and found["growth"] > 1.0
+
+
+def test_the_network_is_named_as_a_cause(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    (tmp_path / "late.toml").write_text(CIRCLE.replace("LINK", LATE) + '[run]\ntolerance = "16 um"\n', encoding="utf-8")
+    assert main(["run", str(tmp_path / "late.toml"), "--out", str(tmp_path / "out")]) == 1
+    assert "causes there: network" in capsys.readouterr().out
+
+
 @pytest.mark.parametrize(
     ("words", "wanted"),
     [

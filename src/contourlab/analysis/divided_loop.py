@@ -31,7 +31,7 @@ from contourlab.loop.machine import AxisController, Controller, Machine
 from contourlab.loop.template import build
 from contourlab.loop.watch import NAME as WATCH
 
-__all__ = ["DividedLoop", "LinkTiming", "axis_delay_margin", "divided_loop", "timing_of"]
+__all__ = ["DividedLoop", "LinkTiming", "axis_delay_margin", "divided_loop", "link_growth", "timing_of"]
 
 Array = NDArray[np.float64]
 
@@ -95,10 +95,13 @@ class DividedLoop:
         ComponentError
             If the two directions repeat together only after more than `LONGEST` ticks.
         """
-        repeat = math.lcm(down.spacing, up.spacing)
+        return self.growth_of([down if way == "down" else up for _, way in self.links])
+
+    def growth_of(self, timings: Sequence[LinkTiming]) -> float:
+        """Return the same with a timing for each of `links`."""
+        repeat = math.lcm(*(t.spacing for t in timings)) if timings else 1
         if repeat > LONGEST:
-            raise ComponentError(f"messages down and up come together only each {repeat} ticks: take periods with a common multiple")
-        timings = [down if way == "down" else up for _, way in self.links]
+            raise ComponentError(f"the messages come together only each {repeat} ticks: take periods with a common multiple")
         product = np.eye(len(self.a) + sum(t.taken for t in timings) + len(timings))
 
         @cache
@@ -214,6 +217,25 @@ def _cut(whole: Schedule, names: Sequence[str]) -> DividedLoop:
             row = found.row(wire)
             c[i], e[i] = found.a[row], b[row]
     return DividedLoop(whole.period, found.a, b, c, e, tuple(links.values()))
+
+
+def link_growth(machine: Machine, controller: Controller) -> float:
+    """Return the factor per tick by which the slowest error dies or the fastest grows, with the links as they are.
+
+    Where axes are coupled it is that of the worst of a few directions of the path: along each axis, and along the diagonal.
+
+    Raises
+    ------
+    ComponentError
+        If a component or link has no linear model, or the links repeat together too seldom.
+    """
+    names, period = machine.axis_names, machine.servo_period
+    directions = [*np.eye(len(names)), np.ones(len(names))] if controller.coupling is not None else [np.ones(len(names))]
+    found = []
+    for tangent in directions:
+        loop = divided_loop(machine, controller, tangent)
+        found.append(loop.growth_of([timing_of(getattr(controller.axes[axis].link, way), period) for axis, way in loop.links]))
+    return max(found)
 
 
 def axis_delay_margin(machine: Machine, controller: Controller, name: str) -> float:

@@ -185,21 +185,7 @@ def param(
     source: str = "",
 ) -> Any:
     """Declare a number; see `Parameter` for the arguments. Bounds and default are in `unit`, which is SI."""
-    return Parameter(
-        "",
-        unit,
-        default,
-        minimum,
-        maximum,
-        exclusive,
-        (),
-        whole,
-        structural or vector,
-        vector,
-        display or unit,
-        doc,
-        source,
-    )
+    return Parameter("", unit, default, minimum, maximum, exclusive, (), whole, structural or vector, vector, display or unit, doc, source)
 
 
 def text_param(default: str | None, choices: tuple[str, ...], *, doc: str, source: str = "") -> Any:

@@ -18,6 +18,7 @@ from contourlab.analysis import (
     learning_analysis,
     sampled_loop,
 )
+from contourlab.analysis.divided_loop import link_growth
 from contourlab.errors import ComponentError
 
 if TYPE_CHECKING:
@@ -50,6 +51,8 @@ class _Found:
     transfer: ContourTransfer | None = None
     stability: InternalStability | None = None
     learning: LearningAnalysis | None = None
+    divided: float | None = None
+    period: float = 0.0
     unknown: list[str] = field(default_factory=list)
 
     @property
@@ -57,7 +60,8 @@ class _Found:
         loops = all(margins.stable for margins in self.margins.values())
         inside = self.stability is None or self.stability.stable
         idle = self.learning is not None and self.learning.response.radius.min() >= 1.0 - NOTHING
-        return loops and inside and not idle and (self.learning is None or self.learning.converges or _slow(self.learning))
+        linked = self.divided is None or self.divided < 1.0
+        return loops and inside and linked and not idle and (self.learning is None or self.learning.converges or _slow(self.learning))
 
 
 def _slow(learning: LearningAnalysis) -> bool:
@@ -107,7 +111,7 @@ def analyse_scenario(
 
 
 def _of(case: Case, whole: bool) -> _Found:
-    machine, controller, found = case.machine, case.controller, _Found(case.name)
+    machine, controller, found = case.machine, case.controller, _Found(case.name, period=case.machine.servo_period)
     for axis in machine.axes:
         try:
             loop = sampled_loop(axis, controller.axes[axis.name], machine.servo_period, machine.carried_mass(axis.name))
@@ -121,6 +125,8 @@ def _of(case: Case, whole: bool) -> _Found:
         if controller.coupling is not None:
             found.transfer = contour_transfer(machine, controller)
             found.stability = internal_stability(machine, controller, reference if reference is not None and reference.laps else None)
+        if any(mine.link is not None for mine in controller.axes.values()):
+            found.divided = link_growth(machine, controller)
         if case.learning is not None:
             found.learning = learning_analysis(machine, controller, case.learning.law, reference)
     except ComponentError as error:
@@ -137,6 +143,8 @@ def _lines(found: _Found) -> list[str]:
         lines.append(f"  coupling: {found.stability.verdict}")
         if over.stable:
             lines.append(f"  coupling, over all directions: gain margin {_decibel(over.gain)}, phase margin {_degrees(over.phase)}")
+    if found.divided is not None:
+        lines.append(f"  with the messages between base and axes: {_dies(found.divided, found.period)}; margins are those without")
     if found.learning is not None:
         learning = found.learning
         at = f"at {learning.worst_frequency / (2.0 * math.pi):.3g} Hz"
@@ -153,6 +161,15 @@ def _lines(found: _Found) -> list[str]:
             lines.append(f"  learning, on this very path: a trial leaves {learning.lifted.radius:.6g} of an error in the end{worst}")
         lines += [f"  learning: {warning}" for warning in learning.warnings]
     return lines + [f"  not analysed: {reason}" for reason in found.unknown]
+
+
+def _dies(growth: float, period: float) -> str:
+    if growth == 1.0 or growth <= 0.0:
+        return "at the brink of stability" if growth else "stable"
+    time = f"{1e3 * period / abs(math.log(growth)):.3g} ms"
+    if growth < 1.0:
+        return f"stable, the slowest error dies with a time constant of {time}"
+    return f"unstable, an error grows e-fold in {time}"
 
 
 def _margins(margins: Margins) -> str:
@@ -178,6 +195,7 @@ def _summary(found: _Found) -> dict[str, Any]:
         "coupling": None
         if stability is None or found.transfer is None
         else {"stable": stability.stable, "lap": stability.lap, "verdict": stability.verdict, "margins": asdict(found.transfer.margins())},
+        "links": None if found.divided is None else {"stable": found.divided < 1.0, "growth": found.divided},
         "learning": None
         if learning is None
         else {

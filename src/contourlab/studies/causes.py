@@ -3,10 +3,11 @@
 The causes are worked out, not guessed. The same reference is run again with ever fewer imperfections, and the contribution of a cause is
 what the error at that place changes by, along the direction in which the tool was off, when its own is taken away:
 
-1. *geometry*: the machine's error map; 2. *quantisation*: ideal encoders; 3. *saturation*: drives without limit; 4. *disturbance*: no
-load from outside; 5. *backlash*: no free travel, and controllers that reckon with none; 6. *reversal*: no friction; 7. *servo mismatch*:
-every axis a copy of one of them, averaged over the choice; 8. *lag*: a tool that is where it was asked to be, so that overshoot counts as
-lag too; 9. *planning*: what is left then, the planned path's own distance from the programmed one.
+1. *network*: no links between base and axes; 2. *geometry*: the machine's error map; 3. *quantisation*: ideal encoders; 4.
+*saturation*: drives without limit; 5. *disturbance*: no load from outside; 6. *backlash*: no free travel, and controllers that reckon with
+none; 7. *reversal*: no friction; 8. *servo mismatch*: every axis a copy of one of them, averaged over the choice; 9. *lag*: a tool that is
+where it was asked to be, so that overshoot counts as lag too; 10. *planning*: what is left then, the planned path's own distance from the
+programmed one.
 
 The contributions add up to the error itself. A loop that runs away once its friction is gone tells nothing: such a step is left out and
 named, and what it stands for stays in the next one. The order matters where effects interact, and is therefore fixed.
@@ -38,6 +39,7 @@ def _of_machine(take_away: Callable[[Machine], Machine]) -> Step:
 
 
 _STEPS: tuple[tuple[str, Step], ...] = (
+    ("network", idealise.without_links),
     ("geometry", _of_machine(idealise.perfect_geometry)),
     ("quantisation", _of_machine(idealise.perfect_sensing)),
     ("saturation", _of_machine(idealise.unlimited)),
@@ -127,9 +129,10 @@ def causes(
     left, kept = place.size, machine
     for name, take_away in _STEPS:
         better, driven = take_away(kept, controller)
-        if better is kept and name == "backlash":
+        same = better is kept and driven is controller
+        if same and name in ("network", "backlash"):
             continue  # few machines have any
-        now = left if better is kept else place.after(better, driven)
+        now = left if same else place.after(better, driven)
         if np.isnan(now):
             untold.append(name)
             continue

@@ -13,7 +13,16 @@ from contourlab.components.friction.none import NoFriction
 from contourlab.components.sensor.ideal import IdealSensor
 from contourlab.loop.machine import AxisController, AxisError, Controller, Machine
 
-__all__ = ["perfect_geometry", "perfect_sensing", "same_axes", "undisturbed", "unlimited", "without_backlash", "without_friction"]
+__all__ = [
+    "perfect_geometry",
+    "perfect_sensing",
+    "same_axes",
+    "undisturbed",
+    "unlimited",
+    "without_backlash",
+    "without_friction",
+    "without_links",
+]
 
 
 def perfect_geometry(machine: Machine) -> Machine:
@@ -62,6 +71,13 @@ def _unaware(mine: AxisController) -> AxisController:
     compensation = None if mine.compensation is None else told(mine.compensation)
     others = tuple((label, told(part)) for label, part in mine.others)
     return replace(mine, controller=told(mine.controller), compensation=compensation, others=others)
+
+
+def without_links(machine: Machine, controller: Controller) -> tuple[Machine, Controller]:
+    """Return the controller in one piece: base and axes without a network between."""
+    if all(mine.link is None for mine in controller.axes.values()):
+        return machine, controller
+    return machine, replace(controller, axes={name: replace(mine, link=None) for name, mine in controller.axes.items()})
 
 
 def unlimited(machine: Machine) -> Machine:
