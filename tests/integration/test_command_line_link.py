@@ -95,6 +95,17 @@ def test_plots_are_written_where_they_are_asked_for(circle: str, tmp_path: Path,
     assert said.count("plot: ") == 2
 
 
+def test_one_axis_may_be_divided_alone(circle: str, capsys: pytest.CaptureFixture[str]) -> None:
+    """The axis that is swapped has a network, the others are wired."""
+    words = (circle, "--division", "observer", "--ways", "both", "--vary", "delay", "--longest", "8 ms", "--json")
+    both, one = (json.loads(told(capsys, *words, *more))["schemes"]["base"]["divisions"][0] for more in ((), ("--axes", "1")))
+    assert one["local_parameters"]["3"] == [] and one["local_parameters"]["1"]
+    assert one["sweeps"]["delay"]["stable_linear"] >= both["sweeps"]["delay"]["stable_linear"] > 0.0
+    assert one["sweeps"]["delay"]["error"][0] == both["sweeps"]["delay"]["error"][0]
+    assert one["sweeps"]["delay"]["error"][1] != both["sweeps"]["delay"]["error"][1]
+    assert "'7'" in told(capsys, circle, "--division", "observer", "--axes", "7", code=2)
+
+
 def test_extrapolated_messages_have_no_linear_model(circle: str, capsys: pytest.CaptureFixture[str]) -> None:
     words = (circle, "--division", "observer", "--ways", "both", "--vary", "delay", "--longest", "4 ms")
     said = told(capsys, *words, "--extrapolate")

@@ -75,7 +75,7 @@ class DividedLoop:
     e : ndarray (m, m)
         Nilpotent: what is sent back at the tick at which something is received.
     links : tuple of (str, str)
-        Axis and direction, ``"down"`` or ``"up"``, of each signal.
+        Axis and direction, ``"down"`` or ``"up"``, of each signal that is part of the loop.
     """
 
     servo_period: float
@@ -216,7 +216,9 @@ def _cut(whole: Schedule, names: Sequence[str]) -> DividedLoop:
         elif not wire.startswith("in."):  # the reference comes from outside the loop
             row = found.row(wire)
             c[i], e[i] = found.a[row], b[row]
-    return DividedLoop(whole.period, found.a, b, c, e, tuple(links.values()))
+    # What comes from outside the loop, as the reference does, is no part of it.
+    kept = np.flatnonzero(c.any(axis=1) | e.any(axis=1))
+    return DividedLoop(whole.period, found.a, b[:, kept], c[kept], e[np.ix_(kept, kept)], tuple(list(links.values())[i] for i in kept))
 
 
 def link_growth(machine: Machine, controller: Controller) -> float:

@@ -36,7 +36,7 @@ class LinkOptions:
 
     Attributes
     ----------
-    divisions, ways, quantities : tuple of str
+    divisions, ways, quantities, axes : tuple of str
         Empty for all; a scenario with links of its own is taken as it stands unless a division is named.
     figure : str
         Of `SHOWN`.
@@ -57,6 +57,7 @@ class LinkOptions:
     divisions: tuple[str, ...] = ()
     ways: tuple[str, ...] = ()
     quantities: tuple[str, ...] = ()
+    axes: tuple[str, ...] = ()
     figure: str = "rms"
     within: str = "10 %"
     tolerance: str | None = None
@@ -221,7 +222,7 @@ def _controllers(controller: Controller, options: LinkOptions, asked: _Asked) ->
         return
     for division in asked.divisions:
         for ways in asked.ways:
-            yield f"{division} in the axis, {ways}", divided(controller, division, ways, asked.network)
+            yield f"{division} in the axis, {ways}", divided(controller, division, ways, asked.network, options.axes or None)
 
 
 # --- what is said ------------------------------------------------------------------------------------------------------------------------

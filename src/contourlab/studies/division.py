@@ -143,6 +143,7 @@ def message_rate(
     division: str = "observer",
     ways: str = "both",
     link: Network | None = None,
+    axes: Sequence[str] | None = None,
     **options: Any,
 ) -> LinkLimit:
     """Return the smallest message rate at which a machine holds with its controllers divided in a way: `LinkLimit.rate`.
@@ -151,12 +152,12 @@ def message_rate(
     ----------
     machine, controller, reference
         The controller whole; what it has of links is replaced.
-    division, ways, link
+    division, ways, link, axes
         As of `divided`; delay, jitter and loss of the link stay as they are.
     **options
         As of `link_limit`.
     """
-    return link_limit(machine, divided(controller, division, ways, link), reference, "message_period", **options)
+    return link_limit(machine, divided(controller, division, ways, link, axes), reference, "message_period", **options)
 
 
 # --- the study ---------------------------------------------------------------------------------------------------------------------------

@@ -38,8 +38,8 @@ LOSSES = np.linspace(0.0, 0.98, 50)
 CHUNK = 32
 STEPS = 256
 """Most values of a time that are looked at."""
-LARGEST = 200
-"""States of a linear model beyond which it is left."""
+LARGE, LARGEST = 200, 700
+"""States of a linear model beyond which it is worked out now and then only, and not at all."""
 COLUMNS = ("values", "error", "median", "growth", "repeats")
 GROWN = 0.5
 """Part by which the error of a lap may exceed that of the lap before in a loop that is stable."""
@@ -138,7 +138,7 @@ class LinkSweep:
 
     @property
     def stable_linear(self) -> float:
-        """The largest value up to which the linear model is stable; nan without one, infinite if none was found at which it is not."""
+        """The largest value up to which the linear model is stable; nan where that is not known, infinite if it is to the end."""
         return _limit(self.values, self.growth >= 1.0, np.isnan(self.growth))
 
     @property
@@ -153,9 +153,11 @@ def _last_before(values: Array, bad: NDArray[np.bool_]) -> float:
 
 
 def _limit(values: Array, bad: NDArray[np.bool_], unknown: NDArray[np.bool_]) -> float:
-    if unknown.all():
-        return math.nan
-    return _last_before(values, bad) if bad.any() else math.inf
+    """Return the last value known to be good ahead of the first bad one; infinite if all is good to the end, nan if nobody knows."""
+    known = ~unknown
+    if bad.any() or not known.any():
+        return _last_before(values[known], bad[known])
+    return math.inf if known[-1] else math.nan
 
 
 class LinkSetting:
@@ -232,14 +234,14 @@ class LinkSetting:
         given: dict[str, Any] = {"window": window, "seed": self.seed, "moving": self.moving}
         return simulate_batch(machine, self.controller, self.reference, columns, **given).figures[self.figure]
 
-    def growth(self, quantity: str, value: float) -> float:
-        """Return the growth of the linear model in the worst of a few directions; nan where there is none."""
+    def growth(self, quantity: str, value: float, size_limit: int = LARGEST) -> float:
+        """Return the growth of the linear model in the worst of a few directions; nan where there is none, or it is too large."""
         if self.by_chance(quantity) or not self.loops:
             return math.nan
         try:
             down, up = (self._timing(way, quantity, value) for way in ("down", "up"))
             size = len(self.loops[0].a) + sum((down if way == "down" else up).taken + 1 for _, way in self.loops[0].links)
-            return math.nan if size > LARGEST else max(loop.growth(down, up) for loop in self.loops)
+            return math.nan if size > size_limit else max(loop.growth(down, up) for loop in self.loops)
         except ComponentError:
             return math.nan
 
@@ -256,7 +258,7 @@ def _ways(link: Division) -> Iterator[tuple[str, Component]]:
 
 def _linear(machine: Machine, controller: Controller) -> Iterator[DividedLoop]:
     """Yield the linear model in each axis' direction and along the diagonal; none where it does not exist or axes differ in their links."""
-    links = [mine.link for mine in controller.axes.values()]
+    links = [mine.link for mine in controller.axes.values() if mine.link is not None]
     if any(link != links[0] for link in links):
         return
     n = len(machine.axes)
@@ -302,7 +304,8 @@ def swept(setting: LinkSetting, quantity: str, longest: float) -> LinkSweep:
         errors = setting.errors(quantity, values)
         growth = np.full(len(values), math.nan)
         for j, value in enumerate(values.tolist()):
-            growth[j] = math.nan if lost else setting.growth(quantity, value)
+            last = j == len(values) - 1
+            growth[j] = math.nan if lost else setting.growth(quantity, value, LARGEST if last else LARGE)
             lost = lost or growth[j] >= 1.0
         worst = np.where(np.isnan(errors).any(axis=1), math.nan, errors.max(axis=1))
         parts.append((values, worst, np.median(errors, axis=1), growth, setting.repeats(quantity, values)))

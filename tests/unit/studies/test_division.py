@@ -138,5 +138,8 @@ def test_limits_are_read_off_the_values_in_order() -> None:
     stable = replace(sweep, error=np.ones(5), growth=np.array([0.9, 0.95, 0.99, 1.01, np.nan]))
     assert (stable.most, stable.stable_linear) == (2.0, 2.0)
     assert replace(stable, growth=np.full(5, 0.9)).stable_linear == math.inf
+    gaps = np.array([0.9, np.nan, 0.9, np.nan, np.nan])
+    assert math.isnan(replace(stable, growth=gaps).stable_linear)
+    assert replace(stable, growth=np.where(np.arange(5) == 4, 1.1, gaps)).stable_linear == 2.0
     lost = replace(sweep, error=np.full(5, np.nan))
     assert math.isnan(lost.most) and lost.seen
