@@ -24,8 +24,8 @@ from contourlab.cli.commands.demo import demo
 from contourlab.cli.commands.identify import identify
 from contourlab.cli.commands.interpolate import interpolate
 from contourlab.cli.commands.learn import learn
-from contourlab.cli.commands.machines import machines
 from contourlab.cli.commands.link import link
+from contourlab.cli.commands.machines import machines
 from contourlab.cli.commands.measure import measure
 from contourlab.cli.commands.new import new
 from contourlab.cli.commands.reproduce import reproduce
