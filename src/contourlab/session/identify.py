@@ -1,26 +1,21 @@
-"""``contourlab identify``: an axis file out of a measured log."""
+"""``contourlab identify``: the model of an axis out of measured logs, as text, JSON, pictures and an axis file."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from contourlab.analysis.inverse_dynamics import InverseDynamicsSettings
-from contourlab.components.origin import Origin
-from contourlab.errors import ParameterError, UnitError
 from contourlab.result import write_text_atomic
-from contourlab.scenario.provenance import origin_table
 from contourlab.scenario.toml_text import Noted, toml
-from contourlab.session.log_choice import LogChoice, open_log, positive
-from contourlab.studies.identify import AxisFit, axis_tables, correlations, identify_rigid, units_of
-from contourlab.units import from_si, split, to_si
+from contourlab.session.identification.register import MODELS, study_of
+from contourlab.session.identification.request import Request
+from contourlab.studies.identification.finding import Figure, Finding, Picture
+from contourlab.units import from_si
 
-__all__ = ["MODELS", "Identification", "identify_log"]
+__all__ = ["MODELS", "Identification", "Request", "axis_file", "identify_log"]
 
-MODELS = {"rigid": "symmetric", "rigid-by-direction": "asymmetric"}
-"""Models of an axis, and the friction that each has."""
 SHOWN = {"m": "um", "m/s": "m/min"}
 
 
@@ -34,152 +29,107 @@ class Identification:
 
 
 def identify_log(
-    choice: LogChoice,
-    *,
-    model: str = "rigid",
-    axis: str | None = None,
-    gain: str | None = None,
-    cutoff: str = "100 Hz",
-    decimation: int = 10,
-    validation: str | Path | None = None,
-    out: str | Path | None = None,
-    plots: Sequence[str] = (),
-    folder: str | Path = "results",
+    request: Request, *, out: str | Path | None = None, plots: Sequence[str] = (), folder: str | Path = "results"
 ) -> Identification:
     """Identify an axis and write the file of an axis that it makes.
 
     Parameters
     ----------
-    choice : LogChoice
-    model : str
-        Of `MODELS`.
-    axis : str, optional
-    gain : str, optional
-        Force per command, as ``"35.15 N/V"``.
-    cutoff : str
-        Of the low-pass of the position, as ``"100 Hz"``.
-    decimation : int
-    validation : str or Path, optional
-        A second log, read as the first.
+    request : Request
+        Model, logs and options.
     out : str or Path, optional
         The axis file; none is written by default, nor where the figures are unusable.
     plots : sequence of str
         png, svg or pdf, into `folder`.
+    folder : str or Path
 
     Raises
     ------
     LogError, ResultError
         If a log cannot be read or lacks a signal.
     ParameterError
-        If an option is out of range, or the axis cannot be identified from the log.
+        If an option is out of range, or the axis cannot be identified from the logs.
     """
-    if model not in MODELS:
-        raise ParameterError("--model", repr(model), f"one of {', '.join(MODELS)}")
-    settings = InverseDynamicsSettings(
-        MODELS[model], cutoff=positive("--cutoff", cutoff, "Hz", 'a frequency, such as "100 Hz"'), decimation=decimation
-    )
-    log = open_log(choice)
-    second = None if validation is None else open_log(replace(choice, file=validation))
-    found = identify_rigid(log, axis, _gain(gain), settings, second)
-    text = _text(found, log.notes)
+    found = study_of(request.model)(request)
+    text = _text(found, request.notes)
     if plots:
         text += "".join(f"\nplot: {file}" for file in _draw(found, folder, plots))
-    if out is not None and found.fit.usable:
-        write_text_atomic(Path(out), axis_file(found, model))
+    if out is not None and found.usable and found.tables:
+        write_text_atomic(Path(out), axis_file(found))
         text += f"\naxis file: {out}"
     elif out is not None:
-        text += f"\n{out} is not written: the figures cannot be used as they stand"
-    return Identification(found.fit.usable, _summary(found, model), text)
+        why = "the figures cannot be used as they stand" if not found.usable else f"model {found.model} makes no axis file"
+        text += f"\n{out} is not written: {why}"
+    return Identification(found.usable, _summary(found), text)
 
 
-def _gain(text: str | None) -> float | None:
-    if text is None:
-        return None
-    try:
-        number, unit = split(text)
-        top, _, below = unit.partition("/")
-        gain = number * to_si(f"1 {top.strip()}", "N") / to_si(f"1 {below.strip()}", below.strip())
-    except UnitError as error:
-        raise ParameterError("--gain", repr(text), 'a force per command, such as "35.15 N/V"') from error
-    if not 0.0 < abs(gain) < 1e12:
-        raise ParameterError("--gain", text, "other than 0")
-    return gain
-
-
-def axis_file(found: AxisFit, model: str) -> str:
+def axis_file(found: Finding) -> str:
     """Return the text of the axis file, with where each number is from behind it."""
-    listed = [list(one) for one in correlations(found)]
-    tables: dict[str, Any] = {"correlations": Noted(listed, "of what was fitted together")} if listed else {}
-    for name, rows in axis_tables(found).items():
-        tables[name] = {key: value if origin is None else _number(value, unit, origin) for key, (value, unit, origin) in rows.items()}
-    fit = found.fit
-    worth = f"fit {fit.fit:.4g} %, relative error {fit.relative_error:.4g} %"
-    head = [f"# Axis {found.axis}, model {model}, identified from {found.source}: {worth}."]
-    head += [f"# {remark}" for remark in fit.remarks]
+    tables: dict[str, Any] = {}
+    for name, rows in found.tables.items():
+        tables[name] = {
+            key: value if isinstance(value, str) else Noted(f"{from_si(value, SHOWN.get(unit, unit)):.6g} {SHOWN.get(unit, unit)}", note)
+            for key, (value, unit, note) in rows.items()
+        }
+    head = [f"# Axis {found.axis}, model {found.model}, identified from {', '.join(found.sources)}: fit {found.fit:.4g} %."]
+    if "plant" not in tables:
+        head.append("# Tables of an axis file; what is not in these logs is to be added.")
+    head += [f"# {remark}" for remark in found.remarks]
     return "\n".join(head) + "\n\n" + toml(tables)
 
 
-def _number(value: Any, unit: str, origin: Origin) -> Noted:
-    shown = SHOWN.get(unit, unit)
-    return Noted(origin_table(f"{from_si(value, shown):.6g} {shown}", origin, lambda number: f"{from_si(number, shown):.3g} {shown}"))
-
-
-def _text(found: AxisFit, notes: Sequence[str]) -> str:
-    fit = found.fit
-    rows = [("parameter", "value", "unit", "deviation", "with colour", "%")]
-    for name, unit, value, white, robust in zip(
-        fit.names, units_of(fit.names), fit.values, fit.deviations, fit.robust_deviations, strict=True
-    ):
-        share = 100.0 * robust / abs(value) if value else float("inf")
-        rows.append((name, f"{value:.6g}", unit, f"{white:.3g}", f"{robust:.3g}", f"{share:.2g}"))
+def _text(found: Finding, notes: Sequence[str]) -> str:
+    rows = [("parameter", "value", "unit", "deviation", "with colour", "%"), *(_cells(figure) for figure in found.figures)]
     widths = [max(len(row[i]) for row in rows) for i in range(len(rows[0]))]
-    lines = [f"{found.source}, axis {found.axis}"]
+    lines = [f"{', '.join(found.sources)}, axis {found.axis}"]
     lines += ["  ".join(c.ljust(w) if i in (0, 2) else c.rjust(w) for i, (c, w) in enumerate(zip(r, widths, strict=True))) for r in rows]
-    lines.append(f"fit {fit.fit:.4g} %, relative error {fit.relative_error:.4g} %, condition number {fit.condition_number:.4g}")
-    if found.validation is not None:
-        there = found.validation
-        lines.append(f"on the second log: fit {there.fit:.4g} %, relative error {there.relative_error:.4g} %")
-    lines += [f"note: {remark}" for remark in (*fit.remarks, *notes)]
+    lines += [f"fit {found.fit:.4g} %", *found.lines]
+    lines += [f"note: {remark}" for remark in (*found.remarks, *notes)]
     return "\n".join(lines)
 
 
-def _summary(found: AxisFit, model: str) -> dict[str, Any]:
-    fit = found.fit
-    rows = zip(fit.names, units_of(fit.names), fit.values, fit.deviations, fit.robust_deviations, strict=True)
+def _cells(figure: Figure) -> tuple[str, ...]:
+    share = 100.0 * figure.robust_deviation / abs(figure.value) if figure.value else float("inf")
+    numbers = (f"{figure.deviation:.3g}", f"{figure.robust_deviation:.3g}", f"{share:.2g}")
+    return (figure.name, f"{figure.value:.6g}", figure.unit, *numbers)
+
+
+def _summary(found: Finding) -> dict[str, Any]:
     return {
-        "log": found.source,
+        "log": found.sources[0],
+        "logs": list(found.sources),
         "axis": found.axis,
-        "model": model,
+        "model": found.model,
         "parameters": {
-            name: {"value": float(value), "unit": unit, "deviation": float(white), "robust_deviation": float(robust)}
-            for name, unit, value, white, robust in rows
+            figure.name: {
+                "value": figure.value,
+                "unit": figure.unit,
+                "deviation": figure.deviation,
+                "robust_deviation": figure.robust_deviation,
+            }
+            for figure in found.figures
         },
-        "fit_percent": fit.fit,
-        "relative_error_percent": fit.relative_error,
-        "condition_number": fit.condition_number,
-        "usable": fit.usable,
-        "remarks": list(fit.remarks),
-        "validation": None
-        if found.validation is None
-        else {"fit_percent": found.validation.fit, "relative_error_percent": found.validation.relative_error},
+        "fit_percent": found.fit,
+        "usable": found.usable,
+        "remarks": list(found.remarks),
+        **found.more,
     }
 
 
-def _draw(found: AxisFit, folder: str | Path, plots: Sequence[str]) -> tuple[Path, ...]:
+def _draw(found: Finding, folder: str | Path, plots: Sequence[str]) -> tuple[Path, ...]:
     from contourlab.report.plots import write_charts
-    from contourlab.report.reproduction_pictures import traces_chart
 
-    fit = found.fit
-    force = {"measured": (fit.time, fit.force), "model": (fit.time, fit.predicted)}
-    rest = fit.force - fit.predicted
-    charts = [
-        traces_chart("force", f"Force of axis {found.axis}, {found.source}", ("time [s]", "force [N]"), force),
-        traces_chart("residual", "What the model leaves of the force", ("time [s]", "force [N]"), {"residual": (fit.time, rest)}),
-        traces_chart(
-            "residual-speed",
-            "What the model leaves of the force, over speed",
-            ("velocity [mm/s]", "force [N]"),
-            {"residual": (1e3 * fit.velocity, rest)},
-        ),
-    ]
-    return write_charts(charts, folder, plots)
+    return write_charts([_chart(picture) for picture in found.pictures], folder, plots)
+
+
+def _chart(picture: Picture) -> Any:
+    from contourlab.report.charts import Chart, Curve, Level, Panel
+    from contourlab.report.style import scheme_style
+
+    panels = []
+    for graph in picture.graphs:
+        count = len(graph.curves)
+        curves = tuple(Curve(x, y, name, *scheme_style(i, max(count, 2))) for i, (name, (x, y)) in enumerate(graph.curves.items()))
+        levels = () if graph.log_y else (Level(0.0, ""),)
+        panels.append(Panel(graph.x_label, graph.y_label, curves, levels, log_x=graph.log_x, log_y=graph.log_y))
+    return Chart(picture.key, picture.title, picture.caption, tuple(panels))

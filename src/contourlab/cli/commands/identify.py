@@ -1,4 +1,4 @@
-"""``contourlab identify``: mass and friction of an axis from a log."""
+"""``contourlab identify``: the model of an axis from logs."""
 
 from __future__ import annotations
 
@@ -13,10 +13,12 @@ from contourlab.cli.scheme_options import Json, Plots
 
 __all__ = ["identify"]
 
+MODEL = "rigid, rigid-by-direction, friction, stiction, first-order, closed-loop, frequency-response, linear-motor or two-inertia."
+
 
 def identify(
-    log: Annotated[Path, typer.Argument(metavar="LOG", help="A log of a run that excites the axis.", show_default=False)],
-    model: Annotated[str, typer.Option(help="rigid, or rigid-by-direction with friction of its own each way.")] = "rigid",
+    log: Annotated[list[Path], typer.Argument(metavar="LOG...", help="Logs of runs that excite the axis.", show_default=False)],
+    model: Annotated[str, typer.Option(help=MODEL)] = "rigid",
     axis: Annotated[str | None, typer.Option(help="Which axis, where the log has several.", show_default=False)] = None,
     gain: Annotated[
         str | None, typer.Option(help='Force per command, as "35 N/V", where the log has no force.', show_default=False)
@@ -25,20 +27,37 @@ def identify(
     columns: ColumnFile = None,
     format: LogFormat = None,  # noqa: A002
     period: SamplePeriod = None,
-    cutoff: Annotated[str, typer.Option(help="Of the low-pass of the position: five times the loop's bandwidth is usual.")] = "100 Hz",
-    decimation: Annotated[int, typer.Option(help="Every how-many-th sample makes an equation.")] = 10,
-    validation: Annotated[Path | None, typer.Option(help="A second log, to see what the figures are worth.", show_default=False)] = None,
+    cutoff: Annotated[str, typer.Option(help="rigid: of the low-pass of the position, five times the loop's bandwidth.")] = "100 Hz",
+    decimation: Annotated[int, typer.Option(help="rigid: every how-many-th sample makes an equation.")] = 10,
+    validation: Annotated[Path | None, typer.Option(help="rigid: a second log, to see what they are worth.", show_default=False)] = None,
+    position_gain: Annotated[str | None, typer.Option(help='closed-loop: K_P as it ran, as "4 full_scale/mm".', show_default=False)] = None,
+    velocity_gain: Annotated[
+        str | None, typer.Option(help='closed-loop: K_V as it ran, as "0.1 full_scale*s/mm".', show_default=False)
+    ] = None,
+    lead: Annotated[str | None, typer.Option(help='two-inertia: travel per turn, as "10 mm".', show_default=False)] = None,
+    side: Annotated[str, typer.Option(help="two-inertia: where the position is measured, motor or load.")] = "motor",
     out: Annotated[Path | None, typer.Option(help="The axis file to write.", show_default=False)] = None,
     as_json: Json = False,
     plots: Plots = None,
 ) -> int:
-    """Find mass, friction and offset of an axis from a log, with their deviations; write an axis file."""
-    from contourlab.session.identify import identify_log
+    """Find the model of an axis from logs, each figure with its deviation; write an axis file."""
+    from contourlab.session.identify import Request, identify_log
     from contourlab.session.log_choice import LogChoice
 
-    choice = LogChoice(log, tuple(column or ()), columns, format, period)
-    fitting = {"model": model, "axis": axis, "gain": gain, "cutoff": cutoff, "decimation": decimation, "validation": validation}
-    found = identify_log(choice, **fitting, out=out, plots=tuple(plots or ()))  # type: ignore[arg-type]
+    request = Request(
+        model=model,
+        choices=tuple(LogChoice(file, tuple(column or ()), columns, format, period) for file in log),
+        axis=axis,
+        gain=gain,
+        cutoff=cutoff,
+        decimation=decimation,
+        validation=validation,
+        position_gain=position_gain,
+        velocity_gain=velocity_gain,
+        lead=lead,
+        side=side,
+    )
+    found = identify_log(request, out=out, plots=tuple(plots or ()))
     if as_json:
         emit_json(found.summary)
     else:

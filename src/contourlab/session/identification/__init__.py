@@ -1,0 +1,1 @@
+"""The models of ``contourlab identify``, one file each; `contourlab.session.identification.register` names them."""

@@ -1,0 +1,108 @@
+"""What the command line asks of an identification, and how its options are read."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from pathlib import Path
+
+from contourlab.errors import ParameterError, UnitError
+from contourlab.logs import Log
+from contourlab.session.log_choice import LogChoice, open_log
+from contourlab.studies.identification.signals import AxisRecord, axis_record
+from contourlab.units import split, to_si
+
+__all__ = ["Request", "per_command"]
+
+
+@dataclass(frozen=True)
+class Request:
+    """An identification as it was asked for.
+
+    Attributes
+    ----------
+    model : str
+    choices : tuple of LogChoice
+        One or several logs, read alike.
+    axis : str or None
+    gain : str or None
+        Force per command, as ``"35.15 N/V"``.
+    cutoff : str
+    decimation : int
+    validation : str, Path or None
+    position_gain, velocity_gain : str or None
+        Of the loop as it ran, as ``"4 full_scale/mm"``.
+    lead : str or None
+        Travel per turn, as ``"10 mm"``.
+    side : str
+        Where the position is measured, ``"motor"`` or ``"load"``.
+    notes : list of str
+        What reading the logs had to say; filled while they are read.
+    """
+
+    model: str
+    choices: tuple[LogChoice, ...]
+    axis: str | None = None
+    gain: str | None = None
+    cutoff: str = "100 Hz"
+    decimation: int = 10
+    validation: str | Path | None = None
+    position_gain: str | None = None
+    velocity_gain: str | None = None
+    lead: str | None = None
+    side: str = "motor"
+    notes: list[str] = field(default_factory=list)
+
+    def logs(self) -> list[Log]:
+        """Return all logs, read."""
+        found = [open_log(choice) for choice in self.choices]
+        for log in found:
+            self.notes.extend(note for note in log.notes if note not in self.notes)
+        return found
+
+    def records(self) -> list[AxisRecord]:
+        """Return the axis' signals of all logs."""
+        gain = self.force_gain()
+        return [axis_record(log, self.axis, gain) for log in self.logs()]
+
+    def record(self) -> AxisRecord:
+        """Return the axis' signals of the only log.
+
+        Raises
+        ------
+        ParameterError
+            If there are several.
+        """
+        if len(self.choices) > 1:
+            raise ParameterError("LOG", f"{len(self.choices)} logs", f"one: model {self.model} takes a single run")
+        return self.records()[0]
+
+    def force_gain(self) -> float | None:
+        """Return the force per command [N per unit of command], or None."""
+        return None if self.gain is None else per_command("--gain", self.gain, "N", 'a force per command, such as "35.15 N/V"')
+
+
+def per_command(option: str, text: str, top: str, wanted: str) -> float:
+    """Return a quantity per another, as ``"35.15 N/V"``, in SI.
+
+    Parameters
+    ----------
+    option, text : str
+    top : str
+        Unit of what stands above the stroke.
+    wanted : str
+        What would be right, in words.
+
+    Raises
+    ------
+    ParameterError
+        If it is no such quantity, or 0.
+    """
+    try:
+        number, unit = split(text)
+        above, _, below = unit.partition("/")
+        value = number * to_si(f"1 {above.strip()}", top) / to_si(f"1 {below.strip()}", below.strip())
+    except UnitError as error:
+        raise ParameterError(option, repr(text), wanted) from error
+    if not 0.0 < abs(value) < 1e12:
+        raise ParameterError(option, text, "other than 0")
+    return value

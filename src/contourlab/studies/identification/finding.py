@@ -1,0 +1,103 @@
+"""What a study of a log comes to, whatever the model: figures with deviations, a fit, remarks, pictures, tables of an axis file."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+__all__ = ["Figure", "Finding", "Graph", "Picture", "Tables", "bars"]
+
+Array = NDArray[np.float64]
+Tables = Mapping[str, Mapping[str, tuple[float | str, str, str]]]
+"""Of an axis file: by table and key the value in SI, its unit there, and where it is from."""
+
+
+@dataclass(frozen=True)
+class Figure:
+    """A number found from a log.
+
+    Attributes
+    ----------
+    name : str
+    value : float
+        In SI.
+    unit : str
+    deviation : float
+        Standard deviation for a white residual.
+    robust_deviation : float
+        The same for one that is correlated.
+    """
+
+    name: str
+    value: float
+    unit: str
+    deviation: float
+    robust_deviation: float
+
+
+@dataclass(frozen=True, eq=False)
+class Graph:
+    """Curves (x, y) on one pair of axes, each in the units of its label."""
+
+    x_label: str
+    y_label: str
+    curves: Mapping[str, tuple[Array, Array]]
+    log_x: bool = False
+    log_y: bool = False
+
+
+@dataclass(frozen=True, eq=False)
+class Picture:
+    """Graphs under one another over one x axis."""
+
+    key: str
+    title: str
+    graphs: tuple[Graph, ...]
+    caption: str = ""
+
+
+@dataclass(frozen=True, eq=False)
+class Finding:
+    """What a model's study found.
+
+    Attributes
+    ----------
+    model, axis : str
+    sources : tuple of str
+        Names of the logs.
+    figures : tuple of Figure
+    fit : float [percent]
+        100 (1 - |measured - model|/|measured - mean|).
+    usable : bool
+        False where the figures cannot be taken as they stand; then no axis file is written.
+    remarks : tuple of str
+    tables : Tables
+        Of the axis file; empty where there is nothing to write.
+    pictures : tuple of Picture
+    lines : tuple of str
+        What else to print.
+    more : mapping
+        What else to say in JSON.
+    """
+
+    model: str
+    axis: str
+    sources: tuple[str, ...]
+    figures: tuple[Figure, ...]
+    fit: float
+    usable: bool
+    remarks: tuple[str, ...] = ()
+    tables: Tables = field(default_factory=dict)
+    pictures: tuple[Picture, ...] = ()
+    lines: tuple[str, ...] = ()
+    more: Mapping[str, Any] = field(default_factory=dict)
+
+
+def bars(x: Array, y: Array, half: Array) -> tuple[Array, Array]:
+    """Return a curve of separate upright bars: measured points with their spread, as one line drawing has them."""
+    gap = np.full(x.size, np.nan)
+    return np.column_stack([x, x, gap]).ravel(), np.column_stack([y - half, y + half, gap]).ravel()

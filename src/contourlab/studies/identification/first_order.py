@@ -1,0 +1,172 @@
+"""Gain and damping of an axis out of a log: open loop, and closed behind its disturbance observer."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from contourlab.analysis.closed_first_order import identify_closed_loop
+from contourlab.analysis.first_order import FirstOrderFit, FirstOrderSettings, identify_first_order
+from contourlab.errors import ResultError
+from contourlab.studies.identification.finding import Figure, Finding, Graph, Picture, Tables
+from contourlab.studies.identification.signals import AxisRecord, measured_tables
+
+__all__ = ["identify_behind_observer", "identify_open_loop"]
+
+FULL_SCALE = "full_scale"
+
+
+def identify_open_loop(record: AxisRecord, settings: FirstOrderSettings | None = None) -> Finding:
+    """Find v' = -b v + a (u - friction) of an axis that its command drives in open loop.
+
+    Parameters
+    ----------
+    record : AxisRecord
+        With command and position.
+    settings : FirstOrderSettings, optional
+
+    Raises
+    ------
+    ResultError
+        If the log has no command.
+    ParameterError
+        As of `contourlab.analysis.first_order.identify_first_order`.
+    """
+    fit = identify_first_order(record.time, record.driven(), record.position, settings)
+    unit = record.unit
+    units = {"a": _over("m/s^2", unit), "b": "1/s", "friction": unit, "offset": unit, "delay": "s", "start": "m/s"}
+    figures = _figures(fit, units, {name: name for name in units})
+    pictures = _pictures(fit, "velocity", f"Velocity of axis {record.axis}, {record.source}", ("velocity [mm/s]", "command"))
+    lines = (f"velocity over {fit.smoothing} samples; steady {1e3 * fit['a'] / max(fit['b'], 1e-12):.4g} mm/s per {unit or 'command'}",)
+    return Finding(
+        "first-order",
+        record.axis,
+        (record.source,),
+        figures,
+        fit.found.fit,
+        fit.usable,
+        fit.remarks,
+        _tables(record, fit) if fit.usable else {},
+        pictures,
+        lines,
+        {"condition_number": fit.found.condition_number, "smoothing": fit.smoothing},
+    )
+
+
+def identify_behind_observer(record: AxisRecord, gains: tuple[float, float, str] | None) -> Finding:
+    """Find a' and b' of an axis behind its disturbance observer.
+
+    Parameters
+    ----------
+    record : AxisRecord
+        With reference and position where gains are given; else with the command and the disturbance estimate that was taken off it.
+    gains : (K_P, K_V, unit of the command) or None [command/m, command s/m]
+        Of the loop as it ran (eq 18); None to go from the command before the observer to the position.
+
+    Raises
+    ------
+    ResultError
+        If a signal is missing.
+    ParameterError
+        As of the identifications.
+    """
+    if gains is not None:
+        fit = identify_closed_loop(record.time, record.asked(), record.position, *gains[:2])
+        unit, quantity, said = gains[2], ("position [mm]", "reference [mm]"), "eq 18, from the reference"
+        remarks = fit.remarks
+    else:
+        if record.estimate is None:
+            raise ResultError(
+                f"no disturbance_estimate of {record.axis} in {record.source}: give --position-gain and --velocity-gain of the loop, "
+                "or the column of what the observer takes off the command"
+            )
+        ahead = record.driven() + record.estimate
+        fit = identify_first_order(record.time, ahead, record.position, FirstOrderSettings(friction=False))
+        unit, quantity, said = record.unit, ("velocity [mm/s]", "command"), "from the command ahead of the observer"
+        remarks = (
+            *fit.remarks,
+            "the loop feeds noise and friction back into this command: K_P and K_V given, the reference is a better input",
+        )
+    units = {"a": _over("m/s^2", unit), "b": "1/s", "delay": "s", "start": "m/s"}
+    what = quantity[0].partition(" ")[0]
+    pictures = _pictures(fit, what, f"{what.capitalize()} of axis {record.axis}, {record.source}", quantity)
+    return Finding(
+        "closed-loop",
+        record.axis,
+        (record.source,),
+        _figures(fit, units, {"a": "a'", "b": "b'", "delay": "delay", "start": "start"}),
+        fit.found.fit,
+        fit.usable,
+        remarks,
+        {},
+        pictures,
+        (said, "for a controller's model_gain and model_damping, not for a plant"),
+        {"condition_number": fit.found.condition_number},
+    )
+
+
+def _over(top: str, unit: str) -> str:
+    return f"{top}/{unit}" if unit else top
+
+
+def _figures(fit: FirstOrderFit, units: dict[str, str], called: dict[str, str]) -> tuple[Figure, ...]:
+    found = fit.found
+    rows = zip(found.names, found.values.tolist(), found.deviations.tolist(), found.robust_deviations.tolist(), strict=True)
+    return tuple(Figure(called[name], value, units[name], white, robust) for name, value, white, robust in rows)
+
+
+def _pictures(fit: FirstOrderFit, key: str, title: str, labels: tuple[str, str]) -> tuple[Picture, ...]:
+    time, measured, model = fit.time, 1e3 * fit.found.measured, 1e3 * fit.found.predicted
+    curves = {"measured": (time, measured), "model": (time, model)}
+    given = 1e3 * fit.command if labels[1].endswith("[mm]") else fit.command
+    unit = labels[0].partition(" ")[2]
+    return (
+        Picture(key, title, (Graph("time [s]", labels[0], curves), Graph("time [s]", labels[1], {"given": (time, given)}))),
+        Picture(
+            "residual",
+            f"What the model leaves of the {key}",
+            (Graph("time [s]", f"residual {unit}", {"residual": (time, measured - model)}),),
+        ),
+    )
+
+
+def _tables(record: AxisRecord, fit: FirstOrderFit) -> Tables:
+    """Return the axis: in newtons where the command is a force, else in parts of full scale."""
+    source = f"fitted to {record.source}"
+    a, b, friction, offset = fit["a"], fit["b"], fit["friction"], fit["offset"]
+    largest = float(np.abs(record.driven()).max())
+
+    def told(name: str, scale: float, unit: str) -> str:
+        spread = scale * (fit.found.deviation(name) if name in fit.found.names else 0.0)
+        return (
+            f"{source}, +- {spread:.3g} {unit} (one standard deviation)" if name in fit.found.names else f"none told from {record.source}"
+        )
+
+    if record.unit == "N":
+        mass = 1.0 / a
+        plant: dict[str, tuple[float | str, str, str]] = {
+            "kind": ("mass-damper", "", ""),
+            "mass": (mass, "kg", told("a", mass / a, "kg")),
+            "damping": (b * mass, "N*s/m", told("b", mass, "N s/m")),
+            "force_constant": (1.0, "N/A", "the command is counted as newtons"),
+        }
+        scale, unit, drive = 1.0, "N", (largest, "A", f"the largest in {record.source}, no limit of the drive")
+    else:
+        scale = 1.0 if record.unit in ("", FULL_SCALE) else largest
+        own = "" if scale == 1.0 else f"; full scale is the largest command in it, {largest:.4g} {record.unit}, assumed"
+        plant = {
+            "kind": ("rigid-axis", "", ""),
+            "gain": (a * scale, f"m/s^2/{FULL_SCALE}", told("a", scale, f"m/s^2/{FULL_SCALE}") + own),
+            "damping": (b, "1/s", told("b", 1.0, "1/s")),
+        }
+        unit, drive = FULL_SCALE, (1.0, FULL_SCALE, "full scale")
+    tables: dict[str, dict[str, tuple[float | str, str, str]]] = {
+        "plant": plant,
+        "friction": {"kind": ("coulomb", "", ""), "coulomb": (friction / scale, unit, told("friction", 1.0 / scale, unit))},
+        "disturbance": {"kind": ("constant", "", ""), "force": (offset / scale, unit, told("offset", 1.0 / scale, unit))},
+        "drive": {"kind": ("saturation", "", ""), "limit": drive},
+        **measured_tables(record),
+    }
+    if fit["delay"] > 0.0:
+        delayed = (fit["delay"], "s", told("delay", 1.0, "s"))
+        tables["drive"] = {"kind": ("delayed-saturation", "", ""), "limit": drive, "delay": delayed}
+    return tables

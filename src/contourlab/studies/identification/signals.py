@@ -1,0 +1,133 @@
+"""One axis of a log: its signals, their units, and what an axis file says of every measured axis."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from contourlab.errors import ResultError
+from contourlab.logs import Log
+from contourlab.result import Result
+
+__all__ = ["AxisRecord", "axis_record", "measured_tables"]
+
+Array = NDArray[np.float64]
+POSITIONS = ("position", "motor_position", "axis_position")
+
+
+@dataclass(frozen=True, eq=False)
+class AxisRecord:
+    """The signals of one axis of a log.
+
+    Attributes
+    ----------
+    source, axis : str
+    period : float [s]
+    position : ndarray (n,) [m]
+    command : ndarray (n,)
+        Force [N] where the log has it or a gain was given; else the command in its own unit, or None without one.
+    unit : str
+        Of the command.
+    reference : ndarray (n,) or None [m]
+    estimate : ndarray (n,) or None
+        Disturbance that an observer took off the command.
+    """
+
+    source: str
+    axis: str
+    period: float
+    position: Array
+    command: Array | None
+    unit: str
+    reference: Array | None
+    estimate: Array | None
+
+    @property
+    def time(self) -> Array:
+        """Times of the samples [s], from 0."""
+        return np.asarray(self.period * np.arange(self.position.size))
+
+    def driven(self) -> Array:
+        """Return the command.
+
+        Raises
+        ------
+        ResultError
+            If the log has none.
+        """
+        if self.command is None:
+            raise ResultError(f"no force and no command of {self.axis} in {self.source}: say --column 'command.{self.axis}=NAME [V]'")
+        return self.command
+
+    def asked(self) -> Array:
+        """Return the reference.
+
+        Raises
+        ------
+        ResultError
+            If the log has none.
+        """
+        if self.reference is None:
+            raise ResultError(f"no reference of {self.axis} in {self.source}: say --column 'reference.{self.axis}=NAME [mm]'")
+        return self.reference
+
+
+def axis_record(log: Log, axis: str | None = None, gain: float | None = None) -> AxisRecord:
+    """Return the signals of an axis of a log.
+
+    Parameters
+    ----------
+    log : Log
+    axis : str, optional
+        By default the only one that the log has.
+    gain : float [N per unit of command], optional
+
+    Raises
+    ------
+    ResultError
+        If the log has several axes and none is named, or no position.
+    """
+    result = log.result
+    if axis is None and len(result.axes) == 1:
+        axis = result.axes[0]
+    if axis not in result.axes:
+        said = "which axis?" if axis is None else f"no axis {axis} in {result.scheme}:"
+        raise ResultError(f"{said} There are {', '.join(result.axes)}: name one with --axis")
+    column = result.axes.index(axis)
+
+    def of(name: str) -> Array | None:
+        values = result[name][:, column] if name in result else None
+        return None if values is None or not np.isfinite(values).any() else values
+
+    position = next((values for name in POSITIONS if (values := of(name)) is not None), None)
+    if position is None:
+        raise ResultError(f"no position of {axis} in {result.scheme}: say --column 'position.{axis}=NAME [mm]'")
+    command, unit = of("command"), _unit(result, "command")
+    if gain is not None and command is not None:
+        command, unit = gain * command, "N"
+    elif gain is None and of("force") is not None:
+        command, unit = of("force"), "N"
+    return AxisRecord(log.record.file.name, axis, result.servo_period, position, command, unit, of("reference"), of("disturbance_estimate"))
+
+
+def _unit(result: Result, name: str) -> str:
+    return result.signals[name].unit if name in result else ""
+
+
+def measured_tables(record: AxisRecord) -> dict[str, dict[str, tuple[float | str, str, str]]]:
+    """Return the tables of an axis file that any log tells: encoder and limits; these are what was reached, and are called so."""
+    steps = np.abs(np.diff(record.position))
+    stride = max(1, round(0.002 / record.period))
+    speed = np.abs(np.diff(record.position[::stride])) / (stride * record.period)
+    reached = f"the largest in {record.source}, no limit of the axis"
+    tables: dict[str, dict[str, tuple[float | str, str, str]]] = {
+        "limits": {"velocity": (float(speed.max()) if speed.size else 0.0, "m/s", reached)},
+    }
+    if steps.any():
+        tables["sensor"] = {
+            "kind": ("encoder", "", ""),
+            "resolution": (float(steps[steps > 1e-12].min()), "m", f"the smallest step in {record.source}"),
+        }
+    return tables
