@@ -71,17 +71,21 @@ def axis_file(found: Finding) -> str:
             key: value if isinstance(value, str) else Noted(f"{from_si(value, SHOWN.get(unit, unit)):.6g} {SHOWN.get(unit, unit)}", note)
             for key, (value, unit, note) in rows.items()
         }
-    head = [f"# Axis {found.axis}, model {found.model}, identified from {', '.join(found.sources)}: fit {found.fit:.4g} %."]
+    head = [f"# Axis {found.axis}, model {found.model}, identified from {_named(found.sources)}: fit {found.fit:.4g} %."]
     if "plant" not in tables:
         head.append("# Tables of an axis file; what is not in these logs is to be added.")
     head += [f"# {remark}" for remark in found.remarks]
     return "\n".join(head) + "\n\n" + toml(tables)
 
 
+def _named(sources: Sequence[str]) -> str:
+    return ", ".join(sources) if len(sources) <= 3 else f"{', '.join(sources[:2])} and {len(sources) - 2} more"
+
+
 def _text(found: Finding, notes: Sequence[str]) -> str:
     rows = [("parameter", "value", "unit", "deviation", "with colour", "%"), *(_cells(figure) for figure in found.figures)]
     widths = [max(len(row[i]) for row in rows) for i in range(len(rows[0]))]
-    lines = [f"{', '.join(found.sources)}, axis {found.axis}"]
+    lines = [f"{_named(found.sources)}, axis {found.axis}"]
     lines += ["  ".join(c.ljust(w) if i in (0, 2) else c.rjust(w) for i, (c, w) in enumerate(zip(r, widths, strict=True))) for r in rows]
     lines += [f"fit {found.fit:.4g} %", *found.lines]
     lines += [f"note: {remark}" for remark in (*found.remarks, *notes)]

@@ -1,0 +1,181 @@
+"""Stretches of a record in which an axis moves at a constant speed, and what its drive gives there on the mean.
+
+At a constant speed nothing is spent on acceleration, so that the mean force is friction, and over a whole number of turns ripple is out of it.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from contourlab.errors import ParameterError
+
+__all__ = ["Stretch", "StretchSettings", "constant_speed_stretches"]
+
+Array = NDArray[np.float64]
+BATCHES = 8
+"""Parts of a stretch whose means tell how well its mean is known, ripple and all."""
+TURN = 0.08
+"""Share of a straight line at its end that belongs to the turn after it."""
+FEWEST = 40
+"""Fewest samples of a stretch."""
+
+
+@dataclass(frozen=True)
+class StretchSettings:
+    """What counts as constant speed.
+
+    Attributes
+    ----------
+    dropped : float
+        Share of a stretch that is left to settling at its start.
+    tolerance : float
+        Largest difference of speed between the halves of what remains, as a share of the speed.
+    shortest : float [s]
+        What has to remain.
+    straightness : float
+        Without a reference: how far the position may stray from straight lines, as a share of the whole way.
+    """
+
+    dropped: float = 0.25
+    tolerance: float = 0.15
+    shortest: float = 0.2
+    straightness: float = 0.02
+
+    def __post_init__(self) -> None:
+        bounds = {"dropped": 0.9, "tolerance": 1.0, "shortest": 1e4, "straightness": 0.2}
+        for name, high in bounds.items():
+            value = getattr(self, name)
+            if not 0.0 < value < high:
+                raise ParameterError(name, f"{value:g}", f"> 0 and < {high:g}")
+
+
+@dataclass(frozen=True)
+class Stretch:
+    """A stretch of constant speed.
+
+    Attributes
+    ----------
+    start, stop : int
+        Samples.
+    speed : float [m/s]
+        Signed, end to end.
+    command : float
+        Mean.
+    scatter : float
+        Standard deviation of the command within: ripple, oscillation and noise.
+    deviation : float
+        Standard deviation of the mean, from the means of parts.
+    count : int
+        Samples.
+    source : str
+    """
+
+    start: int
+    stop: int
+    speed: float
+    command: float
+    scatter: float
+    deviation: float
+    count: int
+    source: str = ""
+
+
+def constant_speed_stretches(
+    period: float,
+    position: Array,
+    command: Array,
+    reference: Array | None = None,
+    settings: StretchSettings | None = None,
+    source: str = "",
+) -> list[Stretch]:
+    """Find the stretches of constant speed of a record.
+
+    Parameters
+    ----------
+    period : float [s]
+    position : ndarray (n,) [m]
+    command : ndarray (n,)
+    reference : ndarray (n,) [m], optional
+        With it the stretches are those in which it has one speed, less the time that the axis takes to settle; else they are told from
+        the position.
+    settings : StretchSettings, optional
+    source : str
+        Name of the record.
+
+    Raises
+    ------
+    ParameterError
+        If the record is not finite.
+    """
+    chosen = settings or StretchSettings()
+    for name, values in (("position", position), ("command", command), ("reference", position if reference is None else reference)):
+        bad = np.flatnonzero(~np.isfinite(values))
+        if bad.size:
+            raise ParameterError(name, f"{values[bad[0]]} at sample {bad[0]}", "finite")
+    shortest = max(round(chosen.shortest / period), FEWEST)
+    spans = _spans_of_position(position, chosen) if reference is None else _spans_of_reference(reference, shortest)
+    found = []
+    for start, stop in spans:
+        settled = start + math.ceil(chosen.dropped * (stop - start))
+        if stop - settled >= shortest and _is_even(position[settled:stop], chosen.tolerance):
+            found.append(_stretch(period, position, command, settled, stop, source))
+    return found
+
+
+def _runs(steady: NDArray[np.bool_]) -> list[tuple[int, int]]:
+    """Return the spans [start, stop) of samples that are true."""
+    edges = np.flatnonzero(np.diff(np.r_[False, steady, False].astype(np.int8)))
+    return list(zip(edges[::2].tolist(), edges[1::2].tolist(), strict=True))
+
+
+def _spans_of_reference(reference: Array, shortest: int) -> list[tuple[int, int]]:
+    """Return where the reference moves evenly: where its slope over a few samples is the same on both sides."""
+    step = max(1, shortest // 8)
+    slope = (reference[step:] - reference[:-step]) / step
+    n = slope.size - step
+    if n <= 0:
+        return []
+    ahead, behind = slope[step:], slope[:n]
+    fastest = float(np.abs(slope).max())
+    steady = (np.abs(ahead - behind) <= 1e-2 * np.abs(behind)) & (np.abs(behind) > 1e-3 * fastest)
+    return [(start, stop + 2 * step - 1) for start, stop in _runs(steady) if stop - start + 2 * step > shortest]
+
+
+def _spans_of_position(position: Array, settings: StretchSettings) -> list[tuple[int, int]]:
+    """Return where the position is a straight line over time: the sides of the polygon that keeps within a tolerance of it."""
+    stride = max(1, position.size // 4000)
+    places = position[::stride]
+    whole = float(np.ptp(places))
+    if whole == 0.0:
+        return []
+    spans, waiting = [], [(0, places.size - 1)]
+    while waiting:
+        first, last = waiting.pop()
+        line = np.linspace(places[first], places[last], last - first + 1)
+        apart = np.abs(places[first : last + 1] - line)
+        worst = int(np.argmax(apart))
+        if apart[worst] > settings.straightness * whole:
+            waiting += [(first + worst, last), (first, first + worst)]
+        elif abs(places[last] - places[first]) > 4.0 * settings.straightness * whole:
+            # A corner of the polygon lies on either side of the turn that it stands for.
+            spans.append((first * stride, last * stride - round(TURN * (last - first) * stride)))
+    return spans
+
+
+def _is_even(position: Array, tolerance: float) -> bool:
+    """Tell whether both halves go at one speed, which is not zero."""
+    half = position.size // 2
+    first, second = position[half] - position[0], position[2 * half - 1] - position[half - 1]
+    return bool(first * second > 0.0 and abs(second - first) <= tolerance * abs(first + second) / 2.0)
+
+
+def _stretch(period: float, position: Array, command: Array, start: int, stop: int, source: str) -> Stretch:
+    given = command[start:stop]
+    parts = np.array([part.mean() for part in np.array_split(given, BATCHES)])
+    speed = float(position[stop - 1] - position[start]) / (period * (stop - 1 - start))
+    deviation = float(parts.std(ddof=1)) / math.sqrt(BATCHES)
+    return Stretch(start, stop, speed, float(given.mean()), float(given.std()), deviation, stop - start, source)

@@ -1,0 +1,117 @@
+"""Stretches of constant speed are found, and friction of a known kind is told from them, no more and no less."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from numpy.typing import NDArray
+
+from contourlab.analysis.constant_speed import StretchSettings, constant_speed_stretches
+from contourlab.analysis.friction_curve import fit_friction
+from contourlab.errors import ParameterError
+
+Array = NDArray[np.float64]
+SPEEDS = np.array([1, 2, 4, 8, 15, 30, 60, 100, 150, 200]) * 1e-3
+BOTH = np.r_[SPEEDS, -SPEEDS]
+SPREAD = 0.003
+
+
+def noisy(u: Array, seed: int = 0) -> Array:
+    return u + SPREAD * np.random.default_rng(seed).normal(size=u.size)
+
+
+def stribeck(v: Array, drop: float = 0.25, vs: float = 0.01) -> Array:
+    return np.sign(v) * (0.3 + drop * np.exp(-((v / vs) ** 2))) + 2.0 * v - 0.02
+
+
+def test_there_and_back_is_two_stretches() -> None:
+    """A triangle with a settling motion and ripple on it: one stretch each way, its speed and mean known."""
+    period = 1e-3
+    t = period * np.arange(6000)
+    reference = np.interp(t, [0.0, 0.5, 2.5, 4.5, 6.0], [0.0, 0.0, 0.1, 0.0, 0.0])
+    position = reference + 2e-4 * np.exp(-10.0 * np.abs(t - 2.5)) + 1e-4 * np.sin(2 * np.pi * reference / 0.01)
+    command = 0.4 * np.sign(np.gradient(reference)) + 0.05 * np.sin(2 * np.pi * reference / 0.01)
+    for asked in (reference, None):
+        found = sorted(constant_speed_stretches(period, position, command, asked, source="log"), key=lambda s: s.speed)
+        assert [round(s.speed, 4) for s in found] == pytest.approx([-0.05, 0.05], rel=0.02)
+        assert [s.command for s in found] == pytest.approx([-0.4, 0.4], abs=0.012)
+        assert all(s.scatter == pytest.approx(0.05 / np.sqrt(2.0), rel=0.1) and s.source == "log" for s in found)
+        assert all(s.count > 1000 for s in found)
+
+
+def test_a_motion_without_constant_speed_has_no_stretch() -> None:
+    t = 1e-3 * np.arange(4000)
+    place = 0.05 * np.sin(2.0 * np.pi * 0.5 * t)
+    assert constant_speed_stretches(1e-3, place, place, place) == []
+    assert constant_speed_stretches(1e-3, np.zeros(4000), place) == []
+    with pytest.raises(ParameterError, match="finite"):
+        constant_speed_stretches(1e-3, np.where(t > 1.0, np.nan, place), place)
+    with pytest.raises(ParameterError, match="dropped"):
+        StretchSettings(dropped=1.5)
+
+
+@pytest.mark.parametrize(
+    ("law", "name", "true"),
+    [
+        (lambda v: 0.3 * np.sign(v) + 0.05, "Coulomb", {"Fc": 0.3, "offset": 0.05}),
+        (lambda v: 0.3 * np.sign(v) + 2.0 * v, "Coulomb and viscous", {"Fc": 0.3, "Fv": 2.0, "offset": 0.0}),
+        (
+            lambda v: np.where(v > 0.0, 0.3 + 2.0 * v, -0.4 + 3.0 * v),
+            "Coulomb and viscous by direction",
+            {"Fc+": 0.3, "Fv+": 2.0, "Fc-": 0.4, "Fv-": 3.0},
+        ),
+        (stribeck, "Coulomb, viscous and Stribeck", {"Fc": 0.3, "Fv": 2.0, "drop": 0.25, "offset": -0.02, "vs": 0.01}),
+    ],
+)
+def test_the_kind_of_friction_is_told(law, name, true) -> None:  # type: ignore[no-untyped-def]
+    fit = fit_friction(BOTH, noisy(law(BOTH)), np.full(BOTH.size, SPREAD))
+    assert fit.chosen.model.name == name and fit.usable
+    for parameter, value in true.items():
+        assert abs(fit.chosen[parameter] - value) < 4.0 * fit.chosen.deviation(parameter), parameter
+    assert fit.chosen.fit > 95.0 and name in fit.remarks[0]
+    np.testing.assert_allclose(fit.chosen.at(BOTH), fit.chosen.predicted, atol=1e-12)
+
+
+def test_no_slow_run_no_stribeck() -> None:
+    """The dip lies below 20 mm/s; of runs above 60 mm/s nothing of it is claimed, and it is said how far down the runs go."""
+    fast = BOTH[np.abs(BOTH) >= 0.06]
+    fast = np.r_[fast, 0.9 * fast]
+    fit = fit_friction(fast, noisy(stribeck(fast)), np.full(fast.size, SPREAD))
+    assert not fit.chosen.model.stribeck
+    assert any("no Stribeck effect is told: the slowest run is at 54 mm/s" in said for said in fit.remarks)
+
+
+def test_a_concave_curve_is_called_so() -> None:
+    fit = fit_friction(BOTH, noisy(stribeck(BOTH, -0.15, 0.05)), np.full(BOTH.size, SPREAD))
+    assert fit.chosen["drop"] == pytest.approx(-0.15, abs=0.03)
+    assert any(said.startswith("concave") for said in fit.remarks)
+
+
+def test_scatter_between_runs_is_found_beside_that_within() -> None:
+    u = 0.3 * np.sign(BOTH) + 2.0 * BOTH + 0.02 * np.random.default_rng(3).normal(size=BOTH.size)
+    fit = fit_friction(BOTH, u, np.full(BOTH.size, 1e-4))
+    assert 0.01 < fit.chosen.scatter < 0.03
+    assert abs(fit.chosen["Fc"] - 0.3) < 4.0 * fit.chosen.deviation("Fc")
+
+
+def test_deviations_hold_over_many_sets_of_runs() -> None:
+    inside = 0
+    for seed in range(30):
+        v = BOTH[::2]
+        u = 0.3 * np.sign(v) + 2.0 * v + 0.02 * np.random.default_rng(seed).normal(size=v.size)
+        curve = next(c for c in fit_friction(v, u, np.full(v.size, 1e-4)).tried if c.model.name == "Coulomb and viscous")
+        inside += abs(curve["Fv"] - 2.0) < 2.0 * curve.deviation("Fv")
+    assert 24 <= inside <= 30
+
+
+def test_what_is_no_friction_is_refused() -> None:
+    u = 0.3 * np.sign(BOTH) + 2.0 * BOTH
+    spread = np.full(BOTH.size, SPREAD)
+    with pytest.raises(ParameterError, match="counted the other way round"):
+        fit_friction(BOTH, -u, spread)
+    with pytest.raises(ParameterError, match="at least 3"):
+        fit_friction(BOTH[:2], u[:2], spread[:2])
+    with pytest.raises(ParameterError, match="finite"):
+        fit_friction(BOTH, np.where(BOTH > 0.1, np.nan, u), spread)
+    one_way = fit_friction(SPEEDS, noisy(0.3 + 2.0 * SPEEDS), spread[: SPEEDS.size])
+    assert any("one direction only" in said for said in one_way.remarks)
