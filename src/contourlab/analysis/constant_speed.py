@@ -1,6 +1,6 @@
 """Stretches of a record in which an axis moves at a constant speed, and what its drive gives there on the mean.
 
-At a constant speed nothing is spent on acceleration, so that the mean force is friction, and over a whole number of turns ripple is out of it.
+At a constant speed nothing is spent on acceleration, so that the mean force is friction; over whole turns ripple is out of it.
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""A friction curve through points of constant speed: Coulomb, viscous, Stribeck, alike or by direction, and which of them the points ask for.
+"""A friction curve through points of constant speed: Coulomb, viscous, Stribeck, alike or by direction, as far as the points ask for it.
 
 Each point has a deviation of its own, and all share a scatter between runs that is found along with the curve by maximum likelihood. Among
 the models the one with the least corrected Akaike criterion is taken, or a simpler one within 2 of it; a curve with friction below zero is
@@ -172,7 +172,7 @@ def _weighted(columns: Array, u: Array, s: Array, precision: float = 1e-3) -> tu
     def solved(tau: float) -> tuple[Array, float]:
         variance = s**2 + tau**2
         w = 1.0 / np.sqrt(variance)
-        x = np.linalg.lstsq(columns * w[:, None], u * w, rcond=None)[0]
+        x = np.asarray(np.linalg.lstsq(columns * w[:, None], u * w, rcond=None)[0], dtype=float)
         left = u - columns @ x
         return x, float(np.sum(np.log(2.0 * math.pi * variance) + left**2 / variance))
 
@@ -190,7 +190,7 @@ def _fitted(model: FrictionModel, v: Array, u: Array, s: Array, both: bool) -> F
         return None
     count = _columns(model, v, 1.0, both)[1].shape[1] + model.stribeck
     speeds = np.unique(np.round(np.abs(v) / np.abs(v).max(), 2))
-    if v.size < count + 3 and not (count <= 2 and v.size >= count + 1) or speeds.size < 1 + model.viscous + 2 * model.stribeck:
+    if (v.size < count + 3 and not (count <= 2 and v.size >= count + 1)) or speeds.size < 1 + model.viscous + 2 * model.stribeck:
         return None
     vs = _stribeck_velocity(model, v, u, s, both) if model.stribeck else 0.0
     names, columns = _columns(model, v, vs, both)

@@ -14,6 +14,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -81,7 +82,7 @@ class OutputFit:
         return float(self.robust_deviations[self.names.index(name)])
 
 
-def fit_percent(measured: Array, predicted: Array) -> float:
+def fit_percent(measured: NDArray[Any], predicted: NDArray[Any]) -> float:
     """Return 100 (1 - |measured - predicted|/|measured - mean of measured|), of real or complex values."""
     spread = float(np.linalg.norm(measured - measured.mean()))
     if spread == 0.0:

@@ -71,7 +71,8 @@ def axis_file(found: Finding) -> str:
             key: value if isinstance(value, str) else Noted(f"{from_si(value, SHOWN.get(unit, unit)):.6g} {SHOWN.get(unit, unit)}", note)
             for key, (value, unit, note) in rows.items()
         }
-    head = [f"# Axis {found.axis}, model {found.model}, identified from {_named(found.sources)}: fit {found.fit:.4g} %."]
+    worth = "" if found.fit is None else f": fit {found.fit:.4g} %"
+    head = [f"# Axis {found.axis}, model {found.model}, identified from {_named(found.sources)}{worth}."]
     if "plant" not in tables:
         head.append("# Tables of an axis file; what is not in these logs is to be added.")
     head += [f"# {remark}" for remark in found.remarks]
@@ -86,8 +87,9 @@ def _text(found: Finding, notes: Sequence[str]) -> str:
     rows = [("parameter", "value", "unit", "deviation", "with colour", "%"), *(_cells(figure) for figure in found.figures)]
     widths = [max(len(row[i]) for row in rows) for i in range(len(rows[0]))]
     lines = [f"{_named(found.sources)}, axis {found.axis}"]
+    rows = rows if found.figures else []
     lines += ["  ".join(c.ljust(w) if i in (0, 2) else c.rjust(w) for i, (c, w) in enumerate(zip(r, widths, strict=True))) for r in rows]
-    lines += [f"fit {found.fit:.4g} %", *found.lines]
+    lines += [*([f"fit {found.fit:.4g} %"] if found.fit is not None else []), *found.lines]
     lines += [f"note: {remark}" for remark in (*found.remarks, *notes)]
     return "\n".join(lines)
 
@@ -134,6 +136,6 @@ def _chart(picture: Picture) -> Any:
     for graph in picture.graphs:
         count = len(graph.curves)
         curves = tuple(Curve(x, y, name, *scheme_style(i, max(count, 2))) for i, (name, (x, y)) in enumerate(graph.curves.items()))
-        levels = () if graph.log_y else (Level(0.0, ""),)
+        levels = () if graph.log_x else (Level(0.0, ""),)
         panels.append(Panel(graph.x_label, graph.y_label, curves, levels, log_x=graph.log_x, log_y=graph.log_y))
     return Chart(picture.key, picture.title, picture.caption, tuple(panels))

@@ -29,6 +29,9 @@ MODELS = {
     "friction": Model("friction", "friction curve from stretches of constant speed"),
     "first-order": Model("first_order", "gain a and damping b, friction and delay, from steps or random commands"),
     "closed-loop": Model("closed_loop", "a' and b' behind a disturbance observer"),
+    "frequency-response": Model("frequency", "position over command from sines, a chirp, noise or a multisine"),
+    "linear-motor": Model("frequency", "mass, damping and delay fitted to the frequency response"),
+    "two-inertia": Model("frequency", "motor, load and shaft fitted to the frequency response"),
 }
 """By name, in the order in which they are told."""
 

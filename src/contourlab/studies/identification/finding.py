@@ -70,8 +70,8 @@ class Finding:
     sources : tuple of str
         Names of the logs.
     figures : tuple of Figure
-    fit : float [percent]
-        100 (1 - |measured - model|/|measured - mean|).
+    fit : float or None [percent]
+        100 (1 - |measured - model|/|measured - mean|); None where nothing is fitted.
     usable : bool
         False where the figures cannot be taken as they stand; then no axis file is written.
     remarks : tuple of str
@@ -88,7 +88,7 @@ class Finding:
     axis: str
     sources: tuple[str, ...]
     figures: tuple[Figure, ...]
-    fit: float
+    fit: float | None
     usable: bool
     remarks: tuple[str, ...] = ()
     tables: Tables = field(default_factory=dict)

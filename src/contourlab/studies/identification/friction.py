@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 
 import numpy as np
@@ -76,8 +77,8 @@ def _by_log(records: Sequence[AxisRecord]) -> list[str]:
 
 def _units(unit: str) -> dict[str, str]:
     force = unit or "command"
-    plain = {name: force for name in ("Fc", "Fc+", "Fc-", "drop", "drop+", "drop-", "offset")}
-    return {**plain, **{name: f"{force}*s/m" for name in ("Fv", "Fv+", "Fv-")}, "vs": "m/s"}
+    plain = dict.fromkeys(("Fc", "Fc+", "Fc-", "drop", "drop+", "drop-", "offset"), force)
+    return {**plain, **dict.fromkeys(("Fv", "Fv+", "Fv-"), f"{force}*s/m"), "vs": "m/s"}
 
 
 def _figures(curve: FrictionCurve, unit: str) -> tuple[Figure, ...]:
@@ -134,7 +135,7 @@ def _mean(curve: FrictionCurve, name: str) -> tuple[float, float]:
     if not curve.model.directed:
         return curve[name], curve.deviation(name)
     pair = (f"{name}+", f"{name}-")
-    return 0.5 * sum(curve[part] for part in pair), 0.5 * float(np.hypot(*(curve.deviation(part) for part in pair)))
+    return 0.5 * sum(curve[part] for part in pair), 0.5 * math.hypot(*(curve.deviation(part) for part in pair))
 
 
 def _tables(curve: FrictionCurve, unit: str, records: Sequence[AxisRecord]) -> Tables:

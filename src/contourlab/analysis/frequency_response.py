@@ -1,0 +1,232 @@
+"""Frequency response of an axis, position over command, from measured runs: random, chirp, periodic; open loop, or closed by a reference.
+
+In a closed loop noise comes back into the command, so that position over command is drawn towards minus one over the controller. With the
+reference, which knows nothing of the noise, the plant is the ratio of two cross-spectra instead: reference to position over reference to
+command. Position is differenced first, since an axis drifts; the difference is divided out again, exactly.
+
+References
+----------
+Bendat & Piersol, "Random Data", 4th ed., sections 6.2 and 9.2, for H1, coherence and their deviations; Ljung, "System Identification",
+2nd ed., section 13.5, for joint input-output identification; Pintelon & Schoukens, "System Identification: a frequency domain approach",
+2nd ed., section 2.7, for periodic excitation.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from contourlab.errors import ParameterError
+
+__all__ = ["Measured", "MeasuredResponse", "difference_gain", "period_of", "periodic_response", "spectral_response"]
+
+Array = NDArray[np.float64]
+Complex = NDArray[np.complex128]
+SEGMENTS = 8
+"""Segments of a record, before their overlap, over which spectra are averaged."""
+EXCITED = 1e-5
+"""Share of the largest power of the excitation below which a frequency counts as not excited."""
+REPEATS = 1e-3
+"""Share of its size within which an excitation counts as repeating."""
+HANN_OVERLAP = 1.0 / 1.056
+"""Independent averages per segment of Hann windows that overlap by half."""
+
+
+@dataclass(frozen=True, eq=False)
+class Measured:
+    """A run: command, position [m] and, where the loop was closed, the reference or another signal from outside; evenly sampled."""
+
+    period: float
+    command: Array
+    position: Array
+    outside: Array | None = None
+
+    def __post_init__(self) -> None:
+        for name in ("command", "position", "outside"):
+            values = getattr(self, name)
+            if values is None:
+                continue
+            if values.shape != self.position.shape or values.ndim != 1:
+                raise ParameterError(name, f"shape {values.shape}", f"as long as the position, {self.position.shape}")
+            bad = np.flatnonzero(~np.isfinite(values))
+            if bad.size:
+                raise ParameterError(name, f"{values[bad[0]]} at sample {bad[0]}", "finite")
+            if not np.ptp(values) > 0.0:
+                raise ParameterError(name, f"{values[0]:g} throughout", "a record in which it changes")
+
+
+@dataclass(frozen=True, eq=False)
+class MeasuredResponse:
+    """Position over command at some frequencies.
+
+    Attributes
+    ----------
+    frequency : ndarray (n,) [Hz]
+    response : complex ndarray (n,) [m per command]
+        Of the samples: the hold of the command is in it.
+    deviation : ndarray (n,)
+        Standard deviation of the response's size, relative; that of the phase in rad.
+    coherence : ndarray (n,)
+        Between 0 and 1: the share of the motion that goes with the excitation.
+    method : str
+        In words.
+    period : float [s]
+        Of the samples.
+    distortion : ndarray (n,)
+        Of sines: harmonics of the velocity over its fundamental; not a number otherwise.
+    remarks : tuple of str
+    """
+
+    frequency: Array
+    response: Complex
+    deviation: Array
+    coherence: Array
+    method: str
+    period: float
+    distortion: Array
+    remarks: tuple[str, ...] = field(default=())
+
+    @property
+    def velocity(self) -> Complex:
+        """Velocity over command, (n,) [m/s per command]."""
+        return np.asarray(2j * np.pi * self.frequency * self.response)
+
+
+def difference_gain(frequency: ArrayLike, period: float) -> Complex:
+    """Return what differencing over one sample does to a signal of some frequencies [Hz]: per second."""
+    return np.asarray((1.0 - np.exp(-2j * np.pi * np.asarray(frequency) * period)) / period)
+
+
+def period_of(excitation: Array) -> int | None:
+    """Return the samples after which an excitation repeats itself, at least three times; None where it does not.
+
+    Parameters
+    ----------
+    excitation : ndarray (n,)
+        Free of noise, as a reference or an open-loop command is.
+    """
+    n = excitation.size
+    x = excitation - excitation.mean()
+    size = 1 << (2 * n - 1).bit_length()
+    power = np.fft.irfft(np.abs(np.fft.rfft(x, size)) ** 2, size)[:n]
+    own = power / (power[0] * (1.0 - np.arange(n) / n) + 1e-300)
+    limit = n // 3
+    peaks = np.flatnonzero((own[1:-1] > own[:-2]) & (own[1:-1] >= own[2:]) & (own[1:-1] > 0.9)) + 1
+    spread = float(np.sqrt(np.mean(x**2)))
+    for lag in peaks[peaks <= limit]:
+        # What came before the excitation began does not repeat.
+        apart = np.abs(x[lag:] - x[:-lag])
+        if np.mean(apart > REPEATS * spread) < 0.25 * lag / n:
+            return int(lag)
+    return None
+
+
+def periodic_response(run: Measured, period: int) -> MeasuredResponse:
+    """Return the response to a periodic excitation, a multisine: averaged over periods, the first left out, free of leakage.
+
+    Parameters
+    ----------
+    run : Measured
+    period : int
+        Samples of a period, at least three times in the run.
+
+    Raises
+    ------
+    ParameterError
+        If the run is too short.
+    """
+    count = run.position.size // period - 1
+    if count < 2:
+        raise ParameterError("record", f"{run.position.size} samples", f"three periods of {period} or more")
+    start = run.position.size - count * period
+    v = np.diff(run.position) / run.period
+
+    def spectra(signal: Array) -> Complex:
+        return np.asarray(np.fft.rfft(signal.reshape(count, period), axis=1)[:, 1:])
+
+    y, u = spectra(v[start - 1 :]), spectra(run.command[start:])
+    x = u if run.outside is None else spectra(run.outside[start:])
+    power = np.mean(np.abs(x) ** 2, axis=0)
+    kept = power > EXCITED * power.max()
+    kept[int(0.45 * period) :] = False
+    y, u, x = y[:, kept], u[:, kept], x[:, kept]
+    frequency = (np.flatnonzero(kept) + 1) / (period * run.period)
+    top, below = y.mean(axis=0), u.mean(axis=0)
+    # Noise of the mean over periods, of both signals, correlated where the loop is closed.
+    response = top / below
+    left = (y - top) - response * (u - below)
+    spread = np.sqrt(np.sum(np.abs(left) ** 2, axis=0) / max(count - 1, 1) / count / 2.0)
+    with np.errstate(divide="ignore", invalid="ignore"):
+        coherence = np.abs(np.mean(y * np.conj(x), axis=0)) ** 2 / (np.mean(np.abs(y) ** 2, axis=0) * np.mean(np.abs(x) ** 2, axis=0))
+        deviation = spread / np.abs(top)
+    own = response / difference_gain(frequency, run.period)
+    method = f"periods of {period * run.period:.4g} s, {count} of them averaged" + _closed(run)
+    return MeasuredResponse(frequency, own, deviation, np.nan_to_num(coherence), method, run.period, np.full(frequency.size, np.nan))
+
+
+def spectral_response(runs: Sequence[Measured], segment: int | None = None) -> MeasuredResponse:
+    """Return the response from averaged spectra (Welch's method, H1), or with a signal from outside from the ratio of cross-spectra.
+
+    Parameters
+    ----------
+    runs : sequence of Measured
+        All at one period, all with or all without a signal from outside.
+    segment : int, optional
+        Samples of a segment; an eighth of the shortest run if not given.
+
+    Raises
+    ------
+    ParameterError
+        If the runs are not alike, or too short for their segments.
+    """
+    from scipy.signal import csd
+
+    period, closed = runs[0].period, runs[0].outside is not None
+    if any(abs(run.period - period) > 1e-3 * period or (run.outside is not None) != closed for run in runs):
+        raise ParameterError("runs", f"{len(runs)} of them", "at one period, all with a reference or all without")
+    length = segment or min(run.position.size for run in runs) // SEGMENTS
+    if length < 32:
+        raise ParameterError("record", f"{min(run.position.size for run in runs)} samples", f"at least {32 * SEGMENTS} to average over")
+    names = ("yx", "ux", "xx", "yy", "uu")
+    total = {name: np.zeros(length // 2 + 1, dtype=complex) for name in names}
+    averages = 0
+    for run in runs:
+        y, u = np.diff(run.position) / period, run.command[1:]
+        x = u if run.outside is None else _detrended(run.outside[1:])
+        signals = {"y": y, "u": u, "x": x}
+        count = (y.size - length // 2) // (length - length // 2)
+        for name in names:
+            # scipy conjugates the first of the two.
+            spectrum = csd(signals[name[1]], signals[name[0]], 1.0 / period, "hann", length, length // 2, detrend="constant")[1]
+            total[name] += count * spectrum
+        averages += count
+    frequency = np.arange(length // 2 + 1) / (length * period)
+    power = total["xx"].real
+    kept = (power > EXCITED * power[2:].max()) & (frequency < 0.45 / period) & (np.arange(frequency.size) >= 2)
+    part = {name: values[kept] for name, values in total.items()}
+    response = part["yx"] / part["ux"]
+    coherence = _coherence(part["yx"], part["xx"], part["yy"])
+    of_command = _coherence(part["ux"], part["xx"], part["uu"])
+    independent = max(averages * HANN_OVERLAP, 1.0)
+    variance = sum((1.0 - c) / (2.0 * np.maximum(c, 1e-9) * independent) for c in (coherence, of_command))
+    own = response / difference_gain(frequency[kept], period)
+    method = f"{averages} segments of {length * period:.4g} s averaged" + _closed(runs[0])
+    missing = np.full(own.size, np.nan)
+    return MeasuredResponse(frequency[kept], own, np.sqrt(np.asarray(variance, dtype=float)), coherence, method, period, missing)
+
+
+def _closed(run: Measured) -> str:
+    return "" if run.outside is None else "; reference to position over reference to command"
+
+
+def _detrended(values: Array) -> Array:
+    t = np.arange(values.size)
+    return np.asarray(values - np.polyval(np.polyfit(t, values, 1), t))
+
+
+def _coherence(cross: Complex, one: Complex, other: Complex) -> Array:
+    with np.errstate(divide="ignore", invalid="ignore"):
+        return np.asarray(np.clip(np.nan_to_num(np.abs(cross) ** 2 / (one.real * other.real)), 0.0, 1.0))

@@ -1,0 +1,20 @@
+"""Models ``frequency-response``, ``linear-motor`` and ``two-inertia``: what an axis does over frequency."""
+
+from __future__ import annotations
+
+from contourlab.session.identification.request import Request
+from contourlab.session.log_choice import positive
+from contourlab.studies.identification.drives import identify_linear_motor, identify_two_inertia
+from contourlab.studies.identification.finding import Finding
+from contourlab.studies.identification.frequency import identify_response
+
+__all__ = ["study"]
+
+
+def study(request: Request) -> Finding:
+    """Measure the frequency response of an axis from one or several logs, and fit the model that was asked for to it."""
+    lead = None if request.lead is None else positive("--lead", request.lead, "m", 'travel per turn, such as "10 mm"')
+    records = request.records()
+    if request.model == "frequency-response":
+        return identify_response(records)
+    return identify_linear_motor(records) if request.model == "linear-motor" else identify_two_inertia(records, request.side, lead)

@@ -1,0 +1,185 @@
+"""Models of a drive out of its frequency response: a mass with damping and delay, or two inertias with a shaft."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+
+import numpy as np
+
+from contourlab.analysis.drive_models import (
+    DriveFit,
+    fit_linear_motor,
+    fit_two_inertia,
+    held_response,
+    linear_motor,
+    load_side,
+    resonances,
+    two_inertia,
+)
+from contourlab.analysis.frequency_response import MeasuredResponse
+from contourlab.studies.identification.finding import Figure, Finding, Graph, Picture, Tables
+from contourlab.studies.identification.frequency import bode_graphs, measured_response, response_points
+from contourlab.studies.identification.signals import AxisRecord, measured_tables
+
+__all__ = ["identify_linear_motor", "identify_two_inertia"]
+
+CURVE = 400
+"""Points of a model's curve."""
+_Table = dict[str, tuple[float | str, str, str]]
+
+
+def identify_linear_motor(records: Sequence[AxisRecord]) -> Finding:
+    """Fit mass, damping and delay of a drive to its frequency response.
+
+    Parameters
+    ----------
+    records : sequence of AxisRecord
+        As of `contourlab.studies.identification.frequency.measured_response`.
+
+    Raises
+    ------
+    ResultError, ParameterError
+        If the response cannot be measured, or the model not fitted to it.
+    """
+    found = measured_response(records)
+    fit = fit_linear_motor(found)
+    tables = {**_motor_tables(records, fit), **measured_tables(records[0])} if fit.usable else {}
+    return _finding("linear-motor", records, found, fit, tables, ())
+
+
+def identify_two_inertia(records: Sequence[AxisRecord], side: str = "motor", lead: float | None = None) -> Finding:
+    """Fit two inertias, their shaft, damping and delay of a drive to its frequency response.
+
+    Parameters
+    ----------
+    records : sequence of AxisRecord
+    side : str
+        Where the position is measured, ``"motor"`` or ``"load"``.
+    lead : float [m], optional
+        Travel per turn; wanted for an axis file, whose inertias turn.
+
+    Raises
+    ------
+    ResultError, ParameterError
+        If the response cannot be measured, or the model not fitted to it.
+    """
+    found = measured_response(records)
+    fit = fit_two_inertia(found, side)
+    values = dict(zip(fit.found.names, fit.found.values.tolist(), strict=True))
+    lines, tables, remarks = [], {}, []
+    if side == "motor":
+        resonance, antiresonance = resonances(values)
+        lines.append(f"resonance {resonance:.4g} Hz, antiresonance {antiresonance:.4g} Hz")
+        if not fit.usable:
+            pass
+        elif lead is None or records[0].unit != "N":
+            remarks.append("an axis file of two inertias takes --lead, and --gain where the log has no force")
+        else:
+            tables = {**_inertia_tables(records, fit, lead), **measured_tables(records[0])}
+    return _finding("two-inertia", records, found, fit, tables, tuple(lines), tuple(remarks))
+
+
+def _finding(
+    model: str,
+    records: Sequence[AxisRecord],
+    found: MeasuredResponse,
+    fit: DriveFit,
+    tables: Tables,
+    lines: tuple[str, ...],
+    remarks: tuple[str, ...] = (),
+) -> Finding:
+    unit = records[0].unit
+    force = unit or "command"
+    mass, loss = ("kg", "N*s/m") if unit == "N" else (f"{force}*s^2/m", f"{force}*s/m")
+    units = dict.fromkeys(("M", "mass", "motor_mass", "load_mass"), mass) | dict.fromkeys(("B", "damping", "shaft_damping"), loss)
+    units |= {"delay": "s", "stiffness": f"{force}/m", "resonance": "Hz", "damping_ratio": ""}
+    names, values = fit.found.names, fit.found.values.tolist()
+    rows = zip(names, values, fit.found.deviations.tolist(), fit.found.robust_deviations.tolist(), strict=True)
+    if unit != "N":
+        remarks = (*remarks, f"no force per command is given: masses are in {mass}, as the command sees them; give --gain for kilograms")
+    return Finding(
+        model,
+        records[0].axis,
+        tuple(record.source for record in records),
+        tuple(Figure(name, value, units[name], white, robust) for name, value, white, robust in rows),
+        fit.fit,
+        fit.usable,
+        (*found.remarks, *fit.remarks, *remarks),
+        tables,
+        _pictures(records[0].axis, model, found, fit, unit),
+        (found.method, f"fitted to {fit.frequency.size} points, {fit.frequency[0]:.4g} to {fit.frequency[-1]:.4g} Hz", *lines),
+        {"method": found.method, "condition_number": fit.found.condition_number, "points": response_points(found, unit)},
+    )
+
+
+def _pictures(axis: str, model: str, found: MeasuredResponse, fit: DriveFit, unit: str) -> tuple[Picture, ...]:
+    of = linear_motor if "M" in fit.found.names else load_side if "resonance" in fit.found.names else two_inertia
+    x = dict(zip(fit.found.names, fit.found.values.tolist(), strict=True))
+    f = np.geomspace(found.frequency[0], found.frequency[-1], CURVE)
+    velocity = 2j * np.pi * f * held_response(lambda s: of(x, s), f, found.period)
+    ratio = fit.measured / fit.predicted
+    size = Graph("frequency [Hz]", "measured over model, size", {"size": (fit.frequency, np.abs(ratio) - 1.0)}, log_x=True)
+    turn = Graph("frequency [Hz]", "measured less model, phase [deg]", {"phase": (fit.frequency, np.degrees(np.angle(ratio)))}, log_x=True)
+    return (
+        Picture("bode", f"Frequency response of axis {axis}, {model}", bode_graphs(found, unit, (f, velocity)), found.method),
+        Picture("residual", "What the model leaves of the response", (size, turn), "Size: measured over model, less one."),
+    )
+
+
+def _told(records: Sequence[AxisRecord], deviation: float, unit: str) -> str:
+    more = f" and {len(records) - 1} more" if len(records) > 1 else ""
+    return f"fitted to the response in {records[0].source}{more}, +- {deviation:.3g} {unit} (one standard deviation)"
+
+
+def _drive(records: Sequence[AxisRecord], fit: DriveFit, limit: tuple[float | str, str, str]) -> _Table:
+    if fit["delay"] <= 0.0:
+        return {"kind": ("saturation", "", ""), "limit": limit}
+    late = (fit["delay"], "s", _told(records, fit.found.deviation("delay"), "s"))
+    return {"kind": ("delayed-saturation", "", ""), "limit": limit, "delay": late}
+
+
+def _largest(records: Sequence[AxisRecord]) -> float:
+    return max(float(np.abs(record.driven()).max()) for record in records)
+
+
+def _motor_tables(records: Sequence[AxisRecord], fit: DriveFit) -> Tables:
+    mass, damping, largest, unit = fit["M"], fit["B"], _largest(records), records[0].unit
+    spread, loss = fit.found.deviation("M"), fit.found.deviation("B")
+    reached = f"the largest in {records[0].source}, no limit of the drive"
+    if unit == "N":
+        plant: _Table = {
+            "kind": ("mass-damper", "", ""),
+            "mass": (mass, "kg", _told(records, spread, "kg")),
+            "damping": (damping, "N*s/m", _told(records, loss, "N s/m")),
+            "force_constant": (1.0, "N/A", "the command is counted as newtons"),
+        }
+        return {"plant": plant, "drive": _drive(records, fit, (largest, "A", reached))}
+    scale = 1.0 if unit in ("", "full_scale") else largest
+    own = "" if scale == 1.0 else f"; full scale is the largest command in the logs, {largest:.4g} {unit}, assumed"
+    plant = {
+        "kind": ("rigid-axis", "", ""),
+        "gain": (scale / mass, "m/s^2/full_scale", _told(records, scale * spread / mass**2, "m/s^2/full_scale") + own),
+        "damping": (damping / mass, "1/s", _told(records, float(np.hypot(loss, damping / mass * spread)) / mass, "1/s")),
+    }
+    return {"plant": plant, "drive": _drive(records, fit, (1.0, "full_scale", "full scale"))}
+
+
+def _inertia_tables(records: Sequence[AxisRecord], fit: DriveFit, lead: float) -> Tables:
+    turn = lead / (2.0 * math.pi)
+
+    def row(name: str, unit: str) -> tuple[float | str, str, str]:
+        return fit[name] * turn**2, unit, _told(records, fit.found.deviation(name) * turn**2, unit.replace("*", " "))
+
+    limit = (_largest(records) * turn, "N*m", f"the largest in {records[0].source}, no limit of the drive")
+    plant: _Table = {
+        "kind": ("two-inertia", "", ""),
+        "lead": (lead, "m", "as given"),
+        "motor_inertia": row("motor_mass", "kg*m^2"),
+        "load_inertia": row("load_mass", "kg*m^2"),
+        "stiffness": row("stiffness", "N*m/rad"),
+        "shaft_damping": row("shaft_damping", "N*m*s/rad"),
+        "motor_damping": row("damping", "N*m*s/rad"),
+        "torque_gain": (1.0, "", "the command is counted as torque, force times lead over 2 pi"),
+    }
+    return {"plant": plant, "drive": _drive(records, fit, limit)}
