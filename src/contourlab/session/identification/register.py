@@ -27,6 +27,7 @@ MODELS = {
     "rigid": Model("rigid", "mass, viscous and Coulomb friction, offset, by inverse dynamics"),
     "rigid-by-direction": Model("rigid", "the same with friction of its own each way"),
     "friction": Model("friction", "friction curve from stretches of constant speed"),
+    "stiction": Model("stiction", "breakaway each way from slow ramps of the command"),
     "first-order": Model("first_order", "gain a and damping b, friction and delay, from steps or random commands"),
     "closed-loop": Model("closed_loop", "a' and b' behind a disturbance observer"),
     "frequency-response": Model("frequency", "position over command from sines, a chirp, noise or a multisine"),

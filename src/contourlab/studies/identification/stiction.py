@@ -1,0 +1,129 @@
+"""Breakaway levels of an axis out of slow ramps of its command."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+
+import numpy as np
+
+from contourlab.analysis.stiction import Breakaway, breakaways
+from contourlab.errors import ResultError
+from contourlab.studies.identification.finding import Figure, Finding, Graph, Picture, Tables, bars
+from contourlab.studies.identification.signals import AxisRecord
+
+__all__ = ["identify_stiction"]
+
+SPREAD = 0.1
+"""Spread over repeats, relative, from which it is remarked on."""
+
+
+def identify_stiction(records: Sequence[AxisRecord]) -> Finding:
+    """Find what an axis at rest has to be given before it moves, each way, with the spread over repeats.
+
+    Parameters
+    ----------
+    records : sequence of AxisRecord
+        With slow ramps of the command from about zero.
+
+    Raises
+    ------
+    ResultError
+        If a log has no command, or the commands are in different units.
+    ParameterError
+        As of `contourlab.analysis.stiction.breakaways`.
+    """
+    units = {record.unit for record in records}
+    if len(units) > 1:
+        raise ResultError(f"commands in {' and '.join(sorted(units))}: logs of one axis have one unit")
+    unit, found, remarks = units.pop(), [], []
+    for record in records:
+        here, said = breakaways(record.time, record.driven(), record.position)
+        found += here
+        remarks += [f"{record.source}: {words}" for words in said]
+    by_way = {name: [one for one in found if one.direction == way] for name, way in (("breakaway+", 1), ("breakaway-", -1))}
+    figures = tuple(_figure(name, ones, unit) for name, ones in by_way.items() if ones)
+    remarks += _remarks(by_way)
+    fit = float(np.mean([one.fit for one in found]))
+    return Finding(
+        "stiction",
+        records[0].axis,
+        tuple(record.source for record in records),
+        figures,
+        fit,
+        True,
+        tuple(remarks),
+        _tables(by_way, unit, records),
+        _pictures(by_way, unit, records),
+        _lines(found, unit),
+        {"ramps": [{"time": b.time, "level": b.level, "deviation": b.deviation, "rate": b.rate, "fit_percent": b.fit} for b in found]},
+    )
+
+
+def _levels(ones: Sequence[Breakaway]) -> np.ndarray:
+    return np.abs([one.level for one in ones])
+
+
+def _spread(ones: Sequence[Breakaway]) -> float:
+    """Return the deviation over repeats; of a single ramp that of its instant."""
+    return float(_levels(ones).std(ddof=1)) if len(ones) > 1 else ones[0].deviation
+
+
+def _figure(name: str, ones: Sequence[Breakaway], unit: str) -> Figure:
+    levels, spread = _levels(ones), _spread(ones)
+    own = math.sqrt(sum(one.deviation**2 for one in ones)) / len(ones)
+    return Figure(name, float(levels.mean()), unit, own, max(own, spread / math.sqrt(len(ones))))
+
+
+def _remarks(by_way: dict[str, list[Breakaway]]) -> list[str]:
+    said = []
+    for name, ones in by_way.items():
+        word = "forwards" if name.endswith("+") else "backwards"
+        if not ones:
+            said.append(f"no ramp {word}: that breakaway is not told, nor an offset from it")
+            continue
+        if len(ones) == 1:
+            said.append(f"one ramp {word}: how much breakaway differs from place to place and time to time is not told")
+        elif _spread(ones) > SPREAD * float(_levels(ones).mean()):
+            said.append(f"breakaway {word} differs by {100.0 * _spread(ones) / float(_levels(ones).mean()):.2g} % over {len(ones)} ramps")
+    said.append("a ramp tells the friction at rest alone; sliding friction takes runs at constant speed")
+    return said
+
+
+def _lines(found: Sequence[Breakaway], unit: str) -> tuple[str, ...]:
+    rows = [f"time [s]  breakaway [{unit}]  deviation  rate [{unit}/s]  fit [%]"]
+    rows += [f"{b.time:8.4g}  {b.level:12.5g}  {b.deviation:9.2g}  {b.rate:9.3g}  {b.fit:7.4g}" for b in found]
+    return tuple(rows)
+
+
+def _tables(by_way: dict[str, list[Breakaway]], unit: str, records: Sequence[AxisRecord]) -> Tables:
+    ways = [ones for ones in by_way.values() if ones]
+    level = float(np.mean([_levels(ones).mean() for ones in ways]))
+    spread = float(np.hypot.reduce([_spread(ones) for ones in ways])) / len(ways)
+    shown, count = unit or "full_scale", sum(len(ones) for ones in ways)
+    told = f"{count} slow ramps in {records[0].source}, +- {spread:.3g} {shown} (one standard deviation over ramps)"
+    friction: dict[str, tuple[float | str, str, str]] = {
+        "kind": ("coulomb", "", ""),
+        "coulomb": (level, shown, f"assumed as at rest; {told}"),
+        "breakaway": (level, shown, told),
+    }
+    tables: dict[str, dict[str, tuple[float | str, str, str]]] = {"friction": friction}
+    if len(ways) == 2:
+        forward, backward = (float(_levels(ones).mean()) for ones in by_way.values())
+        half = f"half the difference of the two directions in {records[0].source}"
+        tables["disturbance"] = {"kind": ("constant", "", ""), "force": (0.5 * (backward - forward), shown, half)}
+    return tables
+
+
+def _pictures(by_way: dict[str, list[Breakaway]], unit: str, records: Sequence[AxisRecord]) -> tuple[Picture, ...]:
+    axis, first = records[0].axis, records[0]
+    points = {}
+    for name, ones in by_way.items():
+        if ones:
+            half = np.array([2.0 * max(one.deviation, 0.002 * abs(one.level)) for one in ones])
+            points[name] = bars(np.array([one.time for one in ones]), _levels(ones), half)
+    level = Graph("time [s]", f"breakaway [{unit}]", points)
+    command = Graph("time [s]", f"command [{unit}]", {"command": (first.time, first.driven())})
+    moved = Graph("time [s]", "position [mm]", {"position": (first.time, 1e3 * (first.position - first.position[0]))})
+    title = f"Breakaway of axis {axis}, two deviations"
+    return (Picture("breakaway", title, (level,)), Picture("ramps", f"Ramps of {first.source}", (command, moved)))
