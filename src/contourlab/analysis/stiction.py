@@ -152,7 +152,7 @@ def _breakaway(period: float, u: Array, p: Array, since: float) -> Breakaway | s
     last = int(np.argmax(passed)) + window
     if float(np.abs(early[-1] - early[0])) > 0.2 * moved[last] or last < SHORTEST:
         return "the axis moves at its start, or the ramp is too fast: no rest before it"
-    y, t = moved[: last + 1], period * np.arange(last + 1)
+    y, t = np.asarray(moved[: last + 1], dtype=float), np.asarray(period * np.arange(last + 1), dtype=float)
     instant, deviation, model = _onset(t, y, noise)
     # The first micrometres tell most of when it began: what friction does at speed is not in them.
     bent = float(np.interp(instant, t, y))

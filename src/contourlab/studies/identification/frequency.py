@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 
 from contourlab.analysis.frequency_response import Measured, MeasuredResponse, period_of, periodic_response, spectral_response
 from contourlab.analysis.sine_response import sine_responses, sine_stretch
+from contourlab.analysis.swept_response import is_sweep, swept_response
 from contourlab.errors import ResultError
 from contourlab.studies.identification.finding import Finding, Graph, Picture, bars
 from contourlab.studies.identification.signals import AxisRecord
@@ -46,8 +47,12 @@ def measured_response(records: Sequence[AxisRecord]) -> MeasuredResponse:
     excitations = [run.command if run.outside is None else run.outside for run in runs]
     if any(sine_stretch(excitation, run.period) is not None for excitation, run in zip(excitations, runs, strict=True)):
         return sine_responses(runs, [record.source for record in records])
-    repeats = period_of(excitations[0]) if len(runs) == 1 else None
-    return spectral_response(runs) if repeats is None else periodic_response(runs[0], repeats)
+    if len(runs) > 1:
+        return spectral_response(runs)
+    repeats = period_of(excitations[0])
+    if repeats is not None:
+        return periodic_response(runs[0], repeats)
+    return swept_response(runs[0]) if is_sweep(excitations[0]) else spectral_response(runs)
 
 
 def _outside(record: AxisRecord) -> Any:

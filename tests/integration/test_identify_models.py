@@ -1,0 +1,146 @@
+"""The models of ``contourlab identify`` as typed: from logs to figures, pictures and axis files."""
+
+from __future__ import annotations
+
+import json
+import math
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from contourlab.analysis.closed_first_order import closed_loop_position
+from contourlab.analysis.first_order_motion import first_order_motion
+from contourlab.cli.main import main
+from contourlab.scenario.load import load_axis
+
+PERIOD = 1e-3
+TIME = PERIOD * np.arange(6000)
+UBC = ["--column", "position.x=CH1out [mm]", "--column", "command.x=CH1sig [V]"]
+
+
+def written(file: Path, heads: str, *columns: np.ndarray) -> str:
+    np.savetxt(file, np.column_stack(columns), delimiter=",", header=heads, comments="", fmt="%.10g")
+    return str(file)
+
+
+def found_by(words: list[str], capsys: pytest.CaptureFixture[str], code: int = 0) -> dict:  # type: ignore[type-arg]
+    assert main(["identify", *words, "--json"]) == code
+    return json.loads(capsys.readouterr().out)  # type: ignore[no-any-return]
+
+
+def steps(seed: int = 0, size: float = 0.6, hold: int = 100) -> np.ndarray:
+    return np.repeat(np.random.default_rng(seed).uniform(-size, size, TIME.size // hold), hold)
+
+
+def test_first_order_makes_an_axis(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    u = steps()
+    place = np.round(1.695e3 * first_order_motion(u, PERIOD, 10.1, 0.055, 0.055)[1] / 0.125e-3) * 0.125e-3
+    log = written(tmp_path / "open.csv", "time [s],cmd [full_scale],pos x [mm]", TIME, u, place)
+    out = tmp_path / "axis.toml"
+    figures = found_by([log, "--column", "command.x=cmd", "--model", "first-order", "--out", str(out)], capsys)["parameters"]
+    assert [figures[name]["value"] for name in ("a", "b", "friction")] == pytest.approx([1.695, 10.1, 0.055], rel=2e-3)
+    assert figures["a"]["unit"] == "m/s^2/full_scale"
+    axis = load_axis(out)
+    assert axis.plant.values()["gain"] == pytest.approx(1.695, rel=2e-3)
+    assert axis.friction.values()["coulomb"] == pytest.approx(0.055, rel=2e-3)
+    assert "one standard deviation" in out.read_text() and "open.csv" in out.read_text()
+
+
+def test_closed_loop_takes_the_gains_of_the_loop(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    asked = steps(1, 1e-4, 250)
+    place = closed_loop_position(asked, PERIOD, 0.873, 19.7, 4000.0, 100.0)
+    log = written(tmp_path / "closed.csv", "time [s],ref x [mm],pos x [mm]", TIME, 1e3 * asked, 1e3 * place)
+    words = [log, "--model", "closed-loop", "--position-gain", "4 full_scale/mm"]
+    gains = [*words, "--velocity-gain", "0.1 full_scale*s/mm"]
+    figures = found_by(gains, capsys)["parameters"]
+    assert (figures["a'"]["value"], figures["b'"]["value"]) == pytest.approx((0.873, 19.7), rel=1e-3)
+    for wrong, said in (
+        (words, "--velocity-gain"),
+        ([*words, "--velocity-gain", "3 parsecs"], "0.1 full_scale*s/mm"),
+        ([log, "--model", "closed-loop"], "no disturbance_estimate"),
+        ([log, log, *gains[1:]], "a single run"),
+    ):
+        assert main(["identify", *wrong]) == 2
+        assert said in capsys.readouterr().err
+
+
+def test_stiction_over_ramps(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    ramp = np.r_[np.linspace(0.0, 0.2, 2000), np.zeros(500)]
+    u = np.r_[np.zeros(50), ramp, -ramp, ramp, -ramp]
+    place = np.round(1.695e3 * first_order_motion(u, PERIOD, 10.1, 0.06, 0.05)[1] / 0.125e-3) * 0.125e-3
+    log = written(tmp_path / "ramp.csv", "time [s],cmd [full_scale],pos x [mm]", PERIOD * np.arange(u.size), u, place)
+    out = tmp_path / "friction.toml"
+    found = found_by([log, "--column", "command.x=cmd", "--model", "stiction", "--out", str(out)], capsys)
+    assert found["parameters"]["breakaway+"]["value"] == pytest.approx(0.06, rel=0.02)
+    assert found["parameters"]["breakaway-"]["value"] == pytest.approx(0.05, rel=0.02)
+    assert len(found["ramps"]) == 4 and "slow ramps in ramp.csv" in out.read_text()
+
+
+def test_two_inertias_make_an_axis(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """The response of motor 4, load 3 kg and a shaft at 60 Hz, built from its lines: a multisine of ten periods."""
+    from contourlab.analysis.drive_models import held_response, two_inertia
+
+    period, lap = PERIOD, 2000
+    true = {"motor_mass": 4.0, "load_mass": 3.0, "stiffness": 2.4e5, "shaft_damping": 60.0, "damping": 40.0, "delay": 0.0}
+    lines = np.arange(1, 601)
+    spectrum = np.zeros(lap // 2 + 1, dtype=complex)
+    spectrum[lines] = np.exp(2j * np.pi * np.random.default_rng(0).random(lines.size))
+    answer = np.zeros_like(spectrum)
+    answer[lines] = spectrum[lines] * held_response(lambda s: two_inertia(true, s), lines / (lap * period), period)
+    force, place = (np.tile(np.fft.irfft(part, lap) * 400.0, 10) for part in (spectrum, answer))
+    time = period * np.arange(force.size)
+    log = written(tmp_path / "multisine.csv", "time [s],push [N],pos x [mm]", time, force, 1e3 * place)
+    out = tmp_path / "drive.toml"
+    words = [log, "--column", "force.x=push", "--model", "two-inertia", "--lead", "10 mm"]
+    figures = found_by([*words, "--out", str(out)], capsys)["parameters"]
+    for name in ("motor_mass", "load_mass", "stiffness", "shaft_damping"):
+        assert figures[name]["value"] == pytest.approx(true[name], rel=5e-3), name
+    axis = load_axis(out)
+    turn = 0.01 / (2.0 * math.pi)
+    assert axis.plant.values()["load_inertia"] == pytest.approx(3.0 * turn**2, rel=5e-3)
+    assert axis.plant.values()["stiffness"] == pytest.approx(2.4e5 * turn**2, rel=5e-3)
+    points = found_by([*words[:-2], "--model", "frequency-response"], capsys)["points"]
+    assert len(points) > 400 and min(point["coherence"] for point in points[:300]) > 0.99
+
+
+def test_friction_of_the_measured_table(
+    shared: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    logs = sorted(str(file) for file in (shared / "data" / "ubc-xy-table").glob("friction_*_mmps.mat"))
+    assert len(logs) == 8
+    words = [*logs, "--column", "reference.x=CH1in [mm]", *UBC, "--model", "friction", "--plots", "png", "--out", "friction.toml"]
+    found = found_by(words, capsys)
+    assert len(found["points"]) == 16 and found["fit_percent"] > 97.0
+    assert [round(1e3 * point["speed"]) for point in found["points"][:4]] == [10, -10, 120, -121]
+    line = next(curve for curve in found["tried"] if curve["model"] == "Coulomb and viscous")["parameters"]
+    # The table's own fit: 0.335 V and 5.3 V s/m forwards, 0.340 and 5.2 backwards.
+    assert line["Fc"] == pytest.approx(0.34, abs=0.02) and line["Fv"] == pytest.approx(5.2, rel=0.12)
+    assert any(said.startswith("concave") for said in found["remarks"])
+    assert Path("results/friction.png").stat().st_size > 10_000
+    assert "[friction]" in Path("friction.toml").read_text()
+
+
+def test_sines_of_the_measured_table(shared: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    logs = [str(shared / "data" / "ubc-xy-table" / f"sine_{f}Hz.mat") for f in (1, 4, 10, 30, 50, 70)]
+    out = tmp_path / "axis.toml"
+    found = found_by([*logs, *UBC, "--model", "linear-motor", "--out", str(out)], capsys)
+    assert [point["frequency"] for point in found["points"]] == pytest.approx([4.0, 10.0, 30.0, 50.0, 70.0], rel=2e-3)
+    assert any("sine_1Hz.mat: the axis stands still" in said for said in found["remarks"])
+    assert any("sine_4Hz.mat: harmonics" in said for said in found["remarks"])
+    assert found["parameters"]["M"]["value"] == pytest.approx(0.347, rel=0.02) and found["fit_percent"] > 95.0
+    assert found["parameters"]["M"]["unit"] == "V*s^2/m" and any("give --gain for kilograms" in said for said in found["remarks"])
+    assert load_axis(out).plant.values()["damping"] == pytest.approx(10.3, rel=0.05)
+
+
+@pytest.mark.parametrize(
+    "model", ["friction", "stiction", "first-order", "closed-loop", "frequency-response", "linear-motor", "two-inertia"]
+)
+def test_a_log_of_an_axis_at_rest_is_refused(tmp_path: Path, capsys: pytest.CaptureFixture[str], model: str) -> None:
+    log = written(tmp_path / "rest.csv", "time [s],cmd [V],pos x [mm],ref x [mm]", TIME, steps(), 0.0 * TIME, 0.0 * TIME)
+    gains = ["--position-gain", "4 V/mm", "--velocity-gain", "0.1 V*s/mm"]
+    assert main(["identify", log, "--column", "command.x=cmd", "--model", model, *gains, "--out", str(tmp_path / "axis.toml")]) == 2
+    said = capsys.readouterr().err
+    assert "Traceback" not in said and len(said) > 40
+    assert not (tmp_path / "axis.toml").exists()
