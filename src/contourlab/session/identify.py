@@ -11,6 +11,7 @@ from contourlab.result import write_text_atomic
 from contourlab.scenario.toml_text import Noted, toml
 from contourlab.session.identification.register import MODELS, study_of
 from contourlab.session.identification.request import Request
+from contourlab.session.plain import plain
 from contourlab.studies.identification.finding import Figure, Finding, Picture
 from contourlab.units import from_si
 
@@ -60,7 +61,7 @@ def identify_log(
     elif out is not None:
         why = "the figures cannot be used as they stand" if not found.usable else f"model {found.model} makes no axis file"
         text += f"\n{out} is not written: {why}"
-    return Identification(found.usable, _summary(found), text)
+    return Identification(found.usable, plain(_summary(found)), text)
 
 
 def axis_file(found: Finding) -> str:
