@@ -44,7 +44,7 @@ def test_first_order_makes_an_axis(tmp_path: Path, capsys: pytest.CaptureFixture
     axis = load_axis(out)
     assert axis.plant.values()["gain"] == pytest.approx(1.695, rel=2e-3)
     assert axis.friction.values()["coulomb"] == pytest.approx(0.055, rel=2e-3)
-    assert "one standard deviation" in out.read_text() and "open.csv" in out.read_text()
+    assert "deviation" in out.read_text() and "open.csv" in out.read_text()
 
 
 def test_closed_loop_takes_the_gains_of_the_loop(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:

@@ -7,7 +7,9 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
+from contourlab.components.origin import Origin
 from contourlab.result import write_text_atomic
+from contourlab.scenario.provenance import origin_table
 from contourlab.scenario.toml_text import Noted, toml
 from contourlab.session.identification.register import MODELS, study_of
 from contourlab.session.identification.request import Request
@@ -66,18 +68,21 @@ def identify_log(
 
 def axis_file(found: Finding) -> str:
     """Return the text of the axis file, with where each number is from behind it."""
-    tables: dict[str, Any] = {}
+    listed = [list(one) for one in found.correlations]
+    tables: dict[str, Any] = {"correlations": Noted(listed, "of what was fitted together")} if listed else {}
     for name, rows in found.tables.items():
-        tables[name] = {
-            key: value if isinstance(value, str) else Noted(f"{from_si(value, SHOWN.get(unit, unit)):.6g} {SHOWN.get(unit, unit)}", note)
-            for key, (value, unit, note) in rows.items()
-        }
+        tables[name] = {key: value if origin is None else _number(value, unit, origin) for key, (value, unit, origin) in rows.items()}
     worth = "" if found.fit is None else f": fit {found.fit:.4g} %"
     head = [f"# Axis {found.axis}, model {found.model}, identified from {_named(found.sources)}{worth}."]
     if "plant" not in tables:
         head.append("# Tables of an axis file; what is not in these logs is to be added.")
     head += [f"# {remark}" for remark in found.remarks]
     return "\n".join(head) + "\n\n" + toml(tables)
+
+
+def _number(value: Any, unit: str, origin: Origin) -> Noted:
+    shown = SHOWN.get(unit, unit)
+    return Noted(origin_table(f"{from_si(value, shown):.6g} {shown}", origin, lambda number: f"{from_si(number, shown):.3g} {shown}"))
 
 
 def _named(sources: Sequence[str]) -> str:

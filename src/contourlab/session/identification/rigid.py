@@ -9,7 +9,7 @@ from contourlab.errors import ParameterError
 from contourlab.session.identification.request import Request
 from contourlab.session.log_choice import open_log, positive
 from contourlab.studies.identification.finding import Figure, Finding, Graph, Picture
-from contourlab.studies.identify import AxisFit, axis_tables, identify_rigid, units_of
+from contourlab.studies.identify import AxisFit, axis_tables, correlations, identify_rigid, units_of
 
 __all__ = ["study"]
 
@@ -43,6 +43,7 @@ def _finding(found: AxisFit, model: str) -> Finding:
         usable=fit.usable,
         remarks=fit.remarks,
         tables=axis_tables(found) if fit.usable else {},
+        correlations=tuple(correlations(found)) if fit.usable else (),
         pictures=_pictures(found),
         lines=tuple(lines),
         more={"relative_error_percent": fit.relative_error, "condition_number": fit.condition_number, "validation": checked},

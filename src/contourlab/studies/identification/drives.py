@@ -18,7 +18,8 @@ from contourlab.analysis.drive_models import (
     two_inertia,
 )
 from contourlab.analysis.frequency_response import MeasuredResponse
-from contourlab.studies.identification.finding import Figure, Finding, Graph, Picture, Tables
+from contourlab.components.origin import Origin
+from contourlab.studies.identification.finding import Figure, Finding, Graph, Picture, Row, Tables, assumed, fitted, reached
 from contourlab.studies.identification.frequency import bode_graphs, measured_response, response_points
 from contourlab.studies.identification.signals import AxisRecord, measured_tables
 
@@ -26,7 +27,8 @@ __all__ = ["identify_linear_motor", "identify_two_inertia"]
 
 CURVE = 400
 """Points of a model's curve."""
-_Table = dict[str, tuple[float | str, str, str]]
+_Table = dict[str, Row]
+DRIVE = "the largest in the log, no limit of the drive"
 
 
 def identify_linear_motor(records: Sequence[AxisRecord]) -> Finding:
@@ -127,16 +129,16 @@ def _pictures(axis: str, model: str, found: MeasuredResponse, fit: DriveFit, uni
     )
 
 
-def _told(records: Sequence[AxisRecord], deviation: float, unit: str) -> str:
+def _told(records: Sequence[AxisRecord], deviation: float, note: str = "") -> Origin:
     more = f" and {len(records) - 1} more" if len(records) > 1 else ""
-    return f"fitted to the response in {records[0].source}{more}, +- {deviation:.3g} {unit} (one standard deviation)"
+    return fitted(f"{records[0].source}{more}", deviation, note or "frequency response")
 
 
-def _drive(records: Sequence[AxisRecord], fit: DriveFit, limit: tuple[float | str, str, str]) -> _Table:
+def _drive(records: Sequence[AxisRecord], fit: DriveFit, limit: Row) -> _Table:
     if fit["delay"] <= 0.0:
-        return {"kind": ("saturation", "", ""), "limit": limit}
-    late = (fit["delay"], "s", _told(records, fit.found.deviation("delay"), "s"))
-    return {"kind": ("delayed-saturation", "", ""), "limit": limit, "delay": late}
+        return {"kind": ("saturation", "", None), "limit": limit}
+    late = (fit["delay"], "s", _told(records, fit.found.deviation("delay")))
+    return {"kind": ("delayed-saturation", "", None), "limit": limit, "delay": late}
 
 
 def _largest(records: Sequence[AxisRecord]) -> float:
@@ -146,40 +148,39 @@ def _largest(records: Sequence[AxisRecord]) -> float:
 def _motor_tables(records: Sequence[AxisRecord], fit: DriveFit) -> Tables:
     mass, damping, largest, unit = fit["M"], fit["B"], _largest(records), records[0].unit
     spread, loss = fit.found.deviation("M"), fit.found.deviation("B")
-    reached = f"the largest in {records[0].source}, no limit of the drive"
     if unit == "N":
         plant: _Table = {
-            "kind": ("mass-damper", "", ""),
-            "mass": (mass, "kg", _told(records, spread, "kg")),
-            "damping": (damping, "N*s/m", _told(records, loss, "N s/m")),
-            "force_constant": (1.0, "N/A", "the command is counted as newtons"),
+            "kind": ("mass-damper", "", None),
+            "mass": (mass, "kg", _told(records, spread)),
+            "damping": (damping, "N*s/m", _told(records, loss)),
+            "force_constant": (1.0, "N/A", assumed("the command is counted as newtons")),
         }
-        return {"plant": plant, "drive": _drive(records, fit, (largest, "A", reached))}
+        return {"plant": plant, "drive": _drive(records, fit, (largest, "A", reached(records[0].source, DRIVE)))}
     scale = 1.0 if unit in ("", "full_scale") else largest
-    own = "" if scale == 1.0 else f"; full scale is the largest command in the logs, {largest:.4g} {unit}, assumed"
+    own = "" if scale == 1.0 else f"full scale is assumed to be the largest command in the logs, {largest:.4g} {unit}"
     plant = {
-        "kind": ("rigid-axis", "", ""),
-        "gain": (scale / mass, "m/s^2/full_scale", _told(records, scale * spread / mass**2, "m/s^2/full_scale") + own),
-        "damping": (damping / mass, "1/s", _told(records, float(np.hypot(loss, damping / mass * spread)) / mass, "1/s")),
+        "kind": ("rigid-axis", "", None),
+        "gain": (scale / mass, "m/s^2/full_scale", _told(records, scale * spread / mass**2, own)),
+        "damping": (damping / mass, "1/s", _told(records, float(np.hypot(loss, damping / mass * spread)) / mass)),
     }
-    return {"plant": plant, "drive": _drive(records, fit, (1.0, "full_scale", "full scale"))}
+    return {"plant": plant, "drive": _drive(records, fit, (1.0, "full_scale", assumed("full scale")))}
 
 
 def _inertia_tables(records: Sequence[AxisRecord], fit: DriveFit, lead: float) -> Tables:
     turn = lead / (2.0 * math.pi)
 
-    def row(name: str, unit: str) -> tuple[float | str, str, str]:
-        return fit[name] * turn**2, unit, _told(records, fit.found.deviation(name) * turn**2, unit.replace("*", " "))
+    def row(name: str, unit: str) -> Row:
+        return fit[name] * turn**2, unit, _told(records, fit.found.deviation(name) * turn**2)
 
-    limit = (_largest(records) * turn, "N*m", f"the largest in {records[0].source}, no limit of the drive")
+    limit = (_largest(records) * turn, "N*m", reached(records[0].source, DRIVE))
     plant: _Table = {
-        "kind": ("two-inertia", "", ""),
-        "lead": (lead, "m", "as given"),
+        "kind": ("two-inertia", "", None),
+        "lead": (lead, "m", assumed("as given")),
         "motor_inertia": row("motor_mass", "kg*m^2"),
         "load_inertia": row("load_mass", "kg*m^2"),
         "stiffness": row("stiffness", "N*m/rad"),
         "shaft_damping": row("shaft_damping", "N*m*s/rad"),
         "motor_damping": row("damping", "N*m*s/rad"),
-        "torque_gain": (1.0, "", "the command is counted as torque, force times lead over 2 pi"),
+        "torque_gain": (1.0, "", assumed("the command is counted as torque, force times lead over 2 pi")),
     }
     return {"plant": plant, "drive": _drive(records, fit, limit)}

@@ -9,11 +9,15 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-__all__ = ["Figure", "Finding", "Graph", "Picture", "Tables", "bars"]
+from contourlab.components.origin import Origin
+
+__all__ = ["Figure", "Finding", "Graph", "Picture", "Row", "Tables", "assumed", "bars", "fitted", "reached"]
 
 Array = NDArray[np.float64]
-Tables = Mapping[str, Mapping[str, tuple[float | str, str, str]]]
-"""Of an axis file: by table and key the value in SI, its unit there, and where it is from."""
+Row = tuple[float | str, str, Origin | None]
+"""A value in SI, its unit there, and where it is from; None for a word."""
+Tables = Mapping[str, Mapping[str, Row]]
+"""Of an axis file, by table and key."""
 
 
 @dataclass(frozen=True)
@@ -82,6 +86,8 @@ class Finding:
         What else to print.
     more : mapping
         What else to say in JSON.
+    correlations : tuple of (str, str, float)
+        Of numbers of the axis file, by their names there, such as ``"plant.mass"``.
     """
 
     model: str
@@ -95,6 +101,23 @@ class Finding:
     pictures: tuple[Picture, ...] = ()
     lines: tuple[str, ...] = ()
     more: Mapping[str, Any] = field(default_factory=dict)
+    correlations: tuple[tuple[str, str, float], ...] = ()
+
+
+def fitted(log: str, deviation: float | None = None, note: str = "") -> Origin:
+    """Return the origin of a number fitted to a log; a deviation that is none is left out."""
+    known = deviation is not None and 0.0 < deviation < float("inf")
+    return Origin("fitted", deviation=deviation if known else None, reference=log, note=note)
+
+
+def reached(log: str, note: str = "the largest in the log, no limit of the axis") -> Origin:
+    """Return the origin of a number read off a log."""
+    return Origin("measured", reference=log, note=note)
+
+
+def assumed(note: str) -> Origin:
+    """Return the origin of a number that the log does not tell."""
+    return Origin("assumed", note=note)
 
 
 def bars(x: Array, y: Array, half: Array) -> tuple[Array, Array]:

@@ -6,8 +6,9 @@ import numpy as np
 
 from contourlab.analysis.closed_first_order import identify_closed_loop
 from contourlab.analysis.first_order import FirstOrderFit, FirstOrderSettings, identify_first_order
+from contourlab.components.origin import Origin
 from contourlab.errors import ResultError
-from contourlab.studies.identification.finding import Figure, Finding, Graph, Picture, Tables
+from contourlab.studies.identification.finding import Figure, Finding, Graph, Picture, Row, Tables, assumed, fitted, reached
 from contourlab.studies.identification.signals import AxisRecord, measured_tables
 
 __all__ = ["identify_behind_observer", "identify_open_loop"]
@@ -131,42 +132,40 @@ def _pictures(fit: FirstOrderFit, key: str, title: str, labels: tuple[str, str])
 
 def _tables(record: AxisRecord, fit: FirstOrderFit) -> Tables:
     """Return the axis: in newtons where the command is a force, else in parts of full scale."""
-    source = f"fitted to {record.source}"
     a, b, friction, offset = fit["a"], fit["b"], fit["friction"], fit["offset"]
     largest = float(np.abs(record.driven()).max())
 
-    def told(name: str, scale: float, unit: str) -> str:
-        spread = scale * (fit.found.deviation(name) if name in fit.found.names else 0.0)
-        return (
-            f"{source}, +- {spread:.3g} {unit} (one standard deviation)" if name in fit.found.names else f"none told from {record.source}"
-        )
+    def told(name: str, scale: float, note: str = "") -> Origin:
+        if name not in fit.found.names:
+            return fitted(record.source, note="none is told from the log")
+        return fitted(record.source, scale * fit.found.deviation(name), note)
 
     if record.unit == "N":
         mass = 1.0 / a
-        plant: dict[str, tuple[float | str, str, str]] = {
-            "kind": ("mass-damper", "", ""),
-            "mass": (mass, "kg", told("a", mass / a, "kg")),
-            "damping": (b * mass, "N*s/m", told("b", mass, "N s/m")),
-            "force_constant": (1.0, "N/A", "the command is counted as newtons"),
+        plant: dict[str, Row] = {
+            "kind": ("mass-damper", "", None),
+            "mass": (mass, "kg", told("a", mass / a)),
+            "damping": (b * mass, "N*s/m", told("b", mass)),
+            "force_constant": (1.0, "N/A", assumed("the command is counted as newtons")),
         }
-        scale, unit, drive = 1.0, "N", (largest, "A", f"the largest in {record.source}, no limit of the drive")
+        scale, unit, drive = 1.0, "N", (largest, "A", reached(record.source, "the largest in the log, no limit of the drive"))
     else:
         scale = 1.0 if record.unit in ("", FULL_SCALE) else largest
-        own = "" if scale == 1.0 else f"; full scale is the largest command in it, {largest:.4g} {record.unit}, assumed"
+        own = "" if scale == 1.0 else f"full scale is assumed to be the largest command in the log, {largest:.4g} {record.unit}"
         plant = {
-            "kind": ("rigid-axis", "", ""),
-            "gain": (a * scale, f"m/s^2/{FULL_SCALE}", told("a", scale, f"m/s^2/{FULL_SCALE}") + own),
-            "damping": (b, "1/s", told("b", 1.0, "1/s")),
+            "kind": ("rigid-axis", "", None),
+            "gain": (a * scale, f"m/s^2/{FULL_SCALE}", told("a", scale, own)),
+            "damping": (b, "1/s", told("b", 1.0)),
         }
-        unit, drive = FULL_SCALE, (1.0, FULL_SCALE, "full scale")
-    tables: dict[str, dict[str, tuple[float | str, str, str]]] = {
+        unit, drive = FULL_SCALE, (1.0, FULL_SCALE, assumed("full scale"))
+    tables: dict[str, dict[str, Row]] = {
         "plant": plant,
-        "friction": {"kind": ("coulomb", "", ""), "coulomb": (friction / scale, unit, told("friction", 1.0 / scale, unit))},
-        "disturbance": {"kind": ("constant", "", ""), "force": (offset / scale, unit, told("offset", 1.0 / scale, unit))},
-        "drive": {"kind": ("saturation", "", ""), "limit": drive},
+        "friction": {"kind": ("coulomb", "", None), "coulomb": (friction / scale, unit, told("friction", 1.0 / scale))},
+        "disturbance": {"kind": ("constant", "", None), "force": (offset / scale, unit, told("offset", 1.0 / scale))},
+        "drive": {"kind": ("saturation", "", None), "limit": drive},
         **measured_tables(record),
     }
     if fit["delay"] > 0.0:
-        delayed = (fit["delay"], "s", told("delay", 1.0, "s"))
-        tables["drive"] = {"kind": ("delayed-saturation", "", ""), "limit": drive, "delay": delayed}
+        delayed = (fit["delay"], "s", told("delay", 1.0))
+        tables["drive"] = {"kind": ("delayed-saturation", "", None), "limit": drive, "delay": delayed}
     return tables

@@ -9,8 +9,9 @@ import numpy as np
 
 from contourlab.analysis.constant_speed import Stretch, StretchSettings, constant_speed_stretches
 from contourlab.analysis.friction_curve import FrictionCurve, FrictionFit, fit_friction
+from contourlab.components.origin import Origin
 from contourlab.errors import ResultError
-from contourlab.studies.identification.finding import Figure, Finding, Graph, Picture, Tables, bars
+from contourlab.studies.identification.finding import Figure, Finding, Graph, Picture, Row, Tables, bars, fitted
 from contourlab.studies.identification.signals import AxisRecord
 
 __all__ = ["identify_friction"]
@@ -142,24 +143,24 @@ def _tables(curve: FrictionCurve, unit: str, records: Sequence[AxisRecord]) -> T
     source = records[0].source if len(records) == 1 else f"{records[0].source} and {len(records) - 1} more"
     shown = unit or "full_scale"
 
-    def told(deviation: float, of: str) -> str:
-        return f"constant speeds of {source}, +- {deviation:.3g} {of} (one standard deviation)"
+    def told(deviation: float) -> Origin:
+        return fitted(source, deviation, "constant speeds")
 
     coulomb, spread = _mean(curve, "Fc")
     viscous, viscous_spread = _mean(curve, "Fv")
-    friction: dict[str, tuple[float | str, str, str]] = {
-        "kind": ("coulomb", "", ""),
-        "coulomb": (max(coulomb, 0.0), shown, told(spread, shown)),
-        "viscous": (max(viscous, 0.0), f"{shown}*s/m", told(viscous_spread, f"{shown} s/m")),
+    friction: dict[str, Row] = {
+        "kind": ("coulomb", "", None),
+        "coulomb": (max(coulomb, 0.0), shown, told(spread)),
+        "viscous": (max(viscous, 0.0), f"{shown}*s/m", told(viscous_spread)),
     }
     if curve.model.stribeck:
         drop, drop_spread = _mean(curve, "drop")
-        friction["breakaway"] = (coulomb + drop, shown, told(float(np.hypot(spread, drop_spread)), shown))
-        friction["stribeck_velocity"] = (curve["vs"], "m/s", told(curve.deviation("vs"), "m/s"))
+        friction["breakaway"] = (coulomb + drop, shown, told(float(np.hypot(spread, drop_spread))))
+        friction["stribeck_velocity"] = (curve["vs"], "m/s", told(curve.deviation("vs")))
     offset = 0.5 * (curve["Fc+"] - curve["Fc-"]) if curve.model.directed else curve["offset"]
     return {
         "friction": friction,
-        "disturbance": {"kind": ("constant", "", ""), "force": (-offset, shown, f"offset of the command in {source}")},
+        "disturbance": {"kind": ("constant", "", None), "force": (-offset, shown, fitted(source, note="offset of the command"))},
     }
 
 

@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 from contourlab.errors import ResultError
 from contourlab.logs import Log
 from contourlab.result import Result
+from contourlab.studies.identification.finding import Row, reached
 
 __all__ = ["AxisRecord", "axis_record", "measured_tables"]
 
@@ -116,18 +117,17 @@ def _unit(result: Result, name: str) -> str:
     return result.signals[name].unit if name in result else ""
 
 
-def measured_tables(record: AxisRecord) -> dict[str, dict[str, tuple[float | str, str, str]]]:
+def measured_tables(record: AxisRecord) -> dict[str, dict[str, Row]]:
     """Return the tables of an axis file that any log tells: encoder and limits; these are what was reached, and are called so."""
     steps = np.abs(np.diff(record.position))
     stride = max(1, round(0.002 / record.period))
     speed = np.abs(np.diff(record.position[::stride])) / (stride * record.period)
-    reached = f"the largest in {record.source}, no limit of the axis"
-    tables: dict[str, dict[str, tuple[float | str, str, str]]] = {
-        "limits": {"velocity": (float(speed.max()) if speed.size else 0.0, "m/s", reached)},
+    tables: dict[str, dict[str, Row]] = {
+        "limits": {"velocity": (float(speed.max()) if speed.size else 0.0, "m/s", reached(record.source))},
     }
     if steps.any():
         tables["sensor"] = {
-            "kind": ("encoder", "", ""),
-            "resolution": (float(steps[steps > 1e-12].min()), "m", f"the smallest step in {record.source}"),
+            "kind": ("encoder", "", None),
+            "resolution": (float(steps[steps > 1e-12].min()), "m", reached(record.source, "the smallest step in the log")),
         }
     return tables

@@ -9,7 +9,7 @@ import numpy as np
 
 from contourlab.analysis.stiction import Breakaway, breakaways
 from contourlab.errors import ResultError
-from contourlab.studies.identification.finding import Figure, Finding, Graph, Picture, Tables, bars
+from contourlab.studies.identification.finding import Figure, Finding, Graph, Picture, Row, Tables, assumed, bars, fitted
 from contourlab.studies.identification.signals import AxisRecord
 
 __all__ = ["identify_stiction"]
@@ -101,17 +101,17 @@ def _tables(by_way: dict[str, list[Breakaway]], unit: str, records: Sequence[Axi
     level = float(np.mean([_levels(ones).mean() for ones in ways]))
     spread = float(np.hypot.reduce([_spread(ones) for ones in ways])) / len(ways)
     shown, count = unit or "full_scale", sum(len(ones) for ones in ways)
-    told = f"{count} slow ramps in {records[0].source}, +- {spread:.3g} {shown} (one standard deviation over ramps)"
-    friction: dict[str, tuple[float | str, str, str]] = {
-        "kind": ("coulomb", "", ""),
-        "coulomb": (level, shown, f"assumed as at rest; {told}"),
+    told = fitted(records[0].source, spread, f"spread over {count} slow ramps")
+    friction: dict[str, Row] = {
+        "kind": ("coulomb", "", None),
+        "coulomb": (level, shown, assumed("as at rest")),
         "breakaway": (level, shown, told),
     }
-    tables: dict[str, dict[str, tuple[float | str, str, str]]] = {"friction": friction}
+    tables: dict[str, dict[str, Row]] = {"friction": friction}
     if len(ways) == 2:
         forward, backward = (float(_levels(ones).mean()) for ones in by_way.values())
-        half = f"half the difference of the two directions in {records[0].source}"
-        tables["disturbance"] = {"kind": ("constant", "", ""), "force": (0.5 * (backward - forward), shown, half)}
+        half = fitted(records[0].source, note="half the difference of the two directions")
+        tables["disturbance"] = {"kind": ("constant", "", None), "force": (0.5 * (backward - forward), shown, half)}
     return tables
 
 
