@@ -74,7 +74,7 @@ def test_stiction_over_ramps(tmp_path: Path, capsys: pytest.CaptureFixture[str])
     found = found_by([log, "--column", "command.x=cmd", "--model", "stiction", "--out", str(out)], capsys)
     assert found["parameters"]["breakaway+"]["value"] == pytest.approx(0.06, rel=0.02)
     assert found["parameters"]["breakaway-"]["value"] == pytest.approx(0.05, rel=0.02)
-    assert len(found["ramps"]) == 4 and "slow ramps in ramp.csv" in out.read_text()
+    assert len(found["ramps"]) == 4 and "spread over 4 slow ramps" in out.read_text()
 
 
 def test_two_inertias_make_an_axis(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
