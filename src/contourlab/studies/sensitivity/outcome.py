@@ -1,0 +1,82 @@
+"""What goes into global indices: figures in decades, with an honest place for runs that failed."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+
+from contourlab.errors import ParameterError
+from contourlab.studies.sensitivity.runs import Array
+from contourlab.studies.space import Space
+
+__all__ = ["REFUSED", "Outcome", "outcome"]
+
+REFUSED = 0.25
+"""Part of the runs that may fail before indices are refused."""
+BEYOND = 10.0
+"""Where there is no limit of the following error, a failed run counts as this many times the worst one that held."""
+
+
+@dataclass(frozen=True, eq=False)
+class Outcome:
+    """Figures as an estimator takes them.
+
+    Attributes
+    ----------
+    values : ndarray (n,)
+        Decimal logarithm of the figure [SI] if `logarithmic`, else the figure [SI].
+    logarithmic : bool
+    failed : int
+        Runs that failed.
+    capped : float [SI]
+        What a failed run counts as, and the most that any counts as.
+    """
+
+    values: Array
+    logarithmic: bool
+    failed: int
+    capped: float
+
+    @property
+    def share(self) -> float:
+        """Part of the runs that failed."""
+        return self.failed / len(self.values)
+
+
+def outcome(figures: Array, level: float, logarithmic: bool, space: Space, points: Array) -> Outcome:
+    """Return figures as an estimator takes them.
+
+    Parameters
+    ----------
+    figures : ndarray (n,) [SI]
+        NaN where a run failed.
+    level : float [SI]
+        Of a run that is at the failure limit all the time; infinite where there is none.
+    logarithmic : bool
+    space : Space
+    points : ndarray (n, n_number)
+        Places of the runs, 0 to 1, to say where runs fail.
+
+    Raises
+    ------
+    ParameterError
+        If more than `REFUSED` of the runs failed, or a logarithm is wanted of what is not above 0.
+    """
+    bad = np.isnan(figures)
+    share = float(bad.mean())
+    if share > REFUSED:
+        off = points[bad].mean(axis=0) - 0.5
+        at = int(np.argmax(np.abs(off)))
+        number = space.numbers[at]
+        side = "upper" if off[at] > 0.0 else "lower"
+        right = f"at most {100.0 * REFUSED:.0f} %: they would say what makes the loop fail, not what makes it accurate; take narrower bounds"
+        raise ParameterError("runs", f"{100.0 * share:.0f} % failed", f"{right}, first those of {number.short} at the {side} end")
+    capped = level if math.isfinite(level) else BEYOND * float(figures[~bad].max())
+    values = np.minimum(np.where(bad, capped, figures), capped)
+    if logarithmic:
+        if not (values > 0.0).all():
+            raise ParameterError("--transform log", f"a figure of {values.min():g}", "above 0; take --transform none")
+        values = np.log10(values)
+    return Outcome(values, logarithmic, int(bad.sum()), capped)

@@ -1,0 +1,138 @@
+"""Runs in chunks, each kept on disk as it is done, so that what was interrupted goes on where it stopped."""
+
+from __future__ import annotations
+
+import hashlib
+import io
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import TypeAlias
+
+import numpy as np
+from numpy.typing import NDArray
+
+from contourlab.result.atomic import write_bytes_atomic
+from contourlab.studies.sensitivity.figure import FIGURES
+
+__all__ = ["CHUNK", "Columns", "Judge", "Kept", "Model", "Runs"]
+
+Array: TypeAlias = NDArray[np.float64]
+Columns: TypeAlias = Mapping[str, Array]
+"""Values [SI] by dotted names, each (n,)."""
+Model: TypeAlias = Callable[[Columns], Mapping[str, Array]]
+"""Figures of runs: `contourlab.studies.space.Evaluator`, or anything that stands in for it."""
+Judge: TypeAlias = Callable[[Columns], Array]
+"""One figure [SI] of runs, NaN where one failed."""
+CHUNK = 1024
+"""Runs that are made, and kept, together."""
+KEYS = tuple(figure.key for figure in FIGURES.values())
+
+
+@dataclass(eq=False)
+class Kept:
+    """Figures of runs in a folder: a file for each chunk, named by all that decides what is in it.
+
+    Parameters
+    ----------
+    folder : Path
+        Made when the first chunk is kept.
+    model : str
+        All that decides a run but the numbers that are moved.
+    damaged : int
+        Files that could not be read; their runs are made again.
+    """
+
+    folder: Path
+    model: str
+    damaged: int = 0
+
+    @property
+    def home(self) -> Path:
+        """Folder of the chunks of this model."""
+        return self.folder / hashlib.sha256(self.model.encode()).hexdigest()[:16]
+
+    @property
+    def others(self) -> int:
+        """How many other models have chunks beside this one's."""
+        return sum(path != self.home and path.is_dir() for path in self.folder.glob("?" * 16))
+
+    def file(self, columns: Columns) -> Path:
+        """Return the file of a chunk: the name is a digest of model, names and values."""
+        text = hashlib.sha256(self.model.encode())
+        for name, values in columns.items():
+            text.update(f"\n{name}\n".encode() + np.ascontiguousarray(values, dtype="<f8").tobytes())
+        return self.home / f"{text.hexdigest()[:32]}.npz"
+
+    def read(self, columns: Columns) -> dict[str, Array] | None:
+        """Return the figures of a chunk if they are kept."""
+        file = self.file(columns)
+        if not file.exists():
+            return None
+        n = len(next(iter(columns.values())))
+        try:
+            with np.load(file, allow_pickle=False) as data:  # a zip: what was damaged fails its checksum
+                found = {key: np.asarray(data[key], dtype=float) for key in KEYS}
+        except Exception:  # zipfile, zlib, NumPy and the system each have errors of their own for a damaged file
+            found = {}
+        if not found or any(values.shape != (n,) for values in found.values()):
+            self.damaged += 1
+            return None
+        return found
+
+    def write(self, columns: Columns, figures: Mapping[str, Array]) -> None:
+        """Keep the figures of a chunk."""
+        buffer = io.BytesIO()
+        np.savez(buffer, allow_pickle=False, **{key: np.asarray(figures[key]) for key in KEYS})
+        write_bytes_atomic(self.file(columns), buffer.getvalue())
+
+
+@dataclass(eq=False)
+class Runs:
+    """Runs of a model, a chunk at a time.
+
+    Parameters
+    ----------
+    model : callable
+    kept : Kept, optional
+        Where chunks are kept, and looked for; nowhere by default.
+    progress : callable, optional
+        Told runs done and runs in all, of each call.
+    made, found : int
+        Runs that were made, and those that were kept from an earlier time.
+    """
+
+    model: Model
+    kept: Kept | None = None
+    progress: Callable[[int, int], None] | None = None
+    made: int = field(default=0, init=False)
+    found: int = field(default=0, init=False)
+
+    def judge(self, key: str) -> Judge:
+        """Return what gives one figure of runs, by its key."""
+        return lambda columns: self(columns)[key]
+
+    def __call__(self, columns: Columns) -> dict[str, Array]:
+        """Return the figures that `FIGURES` names, each (n,)."""
+        n = len(next(iter(columns.values())))
+        found = {key: np.empty(n) for key in KEYS}
+        for first in range(0, n, CHUNK):
+            part = {name: np.asarray(values, dtype=float)[first : first + CHUNK] for name, values in columns.items()}
+            for key, values in self._chunk(part).items():
+                found[key][first : first + CHUNK] = values
+            if self.progress is not None:
+                self.progress(min(first + CHUNK, n), n)
+        return found
+
+    def _chunk(self, columns: Columns) -> dict[str, Array]:
+        n = len(next(iter(columns.values())))
+        figures = None if self.kept is None else self.kept.read(columns)
+        if figures is not None:
+            self.found += n
+            return figures
+        new = self.model(columns)
+        figures = {key: np.asarray(new[key], dtype=float) for key in KEYS}
+        self.made += n
+        if self.kept is not None:
+            self.kept.write(columns, figures)
+        return figures
