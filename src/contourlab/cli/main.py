@@ -30,6 +30,7 @@ from contourlab.cli.commands.measure import measure
 from contourlab.cli.commands.new import new
 from contourlab.cli.commands.reproduce import reproduce
 from contourlab.cli.commands.run import run as run_command
+from contourlab.cli.commands.sensitivity import sensitivity
 from contourlab.cli.output import say, silence
 from contourlab.errors import ContourlabError
 
@@ -53,6 +54,7 @@ app.command("backlash")(backlash)
 app.command("link")(link)
 app.command("measure")(measure)
 app.command("identify")(identify)
+app.command("sensitivity")(sensitivity)
 app.command("check")(check)
 app.command("canon")(canon)
 app.command("interpolate")(interpolate)

@@ -14,7 +14,7 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
-__all__ = ["LOOKS", "line_drawing", "path_drawing", "polar_drawing"]
+__all__ = ["LOOKS", "WIDTH", "curve_look", "line_drawing", "logarithmic", "path_drawing", "plain", "plain_numbers", "polar_drawing"]
 
 LOOKS: dict[str, Any] = {
     "font.family": "sans-serif",
@@ -53,12 +53,12 @@ def _figure(height: float) -> Figure:
     return Figure(figsize=(WIDTH, height), layout="constrained")
 
 
-def _look(curve: Any) -> dict[str, Any]:
+def curve_look(curve: Any) -> dict[str, Any]:
     """Return colour and dash of a line."""
     return {"color": curve.colour, "linestyle": _DASH[curve.dash], "linewidth": 0.75 * getattr(curve, "width", 1.4)}
 
 
-def _plain(text: str) -> str:
+def plain(text: str) -> str:
     """Return text that matplotlib prints as it is: ``$`` begins a formula, a leading ``_`` hides a legend entry."""
     text = text.replace("$", "\\$")
     return f" {text}" if text.startswith("_") else text
@@ -73,7 +73,7 @@ def line_drawing(chart: Chart) -> Figure:
         _panel(place, panel)
         if chart.loops:
             place.margins(x=0.015)
-    axes[0].set_title(_plain(chart.title), pad=6)
+    axes[0].set_title(plain(chart.title), pad=6)
     axes[-1].set_xlabel(chart.panels[-1].x_label)
     figure.align_ylabels(list(axes))
     entries: dict[str, Any] = {}
@@ -88,18 +88,18 @@ def _panel(place: Axes, panel: Panel) -> None:
     """Draw one panel."""
     for curve in panel.curves:
         # Bars end where they end; a line's own caps would reach beyond.
-        place.plot(curve.x, curve.y, label=_plain(curve.name), solid_capstyle="butt" if panel.y_ticks else "projecting", **_look(curve))
+        place.plot(curve.x, curve.y, label=plain(curve.name), solid_capstyle="butt" if panel.y_ticks else "projecting", **curve_look(curve))
     if panel.log_x:
         place.set_xscale("log")
         if _decades(panel) < 2.0:
-            _plain_numbers(place.xaxis)
+            plain_numbers(place.xaxis)
     else:
         place.margins(x=0)
     if panel.log_y:
-        _logarithmic(place)
-    place.set_ylabel(_plain(panel.y_label))
+        logarithmic(place)
+    place.set_ylabel(plain(panel.y_label))
     if panel.y_ticks:
-        place.set_yticks([value for value, _ in panel.y_ticks], [_plain(text) for _, text in panel.y_ticks])
+        place.set_yticks([value for value, _ in panel.y_ticks], [plain(text) for _, text in panel.y_ticks])
     texts = []
     if panel.y_range is not None:
         place.set_ylim(*panel.y_range)
@@ -121,13 +121,14 @@ def _panel(place: Axes, panel: Panel) -> None:
     _ticks(place, panel)
 
 
-def _logarithmic(place: Axes) -> None:
+def logarithmic(place: Axes) -> None:
     """Give a panel a logarithmic y axis with numbers as people write them."""
     place.set_yscale("log")
-    _plain_numbers(place.yaxis)
+    plain_numbers(place.yaxis)
 
 
-def _plain_numbers(axis: Any) -> None:
+def plain_numbers(axis: Any) -> None:
+    """Give a logarithmic axis numbers as people write them."""
     from matplotlib.ticker import LogLocator, NullFormatter, StrMethodFormatter
 
     axis.set_major_locator(LogLocator(subs=(1.0, 2.0, 5.0)))
@@ -158,7 +159,7 @@ def polar_drawing(chart: PolarChart) -> Figure:
     place: Any = figure.add_subplot(projection="polar")
     place.spines["polar"].set_visible(True)
     for curve in chart.curves:
-        place.plot(np.radians(curve.x), curve.y, label=_plain(curve.name), **_look(curve))
+        place.plot(np.radians(curve.x), curve.y, label=plain(curve.name), **curve_look(curve))
     for mark in chart.marks:
         place.plot(np.radians(mark.x), mark.y, "o", markersize=5, markerfacecolor="none", color=mark.colour)
     round_ = np.linspace(0.0, 2.0 * np.pi, 361)
@@ -167,7 +168,7 @@ def polar_drawing(chart: PolarChart) -> Figure:
     place.set_rlim(low, high)
     rings, texts = zip(*chart.rings()[1:], strict=True)
     place.set_rgrids(list(rings), list(texts), angle=67.5, size=7)
-    place.set_title(_plain(chart.title), pad=14)
+    place.set_title(plain(chart.title), pad=14)
     place.annotate(f"one ring {nominal(chart.division, 'µm')}", (0, 0), xycoords="axes fraction", size=7.5, color=MUTED)
     figure.legend(loc="outside lower left", ncols=2)
     return figure
@@ -178,19 +179,19 @@ def path_drawing(chart: PathChart) -> Figure:
     figure = _figure(5.6)
     place = figure.add_subplot()
     for line in chart.lines:
-        place.plot(line.x, line.y, label=_plain(line.name), **_look(line))
+        place.plot(line.x, line.y, label=plain(line.name), **curve_look(line))
     named: set[str] = set()
     for run in (*chart.tolerance, *chart.runs):
         points = run.drawn(chart.magnification)
-        label = "_nolegend_" if run.name in named else _plain(run.name)
+        label = "_nolegend_" if run.name in named else plain(run.name)
         named.add(run.name)
-        place.plot(points[:, 0], points[:, 1], label=label, **_look(run))
+        place.plot(points[:, 0], points[:, 1], label=label, **curve_look(run))
     for worst in chart.worst:
         _ring(place, worst, chart.magnification)
     place.set_aspect("equal", adjustable="datalim")
-    place.set_xlabel(_plain(chart.labels[0]))
-    place.set_ylabel(_plain(chart.labels[1]))
-    place.set_title(f"{_plain(chart.title)}, {_plain(chart.view)}: errors × {nominal(chart.magnification, '')}")
+    place.set_xlabel(plain(chart.labels[0]))
+    place.set_ylabel(plain(chart.labels[1]))
+    place.set_title(f"{plain(chart.title)}, {plain(chart.view)}: errors × {nominal(chart.magnification, '')}")
     figure.legend(loc="outside lower left", ncols=2)
     return figure
 
@@ -199,4 +200,4 @@ def _ring(place: Axes, worst: Magnified, magnification: float) -> None:
     """Draw a ring round the worst error of a run."""
     style: dict[str, Any] = {"marker": "o", "markersize": 9, "markerfacecolor": "none", "linestyle": "none"}
     x, y = worst.drawn(magnification).T
-    place.plot(x, y, color=worst.colour, markeredgewidth=1.4, label=_plain(worst.name), **style)
+    place.plot(x, y, color=worst.colour, markeredgewidth=1.4, label=plain(worst.name), **style)

@@ -15,6 +15,7 @@ from contourlab.report.error_pictures import error_charts, polar_charts
 from contourlab.report.feed_picture import feed_charts
 from contourlab.report.hysteresis_picture import hysteresis_charts
 from contourlab.report.path_picture import path_charts
+from contourlab.report.study_charts import Bars, Matrix, Multiples
 from contourlab.report.switching import strip_charts
 from contourlab.report.trials import trial_charts
 from contourlab.result.atomic import write_bytes_atomic
@@ -60,12 +61,14 @@ def write_plots(data: ReportData, folder: str | Path, formats: Sequence[str] = (
     return _written(_drawings(data), folder, formats)
 
 
-def write_charts(charts: Sequence[Chart | PolarChart], folder: str | Path, formats: Sequence[str] = ("png",)) -> tuple[Path, ...]:
+def write_charts(
+    charts: Sequence[Chart | PolarChart | Bars | Matrix | Multiples], folder: str | Path, formats: Sequence[str] = ("png",)
+) -> tuple[Path, ...]:
     """Write pictures that belong to no report, each as a file named by its key.
 
     Parameters
     ----------
-    charts : sequence of Chart or PolarChart
+    charts : sequence of Chart, PolarChart, Bars, Matrix or Multiples
     folder, formats
         As of `write_plots`, which says what may be raised, too.
     """
@@ -106,10 +109,17 @@ def _drawings(data: ReportData) -> Iterator[tuple[str, Figure]]:
 def _draw(chart: Any) -> Figure:
     """Return the drawing of one chart."""
     from contourlab.report import matplotlib_view as view
+    from contourlab.report import study_view
 
     if isinstance(chart, PathChart):
         return view.path_drawing(chart)
     if isinstance(chart, PolarChart):
         return view.polar_drawing(chart)
+    if isinstance(chart, Multiples):
+        return study_view.multiples_drawing(chart)
+    if isinstance(chart, Bars):
+        return study_view.bars_drawing(chart)
+    if isinstance(chart, Matrix):
+        return study_view.matrix_drawing(chart)
     assert isinstance(chart, Chart)
     return view.line_drawing(chart)

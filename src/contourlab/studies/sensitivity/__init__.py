@@ -14,7 +14,7 @@ from contourlab.studies.sensitivity.indices import (
 from contourlab.studies.sensitivity.local import Local, Slope, local
 from contourlab.studies.sensitivity.outcome import Outcome, outcome
 from contourlab.studies.sensitivity.runs import Kept, Runs
-from contourlab.studies.sensitivity.study import PARTS, Plan, Study, sensitivity_study
+from contourlab.studies.sensitivity.study import PARTS, Plan, Study, holds, sensitivity_study
 from contourlab.studies.sensitivity.verdict import Ranking, ranking, verdict
 
 __all__ = [
@@ -40,6 +40,7 @@ __all__ = [
     "distributions",
     "failure_level",
     "figure_called",
+    "holds",
     "local",
     "morris_indices",
     "morris_points",

@@ -103,4 +103,6 @@ def _deviation(number: Number, text: str) -> float:
         return float(read_number(text if number.unit else float(text), number.unit, number.display))
     except (UnitError, ValueError) as error:
         shown = number.display or number.unit
-        raise ParameterError("--deviation", repr(text), f"a deviation of {number.short}, as 5 %{f' or 2 {shown}' if shown else ''}") from error
+        raise ParameterError(
+            "--deviation", repr(text), f"a deviation of {number.short}, as 5 %{f' or 2 {shown}' if shown else ''}"
+        ) from error

@@ -145,5 +145,7 @@ def morris_indices(points: Array, values: Array, seed: int = 0) -> MorrisIndices
     found = morris.analyze(
         _problem(points.shape[1]), points, values, num_resamples=RESAMPLES, conf_level=CONFIDENCE, num_levels=LEVELS, seed=seed
     )
-    mu_star, interval, mu, sigma = (np.asarray(np.ma.getdata(found[key]), dtype=float) for key in ("mu_star", "mu_star_conf", "mu", "sigma"))
+    mu_star, interval, mu, sigma = (
+        np.asarray(np.ma.getdata(found[key]), dtype=float) for key in ("mu_star", "mu_star_conf", "mu", "sigma")
+    )
     return MorrisIndices(mu_star, interval, mu, sigma)

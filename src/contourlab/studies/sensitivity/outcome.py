@@ -71,7 +71,9 @@ def outcome(figures: Array, level: float, logarithmic: bool, space: Space, point
         at = int(np.argmax(np.abs(off)))
         number = space.numbers[at]
         side = "upper" if off[at] > 0.0 else "lower"
-        right = f"at most {100.0 * REFUSED:.0f} %: they would say what makes the loop fail, not what makes it accurate; take narrower bounds"
+        right = (
+            f"at most {100.0 * REFUSED:.0f} %: they would say what makes the loop fail, not what makes it accurate; take narrower bounds"
+        )
         raise ParameterError("runs", f"{100.0 * share:.0f} % failed", f"{right}, first those of {number.short} at the {side} end")
     capped = level if math.isfinite(level) else BEYOND * float(figures[~bad].max())
     values = np.minimum(np.where(bad, capped, figures), capped)

@@ -80,11 +80,13 @@ class Kept:
             return None
         return found
 
-    def write(self, columns: Columns, figures: Mapping[str, Array]) -> None:
-        """Keep the figures of a chunk."""
+    def write(self, columns: Columns, figures: Mapping[str, Array]) -> Path:
+        """Keep the figures of a chunk; return its file."""
         buffer = io.BytesIO()
         np.savez(buffer, allow_pickle=False, **{key: np.asarray(figures[key]) for key in KEYS})
-        write_bytes_atomic(self.file(columns), buffer.getvalue())
+        file = self.file(columns)
+        write_bytes_atomic(file, buffer.getvalue())
+        return file
 
 
 @dataclass(eq=False)
@@ -107,6 +109,7 @@ class Runs:
     progress: Callable[[int, int], None] | None = None
     made: int = field(default=0, init=False)
     found: int = field(default=0, init=False)
+    _own: set[Path] = field(default_factory=set, init=False, repr=False)
 
     def judge(self, key: str) -> Judge:
         """Return what gives one figure of runs, by its key."""
@@ -128,11 +131,12 @@ class Runs:
         n = len(next(iter(columns.values())))
         figures = None if self.kept is None else self.kept.read(columns)
         if figures is not None:
-            self.found += n
+            # What it made itself a moment ago is no run of an earlier time.
+            self.found += n * (self.kept is not None and self.kept.file(columns) not in self._own)
             return figures
         new = self.model(columns)
         figures = {key: np.asarray(new[key], dtype=float) for key in KEYS}
         self.made += n
         if self.kept is not None:
-            self.kept.write(columns, figures)
+            self._own.add(self.kept.write(columns, figures))
         return figures

@@ -25,7 +25,7 @@ from contourlab.studies.sensitivity.outcome import Outcome, outcome
 from contourlab.studies.sensitivity.runs import Array, Judge, Runs
 from contourlab.studies.space import Space
 
-__all__ = ["PARTS", "Plan", "Study", "sensitivity_study"]
+__all__ = ["PARTS", "Plan", "Study", "holds", "sensitivity_study"]
 
 PARTS = ("curves", "local", "morris", "sobol")
 
@@ -155,6 +155,11 @@ def sensitivity_study(
         share_outcome = _outcome(space, judge, drawn, points, plan, level)
         shares = sobol_indices(share_outcome.values, n, plan.second, plan.seed)
     return Study(space, plan, figure, lines, little, effects, effect_outcome, shares, share_outcome, tuple(drawn))
+
+
+def holds(space: Space, runs: Runs) -> bool:
+    """Tell whether the run with all numbers at their values does not fail."""
+    return all(bool(np.isfinite(values[0])) for values in runs(space_values(space)).values())
 
 
 def space_values(space: Space) -> dict[str, Array]:

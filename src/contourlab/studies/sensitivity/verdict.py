@@ -76,7 +76,7 @@ def _decades(curve: Curve) -> float:
 
 def verdict(study: Study) -> tuple[str, ...]:
     """Return the study in sentences."""
-    return tuple([*_groups(study), *_pairs(study), *_first(study), *_doubts(study)])
+    return (*_groups(study), *_pairs(study), *_first(study), *_doubts(study))
 
 
 def _names(study: Study, which: tuple[int, ...], figures: tuple[float, ...] = ()) -> str:
@@ -141,7 +141,10 @@ def _first(study: Study) -> Iterator[str]:
         minimum, number = curve.minimum, curve.number
         assert minimum is not None
         beyond = ", where the bound is: it may be lower beyond" if minimum.bound else ""
-        told.append(f"{number.short} (at {number.shown(minimum.value):.4g} {number.display or number.unit}".rstrip() + f"{beyond}: {part:.2g} of it)")
+        told.append(
+            f"{number.short} (at {number.shown(minimum.value):.4g} {number.display or number.unit}".rstrip()
+            + f"{beyond}: {part:.2g} of it)"
+        )
     yield f"Calibrate first what alone lowers the figure most: {'; '.join(told)}."
 
 
@@ -149,7 +152,7 @@ def _doubts(study: Study) -> Iterator[str]:
     sobol = study.sobol
     if sobol is not None and sobol.total_interval.max() > WIDE:
         wide = float(sobol.total_interval.max())
-        yield f"The widest interval is +-{wide:.2g}: numbers closer than that are not in order; --base {2 * study.plan.base} halves its square."
+        yield f"The widest interval is +-{wide:.2g}: closer numbers are not in order; --base {2 * study.plan.base} halves its square."
     for name, found in (("Morris", study.morris_outcome), ("Sobol", study.sobol_outcome)):
         if found is not None and found.failed:
             share = f"{100.0 * found.share:.2g} % ({found.failed} of {len(found.values)})"

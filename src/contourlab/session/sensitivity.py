@@ -1,0 +1,306 @@
+"""``contourlab sensitivity``: from a scenario to what its contour error depends on."""
+
+from __future__ import annotations
+
+import hashlib
+import json
+import shlex
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from contourlab.errors import ParameterError
+from contourlab.result import write_text_atomic
+from contourlab.session.folder import staged
+from contourlab.session.sensitivity_text import SHOWN, summary_of, text_of
+from contourlab.session.stages import Stages, shown
+from contourlab.session.summary import plain
+
+if TYPE_CHECKING:
+    from contourlab.feed import Reference
+    from contourlab.report.study_charts import Bars, Matrix, Multiples
+    from contourlab.scenario import Case
+    from contourlab.studies.sensitivity import Kept, Runs, Study
+
+__all__ = ["Request", "SensitivityOutcome", "sensitivity_of"]
+
+KEPT = "runs"
+"""Folder of the runs that are kept, in that of the results."""
+
+
+@dataclass(frozen=True)
+class Request:
+    """What is asked for: the options of the command.
+
+    Attributes
+    ----------
+    scheme : str
+        Of the scenario; its first if empty.
+    parameters : sequence of str
+        As of `contourlab.studies.space.Space.chosen`; all that is calibrated by default.
+    width : float
+        Bounds are this factor either side of the value where a text gives none.
+    figure : str
+        Of `contourlab.studies.sensitivity.FIGURES`.
+    parts : sequence of str
+        Of `contourlab.studies.sensitivity.PARTS`; all by default.
+    values, base, trajectories : int
+        Of a curve, of Saltelli's sampling, of Morris' design.
+    second : bool
+        Whether Sobol's indices of pairs are wanted.
+    distribution : str
+        Of `contourlab.studies.sensitivity.KINDS`.
+    deviations : sequence of str
+        As of `contourlab.studies.sensitivity.distributions`.
+    transform : str
+        ``"log"`` or ``"none"``: of the figure, for global indices.
+    servo_period : str
+        In place of the machine's own, with its unit; empty for that.
+    seed : int
+        Of the samplings; noise has the scenario's.
+    threads : int, optional
+    """
+
+    scheme: str = ""
+    parameters: Sequence[str] = ()
+    width: float = 2.0
+    figure: str = "integral"
+    parts: Sequence[str] = ()
+    values: int = 41
+    base: int = 512
+    trajectories: int = 32
+    second: bool = False
+    distribution: str = "uniform"
+    deviations: Sequence[str] = ()
+    transform: str = "log"
+    servo_period: str = ""
+    seed: int = 0
+    threads: int | None = None
+
+
+@dataclass(frozen=True)
+class SensitivityOutcome:
+    """What the command prints: as JSON, and as text."""
+
+    summary: dict[str, Any]
+    text: str
+
+
+def sensitivity_of(
+    file: str | Path,
+    out: str | Path,
+    request: Request,
+    *,
+    plugins: Sequence[str | Path] = (),
+    plots: Sequence[str] = (),
+    progress: bool = False,
+) -> SensitivityOutcome:
+    """Study a scenario, write ``summary.json`` and pictures into a folder, and keep the runs in its folder ``runs``.
+
+    Parameters
+    ----------
+    file : str or Path
+        A scenario.
+    out : str or Path
+        Folder of the results. Runs kept there from an earlier time are not made again: after an interrupt the same command goes on.
+    request : Request
+    plugins : sequence of str or Path
+        Python files with components.
+    plots : sequence of str
+        png, svg or pdf.
+    progress : bool
+        Whether to show a bar.
+
+    Raises
+    ------
+    ContourlabError
+        If the scenario, an option or the folder is at fault, or the scenario's own run fails.
+    """
+    from contourlab.report.plots import write_charts
+
+    write_charts((), out, plots)  # an unknown format is told ahead of all runs
+    case, notes = _case(file, request, plugins)
+    with staged(out) as stage:
+        try:
+            with shown(progress) as stages:
+                study, runs = _studied(case, request, Path(out) / KEPT, stages)
+        except KeyboardInterrupt as stop:
+            stop.add_note(f"The runs made so far are kept in {Path(out) / KEPT}: the same command goes on from there.")
+            raise
+        notes += _kept_notes(runs)
+        command = _command(file, request, plugins)
+        summary = plain(summary_of(study, runs, case, notes, command))
+        write_text_atomic(stage / "summary.json", json.dumps(summary, indent=2, allow_nan=False) + "\n")
+        if plots:
+            write_charts(_charts(study), stage / "plots", plots)
+    return SensitivityOutcome(summary, text_of(study, runs, case, notes))
+
+
+def _case(file: str | Path, request: Request, plugins: Sequence[str | Path]) -> tuple[Case, list[str]]:
+    """Return what is studied, and what is to be known of it."""
+    from contourlab.session.log_choice import positive
+    from contourlab.session.schemes import loaded
+
+    scenario = loaded(file, (request.scheme,) if request.scheme else (), plugins)
+    cases, notes = scenario.cases(), []
+    case = cases[0]
+    if len(cases) > 1:
+        notes.append(f"the scenario has {len(cases)} schemes; this is the first, {case.name!r}: --scheme takes another")
+    if request.servo_period:
+        period = positive("--servo-period", request.servo_period, "s", 'a time, such as "0.1 ms"')
+        case = replace(case, machine=replace(case.machine, servo_period=period))
+    if case.changes:
+        raise ParameterError(
+            "scenario", "controllers that change while it runs", "one controller from beginning to end: take a scheme without"
+        )
+    if case.learning is not None:
+        notes.append("the runs are those before anything is learned")
+    if case.machine.squareness or any(axis.error.position.size or axis.error.repeatability for axis in case.machine.axes):
+        notes.append("the machine's lead errors and squareness are no part of these runs: they are the same under any controller")
+    return case, notes
+
+
+def _studied(case: Case, request: Request, folder: Path, stages: Stages) -> tuple[Study, Runs]:
+    from contourlab.loop import parameter_names, simulate
+    from contourlab.studies import sensitivity as study
+    from contourlab.studies.space import Evaluator, Space
+
+    machine, controller = case.machine, case.controller
+    space = Space.chosen(machine, controller, request.parameters, request.width)
+    drawn = study.distributions(space, request.distribution, request.deviations)
+    if request.transform not in ("log", "none"):
+        raise ParameterError("--transform", repr(request.transform), "log or none")
+    figure = study.figure_called(request.figure)
+    plan = study.Plan(
+        tuple(request.parts) or study.PARTS,
+        figure,
+        request.values,
+        request.base,
+        request.second,
+        request.trajectories,
+        request.transform == "log",
+        request.seed,
+    )
+    stages.begin("planning the motion")
+    reference = case.reference()
+    evaluator = Evaluator(
+        machine, controller, reference, moving=case.moving, seed=case.seed, threads=_threads(request.threads), effort=False
+    )
+    runs = study.Runs(evaluator, study.Kept(folder, _model(case, reference)), stages.advance)
+    level = study.failure_level(machine, reference, figure)
+    if not study.holds(space, runs):
+        # One run by itself says where and when it fails.
+        simulate(machine, controller, reference, seed=case.seed, moving=case.moving)
+    known = parameter_names(machine, controller)
+    limits = {name: _limits(*known[name]) for name in space.names}
+    return study.sensitivity_study(space, runs, plan, drawn, level, limits=limits, stage=stages.begin), runs
+
+
+def _threads(wanted: int | None) -> int | None:
+    if wanted is not None and wanted < 1:
+        raise ParameterError("--threads", f"{wanted}", "1 or more")
+    return wanted
+
+
+def _limits(part: Any, name: str) -> tuple[float, float]:
+    """Return what a number may be at all."""
+    parameter = part.parameters[name]
+    return parameter.minimum, parameter.maximum
+
+
+def _model(case: Case, reference: Reference) -> str:
+    """Return all that decides a run, but the numbers that are moved: machine, controller, motion, noise, and the program that runs it."""
+    from contourlab.scenario.dump import dump
+
+    words = [dump(case.machine), dump(case.controller, case.machine), reference.digest, f"seed {case.seed}", f"moving {case.moving}"]
+    return "\n".join([*words, _program()])
+
+
+def _program() -> str:
+    """Return the version of contourlab and a digest of the rooms that decide a run's figures."""
+    import contourlab
+
+    root = Path(contourlab.__file__).parent
+    text = hashlib.sha256()
+    for room in ("native", "primitives", "geometry", "feed", "engine", "components", "metrics", "loop"):
+        single = root / f"{room}.py"
+        for file in [single] if single.exists() else sorted((root / room).rglob("*.py")):
+            text.update(file.relative_to(root).as_posix().encode() + b"\0" + file.read_bytes())
+    return f"contourlab {contourlab.__version__} {text.hexdigest()}"
+
+
+def _kept_notes(runs: Runs) -> list[str]:
+    kept: Kept | None = runs.kept
+    if kept is None:
+        return []
+    notes = []
+    if runs.found:
+        notes.append(f"{runs.found} runs were kept from an earlier time in {kept.home} and not made again")
+    if kept.others:
+        what = "of another scenario, motion, seed or version of contourlab"
+        notes.append(f"{kept.folder} also keeps runs {what}: they were left alone and not used; the folder may be deleted")
+    if kept.damaged:
+        notes.append(f"{kept.damaged} files of kept runs could not be read; their runs were made again")
+    return notes
+
+
+def _command(file: str | Path, request: Request, plugins: Sequence[str | Path]) -> str:
+    """Return what was typed, options at their defaults left out."""
+    plain_request, words = Request(), ["contourlab", "sensitivity", str(file)]
+    repeated = {"parameters": "--parameter", "deviations": "--deviation"}
+    for name in Request.__dataclass_fields__:
+        value = getattr(request, name)
+        if value == getattr(plain_request, name) or name == "threads":
+            continue
+        if name in repeated:
+            words += [word for text in value for word in (repeated[name], text)]
+        elif name == "parts":
+            words += ["--parts", ",".join(value)]
+        elif name == "second":
+            words.append("--second-order")
+        else:
+            words += [f"--{name.replace('_', '-')}", str(value)]
+    return shlex.join([*words, *(word for plugin in plugins for word in ("--plugin", str(plugin)))])
+
+
+def _charts(study: Study) -> list[Multiples | Bars | Matrix]:
+    from contourlab.report.sensitivity_pictures import DrawnCurve, curves_chart, indices_chart, interactions_chart
+
+    found: list[Multiples | Bars | Matrix] = []
+    factor, unit = SHOWN[study.plan.figure.name]
+    words, names = study.plan.figure.words, [number.short for number in study.space.numbers]
+    if study.curves is not None:
+        drawn = []
+        for curve in study.curves:
+            number, lowest = curve.number, curve.minimum
+            shown_ = number.shown
+            drawn.append(
+                DrawnCurve(
+                    number.short,
+                    number.display or number.unit or "value",
+                    np.array([shown_(value) for value in curve.values]),
+                    curve.figures * factor,
+                    shown_(number.value),
+                    None if lowest is None else (shown_(lowest.value), lowest.figure * factor),
+                    tuple((shown_(part.low), shown_(part.high)) for part in curve.failed),
+                    number.logarithmic,
+                )
+            )
+        found.append(curves_chart(f"One number at a time: {words}", f"{words} [{unit}]", drawn))
+    if study.sobol is not None:
+        s = study.sobol
+        series = (("first order", s.first, s.first_interval), ("total", s.total, s.total_interval))
+        what = f"log10 of the {words}" if study.plan.logarithmic else f"the {words}"
+        found.append(indices_chart("sobol", f"Sobol's indices of {what}", "share of the variance, with 95 % intervals", names, series))
+    if study.morris is not None:
+        label = "mean of the elementary effects' magnitude" + (" [decades]" if study.plan.logarithmic else f" [{unit}]")
+        scale = 1.0 if study.plan.logarithmic else factor
+        m = study.morris
+        series_ = (("sigma", m.sigma * scale, 0.0 * m.sigma), ("mu*", m.mu_star * scale, m.mu_star_interval * scale))
+        found.append(indices_chart("morris", f"Elementary effects (Morris) over the {words}", label, names, series_))
+    if study.local is not None and len(names) > 1:
+        found.append(interactions_chart(f"Interactions near the present values: {words}", names, study.local.interactions))
+    return found
