@@ -9,9 +9,10 @@ from numpy.typing import NDArray
 
 from contourlab.report.charts import Chart, Curve, Level, Panel, PolarChart
 from contourlab.report.error_pictures import division_of
+from contourlab.report.study_charts import Multiples, Tile
 from contourlab.report.style import REFERENCE, scheme_style
 
-__all__ = ["circle_chart", "course_chart", "sweep_chart", "traces_chart", "turn_chart"]
+__all__ = ["circle_chart", "course_chart", "overlaid_chart", "sweep_chart", "traces_chart", "turn_chart"]
 
 Array = NDArray[np.float64]
 
@@ -39,6 +40,28 @@ def sweep_chart(key: str, title: str, label: str, values: Sequence[float], curve
     drawn = tuple(Curve(x, np.array(y), name, *scheme_style(i, max(count, 2))) for i, (name, y) in enumerate(curves.items()))
     level = Curve(x[[0, -1]], np.full(2, paper), f"paper: {paper:.3g}", REFERENCE, "dot")
     return Chart(key, title, "", (Panel(label, "ratio", (*drawn, level), log_x=True),))
+
+
+Overlaid = tuple[str, Mapping[str, tuple[Array, Array, float, tuple[float, float] | None]]]
+"""Label of x, and by name of the curve: x, y, the x that is in force, the place of the minimum."""
+
+
+def overlaid_chart(key: str, title: str, y_label: str, tiles: Mapping[str, Overlaid]) -> Multiples:
+    """Return small pictures of several curves each, with their minima and present values in the colour of the curve."""
+    made = []
+    for name, (label, curves) in tiles.items():
+        style = {curve: scheme_style(i, len(curves)) for i, curve in enumerate(curves)}
+        made.append(
+            Tile(
+                name,
+                label,
+                tuple(Curve(x, y, curve, *style[curve]) for curve, (x, y, _, _) in curves.items()),
+                tuple((*lowest, style[curve][0]) for curve, (_, _, _, lowest) in curves.items() if lowest is not None),
+                tuple((here, style[curve][0]) for curve, (_, _, here, _) in curves.items()),
+                log_x=True,
+            )
+        )
+    return Multiples(key, title, "", y_label, tuple(made))
 
 
 def traces_chart(key: str, title: str, labels: tuple[str, str], traces: Mapping[str, tuple[Array, Array]], level: float = 0.0) -> Chart:

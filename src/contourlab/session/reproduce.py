@@ -6,11 +6,13 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
+import numpy as np
+
 from contourlab.report.charts import Chart, PolarChart
 from contourlab.report.plots import write_charts
 from contourlab.report.reproduction_pictures import circle_chart, course_chart, sweep_chart, traces_chart, turn_chart
 
-__all__ = ["check_choice", "write_emps", "write_gecer_ulu", "write_shahin"]
+__all__ = ["check_choice", "write_emps", "write_gecer_ulu", "write_ghaffari", "write_shahin"]
 
 RATIO = "contour rms of FB CCC ILC over FB ILC, over kappa"
 
@@ -30,6 +32,44 @@ def check_choice(folder: str | Path, formats: Sequence[str]) -> None:
     write_charts((), folder, formats)
     with staged(folder):
         pass
+
+
+def write_ghaffari(folder: str | Path, formats: Sequence[str]) -> tuple[Path, ...]:
+    """Write Figs 6 and 7 of Ghaffari & Ulsoy into a folder; return the files.
+
+    Parameters
+    ----------
+    folder : str or Path
+    formats : sequence of str
+        Of ``"png"``, ``"svg"``, ``"pdf"``.
+    """
+    from contourlab.report.reproduction_pictures import overlaid_chart
+    from contourlab.studies.reproduce.ghaffari_sensitivity import axis_curves
+
+    found = {f"axis {number}": axis_curves(number) for number in (1, 2, 3)}
+    figures = {
+        "fig-6a": ("Fig 6(a): observer, around Table III", ("a_hat", "b_hat")),
+        "fig-6b": ("Fig 6(b): feedforward, around Table III", ("a'", "b'")),
+        "fig-7": ("Fig 7: position control, around Table III", ("K_V", "K_P", "K_I")),
+    }
+    charts = []
+    for key, (title, names) in figures.items():
+        tiles = {}
+        for name in names:
+            members = {axis: curves[name] for axis, curves in found.items()}
+            number = members["axis 1"].number
+            drawn = {
+                axis: (
+                    np.array([number.shown(value) for value in curve.values]),
+                    curve.figures * 1e6,
+                    curve.number.shown(curve.number.value),
+                    None if curve.minimum is None else (number.shown(curve.minimum.value), curve.minimum.figure * 1e6),
+                )
+                for axis, curve in members.items()
+            }
+            tiles[name] = (f"{name} [{number.display}]", drawn)
+        charts.append(overlaid_chart(key, title, "contour error integral [um s]", tiles))
+    return write_charts(charts, folder, formats)
 
 
 def write_gecer_ulu(rows: Sequence[dict[str, Any]], folder: str | Path, formats: Sequence[str]) -> tuple[Path, ...]:

@@ -17,11 +17,22 @@ reproduce = typer.Typer(no_args_is_help=True, help="Compute a paper's figures ag
 
 
 @reproduce.command()
-def ghaffari(as_json: Json = False) -> int:
+def ghaffari(
+    as_json: Json = False,
+    plots: Annotated[list[str] | None, typer.Option(help="Also draw Figs 6 and 7 as png, svg or pdf; may be given again.")] = None,
+    out: Annotated[Path, typer.Option(help="Folder of the pictures.")] = Path("results"),
+) -> int:
     """Ghaffari and Ulsoy: component swapping modularity for distributed precision contouring."""
     from contourlab.studies.reproduce.ghaffari import reproduce as rows_of
 
-    return _told(rows_of(), as_json)
+    if plots:
+        from contourlab.session.reproduce import check_choice, write_ghaffari
+
+        check_choice(out, tuple(plots))
+    rows = rows_of()
+    if plots:
+        write_ghaffari(out, tuple(plots))
+    return _told(rows, as_json)
 
 
 @reproduce.command()

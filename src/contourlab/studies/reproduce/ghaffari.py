@@ -9,6 +9,7 @@ from contourlab.studies.reproduce.ghaffari_identified import identified_rows
 from contourlab.studies.reproduce.ghaffari_linear import linear_rows
 from contourlab.studies.reproduce.ghaffari_observer import observer_rows
 from contourlab.studies.reproduce.ghaffari_runs import run_rows
+from contourlab.studies.reproduce.ghaffari_sensitivity import sensitivity_rows
 
 __all__ = ["reproduce"]
 
@@ -16,3 +17,4 @@ __all__ = ["reproduce"]
 def reproduce() -> list[dict[str, Any]]:
     """Return every figure of the paper beside ours: rows with the keys of `contourlab.studies.reproduce.rows.Row.as_dict`."""
     return [found.as_dict() for found in (*linear_rows(), *observer_rows(), *bench_rows(), *identified_rows(), *run_rows())]
+    return [found.as_dict() for found in (*linear_rows(), *observer_rows(), *bench_rows(), *run_rows(), *sensitivity_rows())]
