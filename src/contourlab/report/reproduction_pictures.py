@@ -50,7 +50,8 @@ def overlaid_chart(key: str, title: str, y_label: str, tiles: Mapping[str, Overl
     """Return small pictures of several curves each, with their minima and present values in the colour of the curve."""
     made = []
     for name, (label, curves) in tiles.items():
-        style = {curve: scheme_style(i, len(curves)) for i, curve in enumerate(curves)}
+        # Curves that lie on one another are both seen where one is dashed.
+        style = {curve: (scheme_style(i, len(curves))[0], ("solid", "dash", "dot")[i % 3]) for i, curve in enumerate(curves)}
         made.append(
             Tile(
                 name,

@@ -101,8 +101,8 @@ def _minima() -> list[Row]:
             note = f"integral {lowest:.3g} um s there, {at_paper:.3g} at Table III"
             reason = (
                 f"{note}. In the model the four act as one ratio of steady gains, (a_hat/b_hat)/(a'/b'): {_ratio(_gains(number)):.3f} in "
-                f"Table III, {_ratio(_moved(number, name)):.3f} at this minimum. Between the two lies a radius error, of one sign all round, "
-                "that Table III leaves in the model; on the stage it may have been another, and its values are round"
+                f"Table III, {_ratio(_moved(number, name)):.3f} at this minimum. Between the two lies a radius error, of one sign all "
+                "round, that Table III leaves in the model; on the stage it may have been another, and its values are round"
             )
             unit = curve.number.display
             found.append(printed(f"minimum over {name}", case, paper, here, unit, AGREES * paper, note, reason=reason))
@@ -151,7 +151,7 @@ def _flat() -> list[Row]:
             curve = axis_curves(number)[name]
             if curve.flat is not None:
                 low, high = (curve.number.shown(value) for value in (curve.flat.low, curve.flat.high))
-                beyond = "" if curve.flat.last else ", beyond which the loop oscillates" if name != "K_V" else ""
+                beyond = "" if curve.flat.last else ", beyond which the error grows"
                 note = f"up to {high:.3g}{beyond}; the longest stretch of the curve"
                 case = f"axis {number}, {name}"
                 found.append(ours("integral changes by less than 5 % from", case, low, curve.number.display, note))

@@ -111,8 +111,10 @@ def sobol_indices(values: Array, n: int, second: bool = False, seed: int = 0) ->
         return SobolIndices(zero, zero, zero, zero, pairs, pairs, 0.0)
     from SALib.analyze import sobol
 
+    # A generator, not a number: of SALib's seeds 0 is none, and its intervals would come out otherwise each time.
+    draw = np.random.default_rng(seed)
     found = sobol.analyze(
-        _problem(n), values, calc_second_order=second, num_resamples=RESAMPLES, conf_level=CONFIDENCE, print_to_console=False, seed=seed
+        _problem(n), values, calc_second_order=second, num_resamples=RESAMPLES, conf_level=CONFIDENCE, print_to_console=False, seed=draw
     )
     plain = {key: np.asarray(value, dtype=float) for key, value in found.items()}
     pair, pair_interval = (plain["S2"], plain["S2_conf"]) if second else (None, None)

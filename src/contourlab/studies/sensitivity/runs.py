@@ -71,7 +71,7 @@ class Kept:
             return None
         n = len(next(iter(columns.values())))
         try:
-            with np.load(file, allow_pickle=False) as data:  # a zip: what was damaged fails its checksum
+            with np.load(io.BytesIO(file.read_bytes()), allow_pickle=False) as data:  # a zip: damage fails its checksum
                 found = {key: np.asarray(data[key], dtype=float) for key in KEYS}
         except Exception:  # zipfile, zlib, NumPy and the system each have errors of their own for a damaged file
             found = {}
