@@ -184,6 +184,7 @@ def _studied(case: Case, request: Request, folder: Path, stages: Stages) -> tupl
         request.transform == "log",
         request.seed,
     )
+    plan.check(len(space.numbers))
     stages.begin("planning the motion")
     reference = case.reference()
     evaluator = Evaluator(

@@ -12,7 +12,7 @@ from contourlab.errors import ParameterError
 from contourlab.studies.sensitivity.runs import Array, Columns, Judge
 from contourlab.studies.space import Number, Space
 
-__all__ = ["CHANGE", "Curve", "Minimum", "Stretch", "curves"]
+__all__ = ["CHANGE", "Curve", "Minimum", "Stretch", "check_values", "curves"]
 
 CHANGE = 0.05
 """Part by which the figure may change over a stretch that is called flat."""
@@ -99,8 +99,7 @@ def curves(space: Space, judge: Judge, count: int = 41) -> tuple[Curve, ...]:
     -----
     The minimum is located by runs, not by a parabola through three of them: where the sign of an error changes the curve has a corner.
     """
-    if count < 5:
-        raise ParameterError("--values", f"{count}", "5 or more")
+    check_values(count)
     grids = [number.physical(np.linspace(0.0, 1.0, count)) for number in space.numbers]
     figures = np.split(judge(one_at_a_time(space, grids)), len(grids))
     around: list[Array] = []
@@ -114,6 +113,12 @@ def curves(space: Space, judge: Judge, count: int = 41) -> tuple[Curve, ...]:
         Curve(number, grid, found, _minimum(number, near, fine), _flat(grid, found), _failed(grid, found))
         for number, grid, found, near, fine in zip(space.numbers, grids, figures, around, finer, strict=True)
     )
+
+
+def check_values(count: int) -> None:
+    """See that a curve has values enough; raises `ParameterError` if not."""
+    if count < 5:
+        raise ParameterError("--values", f"{count}", "5 or more")
 
 
 def one_at_a_time(space: Space, grids: Sequence[Array]) -> Columns:

@@ -10,7 +10,16 @@ import numpy as np
 from contourlab.errors import ParameterError
 from contourlab.studies.sensitivity.runs import Array
 
-__all__ = ["MorrisIndices", "SobolIndices", "morris_indices", "morris_points", "saltelli_points", "sobol_indices"]
+__all__ = [
+    "MorrisIndices",
+    "SobolIndices",
+    "check_morris",
+    "check_saltelli",
+    "morris_indices",
+    "morris_points",
+    "saltelli_points",
+    "sobol_indices",
+]
 
 LEVELS = 4
 RESAMPLES = 200
@@ -66,6 +75,33 @@ def _problem(n: int) -> dict[str, Any]:
     return {"num_vars": n, "names": [f"p{j}" for j in range(n)], "bounds": [[0.0, 1.0]] * n}
 
 
+def check_saltelli(n: int, base: int) -> None:
+    """See that points can be sampled.
+
+    Raises
+    ------
+    ParameterError
+        If there are fewer than two numbers, or the base is no power of two from 16.
+    """
+    if n < 2:
+        raise ParameterError("--parameter", f"{n}", "two or more for shares of a variance")
+    if base < 16 or base & (base - 1):
+        near = [2**k for k in range(4, 25) if 2**k <= max(2 * base, 16)][-2:]
+        raise ParameterError("--base", f"{base}", f"a power of two from 16, such as {' or '.join(map(str, near))}")
+
+
+def check_morris(trajectories: int) -> None:
+    """See that there are trajectories enough.
+
+    Raises
+    ------
+    ParameterError
+        If there are fewer than four.
+    """
+    if trajectories < 4:
+        raise ParameterError("--trajectories", f"{trajectories}", "4 or more")
+
+
 def saltelli_points(n: int, base: int, second: bool = False, seed: int = 0) -> Array:
     """Return the points of Saltelli's sampling in the unit cube: base (n + 2) of them, or base (2 n + 2) for second order.
 
@@ -82,17 +118,13 @@ def saltelli_points(n: int, base: int, second: bool = False, seed: int = 0) -> A
     Raises
     ------
     ParameterError
-        If there are fewer than two numbers, or the base is no power of two from 16.
+        As of `check_saltelli`.
 
     References
     ----------
     A. Saltelli et al., "Variance based sensitivity analysis of model output", Computer Physics Communications 181 (2010), 259-270.
     """
-    if n < 2:
-        raise ParameterError("--parameter", f"{n}", "two or more for shares of a variance")
-    if base < 16 or base & (base - 1):
-        near = [2**k for k in range(4, 25) if 2**k <= max(2 * base, 16)][-2:]
-        raise ParameterError("--base", f"{base}", f"a power of two from 16, such as {' or '.join(map(str, near))}")
+    check_saltelli(n, base)
     from SALib.sample import sobol
 
     return np.asarray(sobol.sample(_problem(n), base, calc_second_order=second, seed=seed), dtype=float)
@@ -133,8 +165,7 @@ def morris_points(n: int, trajectories: int, seed: int = 0) -> Array:
     ----------
     M. D. Morris, "Factorial sampling plans for preliminary computational experiments", Technometrics 33 (1991), 161-174.
     """
-    if trajectories < 4:
-        raise ParameterError("--trajectories", f"{trajectories}", "4 or more")
+    check_morris(trajectories)
     from SALib.sample import morris
 
     return np.asarray(morris.sample(_problem(n), trajectories, num_levels=LEVELS, seed=seed), dtype=float)

@@ -9,12 +9,14 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from contourlab.errors import ParameterError
-from contourlab.studies.sensitivity.curves import Curve, curves
+from contourlab.studies.sensitivity.curves import Curve, check_values, curves
 from contourlab.studies.sensitivity.distribution import Distribution
 from contourlab.studies.sensitivity.figure import FIGURES, Figure
 from contourlab.studies.sensitivity.indices import (
     MorrisIndices,
     SobolIndices,
+    check_morris,
+    check_saltelli,
     morris_indices,
     morris_points,
     saltelli_points,
@@ -68,6 +70,21 @@ class Plan:
                 raise ParameterError("--parts", repr(part), f"of {', '.join(PARTS)}")
         if not self.parts:
             raise ParameterError("--parts", "none", f"one of {', '.join(PARTS)} or more")
+
+    def check(self, n: int) -> None:
+        """See that it can be done with a number of numbers, ahead of all runs.
+
+        Raises
+        ------
+        ParameterError
+            If an option is out of range.
+        """
+        if "curves" in self.parts:
+            check_values(self.values)
+        if "morris" in self.parts:
+            check_morris(self.trajectories)
+        if "sobol" in self.parts:
+            check_saltelli(n, self.base)
 
 
 @dataclass(frozen=True, eq=False)
@@ -132,7 +149,7 @@ def sensitivity_study(
         If an option is out of range, too many runs fail, or the run fails with all numbers at their values.
     """
     n, judge = len(space.numbers), runs.judge(plan.figure.key)
-    # What cannot be sampled is refused ahead of the first run.
+    plan.check(n)
     points = saltelli_points(n, plan.base, plan.second, plan.seed) if "sobol" in plan.parts else None
     paths = morris_points(n, plan.trajectories, plan.seed) if "morris" in plan.parts else None
     stage("the run as it is")

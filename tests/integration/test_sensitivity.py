@@ -1,0 +1,135 @@
+"""``contourlab sensitivity`` as typed: from a scenario to what matters, with runs that are kept."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+from typing import Any
+
+import pytest
+from typed_commands import CIRCLE, SCHEMES
+
+from contourlab.cli.main import main
+from contourlab.studies.space import evaluator
+
+TWO = ["--parameter", "3.model_gain", "--parameter", "3.velocity_gain=0.05 full_scale*s/mm..0.2 full_scale*s/mm"]
+SMALL = [*TWO, "--values", "9", "--base", "16", "--trajectories", "4"]
+
+
+@pytest.fixture
+def circle(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    monkeypatch.chdir(tmp_path)
+    file = tmp_path / "circle.toml"
+    file.write_text(CIRCLE, encoding="utf-8")
+    return file
+
+
+def test_a_study_says_what_matters_and_keeps_its_runs(circle: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    words = ["sensitivity", str(circle), *SMALL, "--second-order", "--out", "out", "--json"]
+    assert main([*words, "--plots", "svg"]) == 0
+    found = json.loads(capsys.readouterr().out)
+    gain, damping = "controller.axes.3.controller.model_gain", "controller.axes.3.controller.velocity_gain"
+    assert found["figure"]["value"] == pytest.approx(18.31e-6, rel=1e-3)
+    assert found["curves"][gain]["minimum"]["value"] == pytest.approx(1.05, rel=0.01)
+    assert found["curves"][damping]["flat"] is not None
+    assert found["local"]["sensitivities"][gain]["sensitivity"] == pytest.approx(-6.2, rel=0.02)
+    assert found["ranking"]["matter"] == [gain] and damping in found["ranking"]["rest"]
+    assert found["sobol"]["total"][gain] > 0.8 and found["sobol"]["runs"] == 16 * 6 and found["sobol"]["failed"] == 0
+    assert found["runs"]["kept_from_before"] == 0
+    assert {file.name for file in Path("out/plots").iterdir()} == {"curves.svg", "interactions.svg", "morris.svg", "sobol.svg"}
+    assert json.loads(Path("out/summary.json").read_text()) == found
+    assert main([*words, "--threads", "1"]) == 0
+    again = json.loads(capsys.readouterr().out)
+    assert again["runs"] == {"made": 0, "kept_from_before": found["runs"]["made"]}
+    for key in ("curves", "local", "morris", "sobol", "verdict"):
+        assert again[key] == found[key]
+
+
+def test_the_text_has_the_tables_and_the_words(circle: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["sensitivity", str(circle), *SMALL, "--figure", "max", "--deviation", "3.model_gain=5 %"]) == 0
+    said = capsys.readouterr().out
+    for part in ("largest contour error", "One at a time, 9 values", "Small changes", "Interactions", "Morris", "Sobol", "In words:"):
+        assert part in said
+    assert "normal around 900, deviation 45" in said and "0 failed" in said and "Calibrate first" in said
+
+
+def test_what_was_interrupted_goes_on(circle: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch) -> None:
+    words = ["sensitivity", str(circle), *SMALL, "--json"]
+    whole, calls = evaluator.simulate_batch, 0
+
+    def stopped(*given: Any, **options: Any) -> Any:
+        nonlocal calls
+        calls += 1
+        if calls == 5:
+            raise KeyboardInterrupt
+        return whole(*given, **options)
+
+    with monkeypatch.context() as patch:
+        patch.setattr(evaluator, "simulate_batch", stopped)
+        assert main([*words, "--out", "out"]) == 130
+    assert "goes on from there" in capsys.readouterr().err
+    assert not Path("out/summary.json").exists()
+    assert main([*words, "--out", "out"]) == 0
+    resumed = json.loads(capsys.readouterr().out)
+    assert main([*words, "--out", "fresh"]) == 0
+    fresh = json.loads(capsys.readouterr().out)
+    assert resumed["runs"]["kept_from_before"] > 0 and fresh["runs"]["kept_from_before"] == 0
+    for key in ("curves", "local", "morris", "sobol"):
+        assert resumed[key] == fresh[key]
+
+
+def test_runs_of_another_scenario_are_left_alone_and_told(circle: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    words = ["sensitivity", str(circle), *TWO, "--parts", "local", "--out", "out"]
+    assert main(words) == 0
+    circle.write_text(CIRCLE.replace('frequency = "0.5 Hz"', 'frequency = "0.4 Hz"'), encoding="utf-8")
+    capsys.readouterr()
+    assert main(words) == 0
+    said = capsys.readouterr().out
+    assert "left alone and not used" in said and "not made again" not in said
+
+
+def test_one_scheme_is_studied_and_the_period_may_be_another(circle: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    circle.write_text(CIRCLE + SCHEMES, encoding="utf-8")
+    assert main(["sensitivity", str(circle), *TWO, "--parts", "local"]) == 0
+    said = capsys.readouterr().out
+    assert "this is the first, 'position loop'" in said
+    words = ["--scheme", "all of it", "--servo-period", "0.5 ms", "--json"]
+    assert main(["sensitivity", str(circle), *TWO, "--parts", "local", *words]) == 0
+    found = json.loads(capsys.readouterr().out)
+    assert (found["scheme"], found["servo_period"], found["notes"]) == ("all of it", 5e-4, found["notes"])
+    assert "--scheme 'all of it'" in found["command"] and "--parts local" in found["command"]
+
+
+def test_a_scenario_that_runs_away_says_where(circle: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    machine = '[axes."*".limits]\nfollowing_error = "1 um"\n'
+    circle.write_text(CIRCLE + machine, encoding="utf-8")
+    assert main(["sensitivity", str(circle), *TWO, "--parts", "local"]) == 3
+    assert "sample" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize(
+    ("words", "said"),
+    [
+        (["--parameter", "3.nothing"], "such as"),
+        (["--parameter", "3.model_gain=1 mm..2 mm"], "mm/s^2"),
+        ([*TWO, "--base", "100"], "64 or 128"),
+        ([*TWO, "--values", "3"], "5 or more"),
+        ([*TWO, "--trajectories", "1"], "4 or more"),
+        ([*TWO, "--figure", "mean"], "integral, rms, max"),
+        ([*TWO, "--parts", "curves,all"], "curves, local, morris, sobol"),
+        ([*TWO, "--distribution", "normal"], "--deviation"),
+        ([*TWO, "--deviation", "x=5 %"], "numbers that are moved"),
+        ([*TWO, "--transform", "square"], "log or none"),
+        ([*TWO, "--servo-period", "1 mm"], "--servo-period"),
+        ([*TWO, "--threads", "0"], "1 or more"),
+        ([*TWO, "--scheme", "none such"], "none such"),
+        ([*TWO, "--plots", "bmp"], "png, svg, pdf"),
+        (["--parameter", "3.model_gain"], "two or more"),
+        (["--width", "0.5"], "lower one first"),
+    ],
+)
+def test_what_cannot_be_is_refused(circle: Path, words: list[str], said: str, capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["sensitivity", str(circle), *words]) == 2
+    told = capsys.readouterr()
+    assert said in told.err and "Traceback" not in told.err and not told.out
+    assert not Path("results").exists()
