@@ -84,7 +84,7 @@ def check_saltelli(n: int, base: int) -> None:
         If there are fewer than two numbers, or the base is no power of two from 16.
     """
     if n < 2:
-        raise ParameterError("--parameter", f"{n}", "two or more for shares of a variance")
+        raise ParameterError("--parameter", f"{n}", "two or more for shares of a variance; of one, take --parts curves,local")
     if base < 16 or base & (base - 1):
         near = [2**k for k in range(4, 25) if 2**k <= max(2 * base, 16)][-2:]
         raise ParameterError("--base", f"{base}", f"a power of two from 16, such as {' or '.join(map(str, near))}")
