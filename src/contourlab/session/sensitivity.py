@@ -15,9 +15,9 @@ import numpy as np
 from contourlab.errors import ParameterError
 from contourlab.result import write_text_atomic
 from contourlab.session.folder import staged
+from contourlab.session.plain import plain
 from contourlab.session.sensitivity_text import SHOWN, summary_of, text_of
 from contourlab.session.stages import Stages, shown
-from contourlab.session.summary import plain
 
 if TYPE_CHECKING:
     from contourlab.feed import Reference

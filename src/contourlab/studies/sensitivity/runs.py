@@ -109,7 +109,7 @@ class Runs:
     progress: Callable[[int, int], None] | None = None
     made: int = field(default=0, init=False)
     found: int = field(default=0, init=False)
-    _own: set[Path] = field(default_factory=set, init=False, repr=False)
+    _seen: set[Path | None] = field(default_factory=set, init=False, repr=False)
 
     def judge(self, key: str) -> Judge:
         """Return what gives one figure of runs, by its key."""
@@ -131,12 +131,14 @@ class Runs:
         n = len(next(iter(columns.values())))
         figures = None if self.kept is None else self.kept.read(columns)
         if figures is not None:
-            # What it made itself a moment ago is no run of an earlier time.
-            self.found += n * (self.kept is not None and self.kept.file(columns) not in self._own)
+            file = self.kept.file(columns) if self.kept is not None else None
+            # What was counted once, such as the run as it is, which several parts ask for, is not counted again.
+            self.found += n * (file not in self._seen)
+            self._seen.add(file)
             return figures
         new = self.model(columns)
         figures = {key: np.asarray(new[key], dtype=float) for key in KEYS}
         self.made += n
         if self.kept is not None:
-            self._own.add(self.kept.write(columns, figures))
+            self._seen.add(self.kept.write(columns, figures))
         return figures

@@ -122,7 +122,7 @@ def _pairs(study: Study) -> Iterator[str]:
             top = ", ".join(f"{numbers[j].short} with {numbers[k].short} ({matrix[j, k]:+.2g})" for j, k in pairs[:4])
             more = f" and {len(pairs) - 4} pairs more" if len(pairs) > 4 else ""
             yield f"Near the present values the largest interactions are {top}{more}."
-        elif np.nanmax(apart, initial=0.0) > TOGETHER:
+        elif any(apart[j, k] > TOGETHER for j, k in combinations(range(len(numbers)), 2)):
             said = True
             yield "Near the present values second differences change with their step: counts, friction or a corner hide any interaction."
     if not said and len(numbers) > 1 and (sobol is not None or study.local is not None):
