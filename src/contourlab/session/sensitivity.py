@@ -10,18 +10,15 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-import numpy as np
-
 from contourlab.errors import ParameterError
 from contourlab.result import write_text_atomic
 from contourlab.session.folder import staged
 from contourlab.session.plain import plain
-from contourlab.session.sensitivity_text import SHOWN, summary_of, text_of
+from contourlab.session.sensitivity_text import summary_of, text_of
 from contourlab.session.stages import Stages, shown
 
 if TYPE_CHECKING:
     from contourlab.feed import Reference
-    from contourlab.report.study_charts import Bars, Matrix, Multiples
     from contourlab.scenario import Case
     from contourlab.studies.sensitivity import Kept, Runs, Study
 
@@ -135,7 +132,9 @@ def sensitivity_of(
         summary = plain(summary_of(study, runs, case, notes, command))
         write_text_atomic(stage / "summary.json", json.dumps(summary, indent=2, allow_nan=False) + "\n")
         if plots:
-            write_charts(_charts(study), stage / "plots", plots)
+            from contourlab.session.sensitivity_charts import charts_of
+
+            write_charts(charts_of(study), stage / "plots", plots)
     return SensitivityOutcome(summary, text_of(study, runs, case, notes))
 
 
@@ -265,43 +264,3 @@ def _command(file: str | Path, request: Request, plugins: Sequence[str | Path]) 
         else:
             words += [f"--{name.replace('_', '-')}", str(value)]
     return shlex.join([*words, *(word for plugin in plugins for word in ("--plugin", str(plugin)))])
-
-
-def _charts(study: Study) -> list[Multiples | Bars | Matrix]:
-    from contourlab.report.sensitivity_pictures import DrawnCurve, curves_chart, indices_chart, interactions_chart
-
-    found: list[Multiples | Bars | Matrix] = []
-    factor, unit = SHOWN[study.plan.figure.name]
-    words, names = study.plan.figure.words, [number.short for number in study.space.numbers]
-    if study.curves is not None:
-        drawn = []
-        for curve in study.curves:
-            number, lowest = curve.number, curve.minimum
-            shown_ = number.shown
-            drawn.append(
-                DrawnCurve(
-                    number.short,
-                    number.display or number.unit or "value",
-                    np.array([shown_(value) for value in curve.values]),
-                    curve.figures * factor,
-                    shown_(number.value),
-                    None if lowest is None else (shown_(lowest.value), lowest.figure * factor),
-                    tuple((shown_(part.low), shown_(part.high)) for part in curve.failed),
-                    number.logarithmic,
-                )
-            )
-        found.append(curves_chart(f"One number at a time: {words}", f"{words} [{unit}]", drawn))
-    if study.sobol is not None:
-        s = study.sobol
-        series = (("first order", s.first, s.first_interval), ("total", s.total, s.total_interval))
-        what = f"log10 of the {words}" if study.plan.logarithmic else f"the {words}"
-        found.append(indices_chart("sobol", f"Sobol's indices of {what}", "share of the variance, with 95 % intervals", names, series))
-    if study.morris is not None:
-        label = "mean of the elementary effects' magnitude" + (" [decades]" if study.plan.logarithmic else f" [{unit}]")
-        scale = 1.0 if study.plan.logarithmic else factor
-        m = study.morris
-        series_ = (("sigma", m.sigma * scale, 0.0 * m.sigma), ("mu*", m.mu_star * scale, m.mu_star_interval * scale))
-        found.append(indices_chart("morris", f"Elementary effects (Morris) over the {words}", label, names, series_))
-    if study.local is not None and len(names) > 1:
-        found.append(interactions_chart(f"Interactions near the present values: {words}", names, study.local.interactions))
-    return found

@@ -175,6 +175,17 @@ def summary_of(study: Study, runs: Runs, case: Case, notes: Sequence[str], comma
         ],
         "runs": {"made": runs.made, "kept_from_before": runs.found},
     }
+    found |= _parts(study)
+    order = ranking(study)
+    if order is not None:
+        groups = {"matter": order.matter, "open": order.open, "rest": order.rest}
+        found["ranking"] = {"by": order.by} | {key: [names[j] for j in which] for key, which in groups.items()}
+    return found | {"verdict": list(verdict(study)), "notes": list(notes)}
+
+
+def _parts(study: Study) -> dict[str, Any]:
+    plan, names = study.plan, study.space.names
+    found: dict[str, Any] = {}
     if study.curves is not None:
         found["curves"] = {curve.number.name: _curve_summary(curve) for curve in study.curves}
     if study.local is not None:
@@ -197,11 +208,7 @@ def summary_of(study: Study, runs: Runs, case: Case, notes: Sequence[str], comma
         found["sobol"] |= {"base": plan.base, "seed": plan.seed, "deviation": study.sobol.deviation}
         if study.sobol.second is not None and study.sobol.second_interval is not None:
             found["sobol"] |= {"second": study.sobol.second.tolist(), "second_interval": study.sobol.second_interval.tolist()}
-    order = ranking(study)
-    if order is not None:
-        groups = {"matter": order.matter, "open": order.open, "rest": order.rest}
-        found["ranking"] = {"by": order.by} | {key: [names[j] for j in which] for key, which in groups.items()}
-    return found | {"verdict": list(verdict(study)), "notes": list(notes)}
+    return found
 
 
 def _named(names: Sequence[str], values: Any) -> dict[str, float]:

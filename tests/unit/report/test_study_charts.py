@@ -1,0 +1,53 @@
+"""Pictures of studies: what is drawn, and that it can be."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from contourlab.report.plots import write_charts
+from contourlab.report.sensitivity_pictures import DrawnCurve, curves_chart, indices_chart, interactions_chart
+from contourlab.report.study_view import bars_drawing, matrix_drawing, multiples_drawing
+
+X = np.geomspace(1.0, 4.0, 9)
+Y = np.where(X > 3.0, np.nan, 1.0 + (X - 2.0) ** 2)
+CURVE = DrawnCurve("x.gain", "1/s", X, Y, 2.5, (2.0, 1.0), ((3.1, 4.0),), True)
+NAMES = ("a", "b_", "$c")
+
+
+def test_small_multiples_share_one_scale_and_shade_what_fails() -> None:
+    figure = multiples_drawing(curves_chart("curves", "error [um]", [CURVE] * 4))
+    places = [place for place in figure.axes if place.get_visible()]
+    assert len(places) == 4 and len({place.get_ylim() for place in places}) == 1
+    assert places[0].get_xscale() == "log" and places[0].get_yscale() == "log"
+    shaded = places[0].patches[0].get_extents().transformed(places[0].transData.inverted())  # type: ignore[attr-defined]
+    assert (shaded.x0, shaded.x1) == (pytest.approx(3.1), pytest.approx(4.0))
+    assert {text.get_text() for text in figure.legends[0].get_texts()} >= {"runs fail", "minimum", "present value"}
+
+
+def test_bars_are_in_the_order_of_the_last_series_with_their_intervals() -> None:
+    first, total, half = np.array([0.1, 0.2, 0.0]), np.array([0.3, 0.9, 0.5]), np.array([0.01, 0.02, 0.03])
+    figure = bars_drawing(indices_chart("sobol", "indices", "share", NAMES, [("first", first, half), ("total", total, half)]))
+    place = figure.axes[0]
+    assert [text.get_text() for text in place.get_yticklabels()] == ["b_", "\\$c", "a"]
+    assert [bar.get_width() for bar in place.patches] == [0.2, 0.0, 0.1, 0.9, 0.5, 0.3]  # type: ignore[attr-defined]
+
+
+def test_a_matrix_leaves_its_diagonal_and_what_is_unknown_blank() -> None:
+    values = np.array([[9.0, 2.0, np.nan], [2.0, 9.0, -1.0], [np.nan, -1.0, 9.0]])
+    figure = matrix_drawing(interactions_chart("interactions", NAMES, values))
+    texts = sorted(text.get_text() for text in figure.axes[0].texts)
+    assert texts == ["-1", "-1", "2", "2"] and values[0, 0] == 9.0
+    assert matrix_drawing(interactions_chart("nothing", NAMES, np.full((3, 3), np.nan))).axes
+
+
+def test_each_becomes_a_file(tmp_path: Path) -> None:
+    charts = [curves_chart("t", "y", [CURVE]), interactions_chart("t", NAMES, np.eye(3))]
+    assert [file.name for file in write_charts(charts, tmp_path, ("png", "svg"))] == [
+        "curves.png",
+        "curves.svg",
+        "interactions.png",
+        "interactions.svg",
+    ]
