@@ -14,6 +14,7 @@ from contourlab.studies.sensitivity.study import Study
 
 __all__ = ["Ranking", "ranking", "verdict"]
 
+LOCAL = "local sensitivity"
 SMALL = 0.05
 """Share of the variance, or of the largest effect, below which a number does not matter."""
 WIDE = 0.1
@@ -55,7 +56,7 @@ def ranking(study: Study) -> Ranking | None:
     if study.local is not None:
         slopes = np.array([abs(one.sensitivity) for one in study.local.slopes])
         apart = np.array([one.apart for one in study.local.slopes])
-        return _grouped("local sensitivity", np.nan_to_num(slopes), np.nan_to_num(apart, nan=np.inf), SMALL)
+        return _grouped(LOCAL, np.nan_to_num(slopes), np.nan_to_num(apart, nan=np.inf), SMALL)
     if study.curves is not None:
         ranges = np.array([_decades(curve) for curve in study.curves])
         return _grouped("change over its curve", ranges, np.zeros(len(ranges)), float(np.log10(1.0 + CHANGE)))
@@ -95,7 +96,8 @@ def _groups(study: Study) -> Iterator[str]:
     if found.open:
         yield f"In between, as far as can be told: {_names(study, found.open, found.strength)}."
     if found.rest:
-        yield f"These do not matter within their bounds: {_names(study, found.rest)}; one value may do for all machines."
+        where = "near their present values" if found.by == LOCAL else "within their bounds"
+        yield f"These do not matter {where}: {_names(study, found.rest)}."
 
 
 def _pairs(study: Study) -> Iterator[str]:
@@ -159,7 +161,7 @@ def _doubts(study: Study) -> Iterator[str]:
     for name, found in (("Morris", study.morris_outcome), ("Sobol", study.sobol_outcome)):
         if found is not None and found.failed:
             share = f"{100.0 * found.share:.2g} % ({found.failed} of {len(found.values)})"
-            yield f"Of the runs for {name} {share} failed; each counts as a run at its failure limit all the time."
+            yield f"Of the runs for {name} {share} failed; each counts as the worst that any run counts as."
     if study.local is not None:
         shaky = [one for one in study.local.slopes if one.remark]
         if shaky:

@@ -18,7 +18,7 @@ from contourlab.loop import AxisController, Controller, Machine, simulate
 from contourlab.metrics import judge as judged
 from contourlab.metrics import summarise
 from contourlab.studies.reproduce.ghaffari_setup import TABLE_3, Reading, controller, machine
-from contourlab.studies.sensitivity import FIGURES, Kept, Plan, Runs, curves, distributions, local, sensitivity_study
+from contourlab.studies.sensitivity import FIGURES, Kept, Plan, Runs, curves, distributions, local, ranking, sensitivity_study, verdict
 from contourlab.studies.sensitivity.runs import CHUNK, Columns
 from contourlab.studies.space import Evaluator, Number, Space
 
@@ -190,6 +190,33 @@ def test_threads_change_nothing() -> None:
     assert one.local is not None and three.local is not None and one.sobol is not None and three.sobol is not None
     np.testing.assert_array_equal(one.local.interactions, three.local.interactions)
     np.testing.assert_array_equal(one.sobol.total, three.sobol.total)
+
+
+def test_words_say_what_they_rest_on() -> None:
+    """The same numbers by each of the four parts alone."""
+    flat = Space((*PLANE.numbers, number("c", 1.0, 0.5, 2.0)))
+
+    def three(columns: Columns) -> dict[str, np.ndarray]:
+        a, b, c = columns.values()
+        return {figure.key: a + b + 1e-4 * c for figure in FIGURES.values()}
+
+    grounds = {"curves": "change over its curve", "local": "local sensitivity", "morris": "mu*", "sobol": "total index"}
+    for part, ground in grounds.items():
+        study = sensitivity_study(flat, Runs(three), Plan((part,), base=64), distributions(flat), 1e3)
+        order = ranking(study)
+        assert order is not None and order.by == ground and set(order.matter) == {0, 1} and order.rest == (2,)
+        said = " ".join(verdict(study))
+        assert f"by {ground}" in said and "do not matter" in said and "x.c" in said
+    assert "near their present values" in " ".join(
+        verdict(sensitivity_study(flat, Runs(three), Plan(("local",)), distributions(flat), 1e3))
+    )
+
+
+def test_failures_are_told_in_words() -> None:
+    study = sensitivity_study(PLANE, Runs(model), Plan(("curves", "sobol"), base=64), distributions(PLANE, "log-uniform"), 1e3)
+    assert study.sobol_outcome is not None and study.sobol_outcome.failed > 0
+    said = " ".join(verdict(study))
+    assert f"({study.sobol_outcome.failed} of {len(study.sobol_outcome.values)}) failed" in said
 
 
 def test_a_run_that_fails_as_it_is_has_no_sensitivities() -> None:
