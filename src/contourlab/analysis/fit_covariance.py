@@ -1,0 +1,116 @@
+"""How well a fit knows its parameters: deviations with the colour of the residual, and which parameters go together."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+__all__ = ["FitCovariance", "fit_covariance"]
+
+Array = NDArray[np.float64]
+
+UNTOLD = 1e-10
+"""Eigenvalue of the normal matrix, columns of length one, over the largest, from which down a direction counts as without effect."""
+FADED = 0.1
+"""Autocorrelation that counts as none."""
+LONGEST = 4
+"""The longest lag is this part of a record."""
+
+
+@dataclass(frozen=True, eq=False)
+class FitCovariance:
+    """Covariance of parameters found by least squares.
+
+    Attributes
+    ----------
+    covariance : ndarray (p, p)
+        That allows for a residual correlated over neighbouring rows and across channels; infinite on the diagonal where a parameter is
+        not told.
+    deviations, white_deviations : ndarray (p,)
+        Standard deviations from it; and as they would be were the residual white.
+    correlation : ndarray (p, p)
+        Of the parameters, by the shape of the problem alone.
+    lags : int
+        Rows over which the residual counts as correlated.
+    untold : ndarray (p,) of bool
+        Parameters, or mixtures of them, without effect on the residual.
+    """
+
+    covariance: Array
+    deviations: Array
+    white_deviations: Array
+    correlation: Array
+    lags: int
+    untold: NDArray[np.bool_]
+
+
+def fit_covariance(jacobians: Sequence[Array], residuals: Sequence[Array]) -> FitCovariance:
+    """Return the covariance of the parameters at the least sum of squares.
+
+    Parameters
+    ----------
+    jacobians : sequence of ndarray (n_k, c_k, p)
+        Slopes of the residuals, a record each: rows in time, channels that were recorded together.
+    residuals : sequence of ndarray (n_k, c_k)
+        Weighted to one size.
+
+    Notes
+    -----
+    (J'J)^-1 S (J'J)^-1 with S the sum of the autocovariances of J'r under Bartlett's window (Newey & West). What a model lacks lasts longer
+    than the usual rule of thumb for the number of lags allows for: twice the lag at which the residual has forgotten itself is taken where
+    that is more.
+
+    References
+    ----------
+    Newey & West, "A simple, positive semi-definite, heteroskedasticity and autocorrelation consistent covariance matrix", Econometrica 55
+    (1987).
+    """
+    p = jacobians[0].shape[-1]
+    flat = np.concatenate([j.reshape(-1, p) for j in jacobians])
+    left = np.concatenate([r.ravel() for r in residuals])
+    normal = flat.T @ flat
+    lengths = np.sqrt(np.diag(normal))
+    size = np.where(lengths > 0.0, lengths, 1.0)
+    values, vectors = np.linalg.eigh(normal / np.outer(size, size))
+    lost = values <= UNTOLD * max(float(values[-1]), 1e-300)
+    untold: NDArray[np.bool_] = (lengths == 0.0) | (np.abs(vectors[:, lost]) > 0.2).any(axis=1)
+    inverse = (vectors[:, ~lost] / values[~lost]) @ vectors[:, ~lost].T / np.outer(size, size)
+    spare = max(left.size - p, 1)
+    white = np.sqrt(np.maximum(np.diag(inverse), 0.0) * float(left @ left) / spare)
+    lags = max(_memory(r) for r in residuals)
+    middle = sum(_long_run(np.einsum("ncp,nc->np", j, r), lags) for j, r in zip(jacobians, residuals, strict=True))
+    covariance = inverse @ middle @ inverse * (left.size / spare)
+    covariance[untold, untold] = np.inf
+    scale = np.sqrt(np.where(np.diag(inverse) > 0.0, np.diag(inverse), 1.0))
+    deviations = np.sqrt(np.maximum(np.diag(covariance), 0.0))
+    return FitCovariance(covariance, deviations, np.where(untold, np.inf, white), inverse / np.outer(scale, scale), lags, untold)
+
+
+def _memory(residual: Array) -> int:
+    """Return over how many rows a record's residual (n, c) counts as correlated."""
+    n = residual.shape[0]
+    rule = int(4.0 * (n / 100.0) ** (2.0 / 9.0)) + 1
+    longest = max(n // LONGEST, 1)
+    reached = 0
+    for column in residual.T:
+        centred = column - column.mean()
+        power = np.abs(np.fft.rfft(centred, 2 * n)) ** 2
+        along = np.fft.irfft(power)[: longest + 1]
+        if along[0] <= 0.0:
+            continue
+        forgotten = np.flatnonzero(along < FADED * along[0])
+        reached = max(reached, int(forgotten[0]) if forgotten.size else longest)
+    return min(max(rule, 2 * reached), longest)
+
+
+def _long_run(pushed: Array, lags: int) -> Array:
+    """Return the sum of the autocovariances of rows (n, p) under Bartlett's window."""
+    total = pushed.T @ pushed
+    for lag in range(1, min(lags, len(pushed) - 1) + 1):
+        shifted = pushed[lag:].T @ pushed[:-lag]
+        total += (1.0 - lag / (lags + 1.0)) * (shifted + shifted.T)
+    found: Array = total
+    return found

@@ -1,0 +1,206 @@
+"""Least squares that are not linear: damped Gauss-Newton with bounds, many points evaluated at once."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from contourlab.errors import ParameterError
+
+__all__ = ["Descent", "DescentSettings", "descend", "jacobian", "spread_starts"]
+
+Array = NDArray[np.float64]
+Residuals = Callable[[Array], Array]
+"""Points (k, p) to residuals (k, n): all points in one call; a row that is not finite is a point that failed."""
+
+DAMPINGS = 10.0 ** np.arange(-3.0, 5.0)
+"""Factors on the damping that are tried side by side."""
+
+
+@dataclass(frozen=True)
+class DescentSettings:
+    """How a descent steps and when it ends.
+
+    Attributes
+    ----------
+    difference : float
+        Of a central difference, as a part of a parameter's scale. Encoder counts and sticking make small steps rough: half a percent
+        averages over them.
+    most_iterations : int
+    least_gain : float
+        Relative fall of the sum of squares below which it has converged.
+    """
+
+    difference: float = 5e-3
+    most_iterations: int = 40
+    least_gain: float = 1e-4
+
+    def __post_init__(self) -> None:
+        if not (0.0 < self.difference < 0.5 and self.most_iterations >= 1 and 0.0 < self.least_gain < 1.0):
+            bound = "difference and least_gain between 0 and 1, most_iterations 1 or more"
+            raise ParameterError("settings", f"{self}", bound)
+
+
+@dataclass(frozen=True, eq=False)
+class Descent:
+    """Where a descent ended.
+
+    Attributes
+    ----------
+    values : ndarray (p,)
+    residual : ndarray (n,)
+    cost : float
+        Sum of squares.
+    jacobian : ndarray (n, p)
+        There.
+    at_bound : ndarray (p,) of bool
+        Where the sum of squares would fall on beyond a bound.
+    iterations : int
+    converged : bool
+    """
+
+    values: Array
+    residual: Array
+    cost: float
+    jacobian: Array
+    at_bound: NDArray[np.bool_]
+    iterations: int
+    converged: bool
+
+
+def descend(
+    residuals: Residuals, start: ArrayLike, lower: ArrayLike, upper: ArrayLike, scale: ArrayLike, settings: DescentSettings | None = None
+) -> Descent:
+    """Go down from a start to the least sum of squares near it: Levenberg-Marquardt, projected onto bounds.
+
+    Parameters
+    ----------
+    residuals : callable
+        Points (k, p) to residuals (k, n); not finite for a point that cannot be evaluated, which then counts as infinitely bad.
+    start, lower, upper : array_like (p,)
+    scale : array_like (p,), > 0
+        Size of each parameter; what a step of the differences is a part of.
+    settings : DescentSettings, optional
+
+    Raises
+    ------
+    ParameterError
+        If a start is outside its bounds, or cannot be evaluated.
+
+    References
+    ----------
+    Nocedal & Wright, "Numerical Optimization", 2nd ed., sections 10.3 (Levenberg-Marquardt) and 16.7 (projected gradient).
+    """
+    chosen = settings or DescentSettings()
+    x, low, high, size = (np.array(v, dtype=float) for v in (start, lower, upper, scale))
+    if not (np.all(low <= x) and np.all(x <= high) and np.all(size > 0.0)):
+        raise ParameterError("start", f"{x}", f"within {low} and {high}, scales above zero")
+    r = residuals(x[None])[0]
+    if not np.isfinite(r).all():
+        raise ParameterError("start", f"{x}", "parameters that can be simulated: the run diverges there")
+    damping, cost, converged, done = 1e-3, float(r @ r), False, 0
+    slopes = jacobian(residuals, x, r, low, high, chosen.difference * size)
+    while done < chosen.most_iterations and not converged:
+        done += 1
+        free = ~_held(x, slopes.T @ r, low, high)
+        if not free.any():
+            converged = True
+            break
+        factors = damping * DAMPINGS
+        trials = np.array([_trial(x, r, slopes, free, low, high, f) for f in factors])
+        left = residuals(trials)
+        costs = np.where(np.isfinite(left).all(axis=1), (np.nan_to_num(left) ** 2).sum(axis=1), math.inf)
+        best = int(np.argmin(costs))
+        if costs[best] >= cost:
+            if damping > 1e6:
+                converged = True  # no step of any length goes down
+            damping *= DAMPINGS[-1]
+            continue
+        converged = cost - costs[best] <= chosen.least_gain * cost
+        x, r, cost = trials[best], left[best], float(costs[best])
+        damping = float(np.clip(0.1 * factors[best], 1e-9, 1e6))
+        slopes = jacobian(residuals, x, r, low, high, chosen.difference * size)
+    return Descent(x, r, cost, slopes, _held(x, slopes.T @ r, low, high), done, converged)
+
+
+def _held(x: Array, gradient: Array, low: Array, high: Array) -> NDArray[np.bool_]:
+    """Tell which parameters stand at a bound that the sum of squares pushes them against."""
+    held: NDArray[np.bool_] = ((x <= low) & (gradient >= 0.0)) | ((x >= high) & (gradient <= 0.0))
+    return held
+
+
+def _trial(x: Array, r: Array, slopes: Array, free: NDArray[np.bool_], low: Array, high: Array, damping: float) -> Array:
+    """Return where a damped step leads, cut at the bounds."""
+    j = slopes[:, free]
+    lengths = np.linalg.norm(j, axis=0)
+    lengths = np.where(lengths > 0.0, lengths, 1.0)  # a parameter without effect stays where it is
+    unit = j / lengths
+    # As a least-squares problem of its own: the normal equations would square the condition number.
+    matrix = np.vstack([unit, math.sqrt(damping) * np.eye(unit.shape[1])])
+    step = np.linalg.lstsq(matrix, np.append(-r, np.zeros(unit.shape[1])), rcond=None)[0] / lengths
+    moved = x.copy()
+    moved[free] += step
+    return np.clip(moved, low, high)
+
+
+def jacobian(residuals: Residuals, x: Array, r: Array, low: Array, high: Array, step: Array) -> Array:
+    """Return the slopes of the residuals (n, p) at x by central differences; one-sided at a bound and beside a point that fails.
+
+    Parameters
+    ----------
+    residuals : callable
+    x : ndarray (p,)
+    r : ndarray (n,)
+        Residual at x.
+    low, high, step : ndarray (p,)
+    """
+    p = x.size
+    up, down = np.minimum(x + step, high), np.maximum(x - step, low)
+    points = np.repeat(x[None], 2 * p, axis=0)
+    points[np.arange(p), np.arange(p)] = up
+    points[p + np.arange(p), np.arange(p)] = down
+    found = residuals(points)
+    slopes = np.zeros((r.size, p))
+    for i in range(p):
+        above, below = found[i], found[p + i]
+        (top, at_top) = (above, up[i]) if np.isfinite(above).all() else (r, x[i])
+        (bottom, at_bottom) = (below, down[i]) if np.isfinite(below).all() else (r, x[i])
+        if at_top > at_bottom:
+            slopes[:, i] = (top - bottom) / (at_top - at_bottom)
+    return slopes
+
+
+def spread_starts(
+    residuals: Residuals, start: ArrayLike, lower: ArrayLike, upper: ArrayLike, count: int, candidates: int = 64, reach: float = 0.3
+) -> Array:
+    """Return starts (count, p): the given one, and the best of candidates that fill the bounds around it evenly.
+
+    Parameters
+    ----------
+    residuals : callable
+    start, lower, upper : array_like (p,)
+    count : int
+    candidates : int
+        Points of a scrambled Sobol sequence, always the same one.
+    reach : float, 0 to 1
+        How far the candidates go from the start to the bounds; in ratios where all of a parameter's range is above zero.
+    """
+    from scipy.stats import qmc
+
+    x, low, high = (np.array(v, dtype=float) for v in (start, lower, upper))
+    if count <= 1:
+        return x[None]
+    ratio = low > 0.0
+    line = [np.where(ratio, np.log(np.where(ratio, v, 1.0)), v) for v in (x, low, high)]
+    even = qmc.Sobol(x.size, seed=0).random(candidates)
+    away = line[1] + even * (line[2] - line[1]) - line[0]
+    placed = line[0] + reach * away
+    points = np.clip(np.where(ratio, np.exp(np.where(ratio, placed, 0.0)), placed), low, high)
+    left = residuals(points)
+    costs = np.where(np.isfinite(left).all(axis=1), (np.nan_to_num(left) ** 2).sum(axis=1), math.inf)
+    order = [i for i in np.argsort(costs, kind="stable")[: count - 1] if math.isfinite(costs[i])]
+    return np.vstack([x[None], points[order]])
