@@ -59,14 +59,16 @@ def fit_covariance(jacobians: Sequence[Array], residuals: Sequence[Array]) -> Fi
 
     Notes
     -----
-    (J'J)^-1 S (J'J)^-1 with S the sum of the autocovariances of J'r under Bartlett's window (Newey & West). What a model lacks lasts longer
-    than the usual rule of thumb for the number of lags allows for: twice the lag at which the residual has forgotten itself is taken where
-    that is more.
+    (J'J)^-1 S (J'J)^-1 with S the sum of the autocovariances of J'r under a window that is flat up to the lag at which the residual has
+    forgotten itself, and falls to nothing at twice that lag: what a model lacks lasts longer than the usual rule of thumb for the number of
+    lags allows for, and a window that falls from the start (Bartlett's) makes deviations too small by a tenth and more. Such a window may
+    give a variance below zero; no deviation is told that is below the white one. Where the sum of squares has several minima beside each
+    other, none of this knows of them.
 
     References
     ----------
     Newey & West, "A simple, positive semi-definite, heteroskedasticity and autocorrelation consistent covariance matrix", Econometrica 55
-    (1987).
+    (1987); Politis & Romano, "Bias-corrected nonparametric spectral estimation", J. Time Series Analysis 16 (1995), for the window.
     """
     p = jacobians[0].shape[-1]
     flat = np.concatenate([j.reshape(-1, p) for j in jacobians])
@@ -83,6 +85,13 @@ def fit_covariance(jacobians: Sequence[Array], residuals: Sequence[Array]) -> Fi
     lags = max(_memory(r) for r in residuals)
     middle = sum(_long_run(np.einsum("ncp,nc->np", j, r), lags) for j, r in zip(jacobians, residuals, strict=True))
     covariance = inverse @ middle @ inverse * (left.size / spare)
+    # No less than were the residual white: the matrix is scaled, so that correlations stay.
+    own = np.diag(covariance)
+    raised = np.where(own < white**2, white, 1.0) / np.where(own < white**2, np.sqrt(np.maximum(own, 1e-300)), 1.0)
+    low = own <= 0.0
+    covariance[low, :], covariance[:, low] = 0.0, 0.0
+    covariance *= np.outer(np.where(low, 1.0, raised), np.where(low, 1.0, raised))
+    covariance[low, low] = white[low] ** 2
     covariance[untold, untold] = np.inf
     scale = np.sqrt(np.where(np.diag(inverse) > 0.0, np.diag(inverse), 1.0))
     deviations = np.sqrt(np.maximum(np.diag(covariance), 0.0))
@@ -103,14 +112,14 @@ def _memory(residual: Array) -> int:
             continue
         forgotten = np.flatnonzero(along < FADED * along[0])
         reached = max(reached, int(forgotten[0]) if forgotten.size else longest)
-    return min(max(rule, 2 * reached), longest)
+    return min(max(rule, reached), longest)
 
 
 def _long_run(pushed: Array, lags: int) -> Array:
-    """Return the sum of the autocovariances of rows (n, p) under Bartlett's window."""
+    """Return the sum of the autocovariances of rows (n, p) under a window flat up to `lags` and zero at twice as much."""
     total = pushed.T @ pushed
-    for lag in range(1, min(lags, len(pushed) - 1) + 1):
+    for lag in range(1, min(2 * lags, len(pushed) - 1)):
         shifted = pushed[lag:].T @ pushed[:-lag]
-        total += (1.0 - lag / (lags + 1.0)) * (shifted + shifted.T)
+        total += min(1.0, 2.0 - lag / lags) * (shifted + shifted.T)
     found: Array = total
     return found

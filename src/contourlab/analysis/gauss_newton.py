@@ -28,20 +28,23 @@ class DescentSettings:
     Attributes
     ----------
     difference : float
-        Of a central difference, as a part of a parameter's scale. Encoder counts and sticking make small steps rough: half a percent
-        averages over them.
+        The first central differences, as a part of a parameter's scale.
+    visible : float
+        Root mean square of the change of the residual that later differences make: encoder counts and sticking make the sum of squares
+        rough, and differences too small for them are noise.
     most_iterations : int
     least_gain : float
         Relative fall of the sum of squares below which it has converged.
     """
 
     difference: float = 5e-3
+    visible: float = 0.05
     most_iterations: int = 40
     least_gain: float = 1e-4
 
     def __post_init__(self) -> None:
-        if not (0.0 < self.difference < 0.5 and self.most_iterations >= 1 and 0.0 < self.least_gain < 1.0):
-            bound = "difference and least_gain between 0 and 1, most_iterations 1 or more"
+        if not (0.0 < self.difference < 0.5 and self.visible > 0.0 and self.most_iterations >= 1 and 0.0 < self.least_gain < 1.0):
+            bound = "difference and least_gain between 0 and 1, visible above 0, most_iterations 1 or more"
             raise ParameterError("settings", f"{self}", bound)
 
 
@@ -103,7 +106,10 @@ def descend(
     if not np.isfinite(r).all():
         raise ParameterError("start", f"{x}", "parameters that can be simulated: the run diverges there")
     damping, cost, converged, done = 1e-3, float(r @ r), False, 0
-    slopes = jacobian(residuals, x, r, low, high, chosen.difference * size)
+    width = chosen.difference * size
+    for _ in range(2):  # differences of a size that shows need slopes to be known, roughly
+        slopes = jacobian(residuals, x, r, low, high, width)
+        width = _widths(slopes, chosen, size)
     while done < chosen.most_iterations and not converged:
         done += 1
         free = ~_held(x, slopes.T @ r, low, high)
@@ -123,8 +129,16 @@ def descend(
         converged = cost - costs[best] <= chosen.least_gain * cost
         x, r, cost = trials[best], left[best], float(costs[best])
         damping = float(np.clip(0.1 * factors[best], 1e-9, 1e6))
-        slopes = jacobian(residuals, x, r, low, high, chosen.difference * size)
+        slopes = jacobian(residuals, x, r, low, high, width)
+        width = _widths(slopes, chosen, size)
     return Descent(x, r, cost, slopes, _held(x, slopes.T @ r, low, high), done, converged)
+
+
+def _widths(slopes: Array, chosen: DescentSettings, size: Array) -> Array:
+    """Return the differences that change the residual by as much as shows, within a fifth and a thousandth of a parameter's scale."""
+    seen = np.sqrt(np.mean(slopes**2, axis=0))
+    wanted = chosen.visible / np.where(seen > 0.0, seen, np.inf)
+    return np.clip(np.where(seen > 0.0, wanted, chosen.difference * size), 1e-3 * size, 0.2 * size)
 
 
 def _held(x: Array, gradient: Array, low: Array, high: Array) -> NDArray[np.bool_]:

@@ -28,6 +28,7 @@ from contourlab.cli.commands.link import link
 from contourlab.cli.commands.machines import machines
 from contourlab.cli.commands.measure import measure
 from contourlab.cli.commands.new import new
+from contourlab.cli.commands.refine import refine
 from contourlab.cli.commands.reproduce import reproduce
 from contourlab.cli.commands.run import run as run_command
 from contourlab.cli.commands.sensitivity import sensitivity
@@ -55,6 +56,7 @@ app.command("link")(link)
 app.command("measure")(measure)
 app.command("identify")(identify)
 app.command("sensitivity")(sensitivity)
+app.command("refine")(refine)
 app.command("check")(check)
 app.command("canon")(canon)
 app.command("interpolate")(interpolate)

@@ -25,6 +25,8 @@ Window = tuple[float, float]
 
 SAME, ROUGH = 0.02, 2e-3
 """Share by which the sums of squares of two descents may differ and be one minimum, and gain at which a first descent ends."""
+COUNTS = 4.0
+"""Encoder counts, root mean square, that a difference changes the residual by at least."""
 FEWEST = 10
 """Rows a parameter that a fit wants."""
 
@@ -185,6 +187,18 @@ class _Problem:
             floor = 1e-6 * np.sqrt(np.mean(self.runs[i].measured**2, axis=0))
             self.sizes[i] = np.maximum(np.maximum(rms, floor), 1e-12)
 
+    def grain(self) -> float:
+        """Return the size of an encoder's count beside what is left of its channel: the largest of all."""
+        found = [0.0]
+        for run, sizes in zip(self.runs, self.sizes, strict=True):
+            counts = [getattr(axis.sensor, "resolution", 0.0) for axis in run.machine.axes]
+            found += [count / size for count, size in zip(counts, sizes, strict=False)]
+        return max(found)
+
+    def settings(self, given: DescentSettings) -> DescentSettings:
+        """Return the settings of a descent whose differences show beside counts."""
+        return replace(given, visible=max(given.visible, COUNTS * self.grain()))
+
     def residuals(self, points: Array) -> Array:
         """Return the weighted residuals (k, n)."""
         parts = [(part / size[:, None]).reshape(-1, len(points)) for part, size in zip(self.left(points), self.sizes, strict=True)]
@@ -203,6 +217,7 @@ class _Problem:
 def _descended(problem: _Problem, chosen: RefineSettings, progress: Callable[[str], None] | None) -> tuple[Descent, int, int]:
     """Return the best descent, how many ended where it did, and how many were made."""
     say = progress or (lambda words: None)
+    chosen = replace(chosen, descent=problem.settings(chosen.descent))
     bounds = problem.low, problem.high
     starts = spread_starts(problem.residuals, problem.start, *bounds, chosen.starts)
     rough, ends = replace(chosen.descent, least_gain=max(ROUGH, chosen.descent.least_gain)), []
@@ -213,7 +228,7 @@ def _descended(problem: _Problem, chosen: RefineSettings, progress: Callable[[st
     agreeing = sum(end.cost <= best.cost * (1.0 + SAME) for end in ends)
     for _ in range(chosen.rounds):
         problem.weigh(problem.left(best.values[None]), 0)
-        best = descend(problem.residuals, best.values, *bounds, problem.scale, chosen.descent)
+        best = descend(problem.residuals, best.values, *bounds, problem.scale, problem.settings(chosen.descent))
         say(f"weighted anew: {best.iterations} steps")
     return best, agreeing, len(ends)
 

@@ -67,7 +67,7 @@ class Sought:
     @property
     def scale(self) -> float:
         """Size of the parameter, what steps are measured by."""
-        return max(abs(self.start), 0.02 * (self.high - self.low))
+        return max(abs(self.start), 0.1 * (self.high - self.low))
 
 
 def seek(runs: Sequence[LogRun], wanted: Iterable[Wanted]) -> tuple[Sought, ...]:

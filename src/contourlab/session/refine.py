@@ -1,0 +1,250 @@
+"""``contourlab refine``: machines and controllers out of scenarios, brought to what logs have measured."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, replace
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from contourlab.errors import ParameterError, ScenarioError, UnitError
+from contourlab.result import write_text_atomic
+from contourlab.session.log_choice import LogChoice, open_log
+from contourlab.session.run import check_plots
+from contourlab.studies.log_run import Agreement, LogRun, log_run
+from contourlab.studies.refine import Refined, RefineSettings, Window, refine
+from contourlab.studies.refine_parameters import Wanted, declared
+from contourlab.studies.refine_remarks import shown
+
+if TYPE_CHECKING:
+    from contourlab.scenario import Scenario
+
+__all__ = ["Refinement", "refine_logs"]
+
+
+@dataclass(frozen=True)
+class Refinement:
+    """What the command prints: whether the figures can be used, a summary, and text."""
+
+    usable: bool
+    summary: dict[str, Any]
+    text: str
+
+
+def refine_logs(
+    scenarios: Sequence[str | Path],
+    choices: Sequence[LogChoice],
+    parameters: Sequence[str],
+    *,
+    windows: Sequence[str] = (),
+    validation: LogChoice | None = None,
+    starts: int = 3,
+    plugins: Sequence[str | Path] = (),
+    out: str | Path | None = None,
+    plots: Sequence[str] = (),
+    folder: str | Path = "results",
+    progress: Callable[[str], None] | None = None,
+) -> Refinement:
+    """Refine the parameters of scenarios against logs; write the machine, and the controllers where they were refined.
+
+    Parameters
+    ----------
+    scenarios : sequence of str or Path
+        One for all logs, or one for each.
+    choices : sequence of LogChoice
+    parameters : sequence of str
+        Dotted names, ``*`` for any axis; with a range as ``"axes.x.friction.coulomb=50 N..200 N"``.
+    windows : sequence of str
+        Times that are fitted, as ``"0.8 s..1.6 s"``: one for all logs, or one for each; what moves outside of them shows what the fit is
+        worth.
+    validation : LogChoice, optional
+        Of a log that is not fitted; the first scenario drives along it.
+    starts : int
+        Descents.
+    plugins : sequence of str or Path
+    out : str or Path, optional
+        The machine's file; controllers get names of their own beside it. None is written where the figures are unusable.
+    plots : sequence of str
+        png, svg or pdf, into `folder`.
+    progress : callable, optional
+        Told in words how far it is.
+
+    Raises
+    ------
+    LogError, ResultError, ScenarioError
+        If a file cannot be read or lacks something.
+    ParameterError
+        If an option is out of range, or the run diverges as it begins.
+    """
+    check_plots(plots)
+    if len(scenarios) not in (1, len(choices)):
+        raise ParameterError("--also", f"{len(scenarios)} scenarios for {len(choices)} logs", "one scenario, or one for each log")
+    read = _read(scenarios, plugins)
+    several = len(scenarios) > 1
+    runs = [_run(read[i if several else 0], choice, several) for i, choice in enumerate(choices)]
+    if len({run.label for run in runs}) < len(runs):
+        runs = [replace(run, label=f"{run.label} {i + 1}") for i, run in enumerate(runs)]
+    wanted = [_wanted(text, runs) for text in parameters]
+    spans = _windows(windows, len(runs))
+    if out is not None:
+        _check_folder(Path(out))
+    found = refine(runs, wanted, windows=spans, settings=RefineSettings(starts=starts), progress=progress)
+    checked = () if validation is None else _validated(found, read[0], validation)
+    sources = [Path(choice.file).name for choice in choices]
+    text = _text(found, checked)
+    if plots:
+        from contourlab.session.refine_pictures import draw
+
+        text += "".join(f"\nplot: {file}" for file in draw(found, folder, plots))
+    if out is not None:
+        text += "".join(f"\n{line}" for line in _write(found, sources, Path(out)))
+    return Refinement(found.usable, _summary(found, checked, sources), text)
+
+
+def _read(files: Sequence[str | Path], plugins: Sequence[str | Path]) -> list[Scenario]:
+    from contourlab.scenario import load_scenario
+
+    return [load_scenario(file, plugins=plugins) for file in files]
+
+
+def _run(scenario: Scenario, choice: LogChoice, several: bool) -> LogRun:
+    label = scenario.file.stem if several else Path(choice.file).stem
+    return log_run(scenario.machine, scenario.controller, open_log(choice).result, label)
+
+
+def _check_folder(out: Path) -> None:
+    """See that files can be written where they are to go, ahead of the work."""
+    from contourlab.session.folder import staged
+
+    with staged(out.parent):
+        pass
+
+
+def _wanted(text: str, runs: Sequence[LogRun]) -> Wanted:
+    name, _, span = (part.strip() for part in text.partition("="))
+    if not span:
+        return Wanted(name)
+    low, dots, high = (part.strip() for part in span.partition(".."))
+    if not dots:
+        raise ParameterError("--parameter", repr(text), 'a name, or a name with a range as "axes.x.friction.coulomb=50 N..200 N"')
+    from contourlab.scenario.quantities import read_number
+
+    unit, display = _unit_of(name, runs)
+    if unit and " " not in low:
+        low = f"{low} {high.partition(' ')[2]}".strip()
+    try:
+        return Wanted(name, read_number(low if unit else float(low), unit, display), read_number(high if unit else float(high), unit, display))
+    except (UnitError, ValueError) as error:
+        raise ParameterError("--parameter", repr(text), f"a range in {display or 'bare numbers'}: {error}") from error
+
+
+def _unit_of(pattern: str, runs: Sequence[LogRun]) -> tuple[str, str]:
+    """Return unit and display of the first parameter that a name fits; none where it fits nothing, which is told later."""
+    import fnmatch
+
+    from contourlab.loop import parameter_names
+
+    for run in runs:
+        for name, (part, parameter) in parameter_names(run.machine, run.controller).items():
+            if fnmatch.fnmatchcase(name, pattern.rpartition(":")[2]):
+                known = declared(run.machine, part, parameter, name)
+                return known.unit, known.display
+    return "", ""
+
+
+def _windows(texts: Sequence[str], count: int) -> list[Window | None]:
+    if len(texts) not in (0, 1, count):
+        raise ParameterError("--window", f"{len(texts)} of them", f"one for all logs, or one for each of the {count}")
+    from contourlab.units import to_si
+
+    found: list[Window | None] = []
+    for text in texts:
+        low, dots, high = text.partition("..")
+        try:
+            span = to_si(low.strip(), "s"), to_si(high.strip(), "s")
+        except UnitError as error:
+            raise ParameterError("--window", repr(text), 'two times, as "0.8 s..1.6 s"') from error
+        if not dots or not span[0] < span[1]:
+            raise ParameterError("--window", repr(text), 'two times, the earlier one first, as "0.8 s..1.6 s"')
+        found.append(span)
+    return found * count if len(found) == 1 else found
+
+
+def _validated(found: Refined, scenario: Scenario, choice: LogChoice) -> tuple[Agreement, ...]:
+    machine, controller = found.runs[0].machine, found.runs[0].controller
+    run = log_run(machine, controller, open_log(choice).result, Path(choice.file).stem)
+    if run.machine.axis_names != scenario.machine.axis_names:  # pragma: no cover - the same machine
+        raise ScenarioError("another machine", file=scenario.file)
+    return run.agreement(run.once())
+
+
+def _table(rows: Sequence[Sequence[str]], left: tuple[int, ...]) -> list[str]:
+    widths = [max(len(row[i]) for row in rows) for i in range(len(rows[0]))]
+    return ["  ".join(c.ljust(w) if i in left else c.rjust(w) for i, (c, w) in enumerate(zip(r, widths, strict=True))).rstrip() for r in rows]
+
+
+def _text(found: Refined, checked: Sequence[Agreement]) -> str:
+    rows = [("parameter", "began at", "is", "deviation", "if white")]
+    for one, value, deviation, white in zip(found.sought, found.values, found.deviations, found.white_deviations, strict=True):
+        rows.append((one.label, shown(one, one.start), shown(one, value), shown(one, deviation, 2), shown(one, white, 2)))
+    lines = _table(rows, (0,))
+    agreed = [("", "run", "axis", "signal", "explained", "fit", "left, rms")]
+    for words, group in (("before", found.before), ("fitted", found.after), ("unseen", found.unseen), ("validation", checked)):
+        for a in group:
+            agreed.append((words, a.run, a.axis, a.signal, f"{100 * a.explained:.3f} %", f"{a.fit:.2f} %", _size(a)))
+    lines += ["", *_table(agreed, (0, 1, 2, 3))]
+    lines += [f"note: {remark}" for remark in found.remarks]
+    return "\n".join(lines)
+
+
+def _size(one: Agreement) -> str:
+    return f"{one.rms * 1e6:.3g} um" if one.signal == "position" else f"{one.rms:.3g}"
+
+
+def _summary(found: Refined, checked: Sequence[Agreement], sources: Sequence[str]) -> dict[str, Any]:
+    def rows(group: Sequence[Agreement]) -> list[dict[str, Any]]:
+        return [
+            {"run": a.run, "axis": a.axis, "signal": a.signal, "explained": a.explained, "fit_percent": a.fit, "rms": a.rms} for a in group
+        ]
+
+    figures = zip(found.sought, found.values, found.deviations, found.white_deviations, found.at_bound, strict=True)
+    return {
+        "logs": list(sources),
+        "parameters": {
+            one.label: {
+                "value": float(value),
+                "unit": one.declared.unit,
+                "deviation": float(deviation),
+                "white_deviation": float(white),
+                "start": one.start,
+                "range": [one.low, one.high],
+                "at_bound": bool(bound),
+            }
+            for one, value, deviation, white, bound in figures
+        },
+        "before": rows(found.before),
+        "fitted": rows(found.after),
+        "unseen": rows(found.unseen),
+        "validation": rows(checked),
+        "correlation": found.knowledge.correlation.tolist(),
+        "descents": found.descents,
+        "descents_agreeing": found.agreeing,
+        "usable": found.usable,
+        "remarks": list(found.remarks),
+    }
+
+
+def _write(found: Refined, sources: Sequence[str], out: Path) -> list[str]:
+    """Write the machine, and the controllers of which something was refined; return what is to be said."""
+    from contourlab.session.refined_files import controller_text, machine_text
+
+    if not found.usable:
+        return [f"{out} is not written: the figures cannot be used as they stand"]
+    write_text_atomic(out, machine_text(found, sources))
+    said = [f"machine: {out}"]
+    for i, run in enumerate(found.runs):
+        if any(one.name.startswith("controller.") and i in one.runs for one in found.sought):
+            file = out.with_name(f"{out.stem}-{run.label}-controller.toml".replace(" ", "-"))
+            write_text_atomic(file, controller_text(found, i, sources))
+            said.append(f"controller: {file}")
+    return said

@@ -1,0 +1,38 @@
+"""Pictures of a refinement: errors measured and simulated, and what is left."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from pathlib import Path
+
+from contourlab.studies.refine import Refined
+
+__all__ = ["draw"]
+
+
+def draw(found: Refined, folder: str | Path, formats: Sequence[str]) -> tuple[Path, ...]:
+    """Draw each signal of each run, measured and simulated, and what is left of it; return the files.
+
+    Parameters
+    ----------
+    found : Refined
+    folder : str or Path
+    formats : sequence of str
+        Of ``"png"``, ``"svg"``, ``"pdf"``.
+    """
+    from contourlab.report.plots import write_charts
+    from contourlab.report.reproduction_pictures import traces_chart
+
+    charts = []
+    for run, simulated in zip(found.runs, found.simulated, strict=True):
+        time = run.times()
+        for j, (signal, axis) in enumerate(run.channels):
+            size, unit = (1e6, "um") if signal == "position" else (1.0, "")
+            named = "tracking error" if signal == "position" else signal
+            label = f"{named} of {axis}" + (f" [{unit}]" if unit else "")
+            key = f"{run.label}-{signal}-{axis}".replace(" ", "-")
+            both = {"measured": (time, size * run.measured[:, j]), "simulated": (time, size * simulated[:, j])}
+            left = {"measured less simulated": (time, size * (run.measured[:, j] - simulated[:, j]))}
+            charts.append(traces_chart(key, f"{run.label}: {named} of {axis}", ("time [s]", label), both))
+            charts.append(traces_chart(f"{key}-left", f"{run.label}: what is left of it", ("time [s]", label), left))
+    return write_charts(charts, folder, formats)

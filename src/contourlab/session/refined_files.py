@@ -1,0 +1,70 @@
+"""Files of machines and controllers that were refined against logs, with where each number is from behind it."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from typing import Any
+
+from contourlab.scenario.dump import controller_table, machine_tables
+from contourlab.scenario.toml_text import Noted, toml
+from contourlab.studies.refine import Refined
+from contourlab.studies.refine_remarks import shown
+
+__all__ = ["controller_text", "machine_text"]
+
+DIGITS = 6
+
+
+def machine_text(found: Refined, sources: Sequence[str]) -> str:
+    """Return the machine's file.
+
+    Parameters
+    ----------
+    found : Refined
+    sources : sequence of str
+        Names of the logs.
+    """
+    tables = machine_tables(found.runs[0].machine)
+    _note(found, sources, {"axes": tables["axes"]}, "axes.")
+    return _head(found, sources) + toml(tables)
+
+
+def controller_text(found: Refined, run: int, sources: Sequence[str]) -> str:
+    """Return the file of the controller of one of the runs.
+
+    Parameters
+    ----------
+    found : Refined
+    run : int
+        Which.
+    sources : sequence of str
+        Names of the logs.
+    """
+    tables = {"controller": controller_table(found.runs[run].controller, found.runs[run].machine)}
+    _note(found, sources, tables, "controller.", run)
+    return _head(found, sources) + toml(tables)
+
+
+def _head(found: Refined, sources: Sequence[str]) -> str:
+    lines = [f"Refined against {', '.join(dict.fromkeys(sources))}: simulated against measured along the logs' own references."]
+    for one in found.after:
+        lines.append(f"{one.run}, {one.signal} of {one.axis}: {100.0 * one.explained:.4g} % of the variance explained, fit {one.fit:.4g} %")
+    lines += list(found.remarks)
+    return "".join(f"# {line}\n" for line in lines) + "\n"
+
+
+def _note(found: Refined, sources: Sequence[str], tables: dict[str, Any], head: str, run: int = 0) -> None:
+    """Put what a refined number is worth behind it, in digits that are worth having."""
+    figures = zip(found.sought, found.values.tolist(), found.deviations.tolist(), found.at_bound.tolist(), strict=True)
+    for one, value, deviation, bound in figures:
+        if not one.name.startswith(head) or run not in one.runs:
+            continue
+        table = tables
+        *words, last = one.name.split(".")
+        for word in words:
+            table = table[word]
+        logs = ", ".join(dict.fromkeys(sources[i] for i in one.runs))
+        worth = f"+- {shown(one, deviation, 2)} (one standard deviation)" if math.isfinite(deviation) else "not told by it"
+        said = f"at the bound of its range, fitted to {logs}" if bound else f"fitted to {logs}, {worth}"
+        table[last] = Noted(shown(one, value, DIGITS) if one.declared.unit else float(f"{value:.{DIGITS}g}"), said)
