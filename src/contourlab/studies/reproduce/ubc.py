@@ -1,0 +1,95 @@
+"""The XY table of the course MECH 467 (University of British Columbia): two measured line-circle runs, and the machine found from them."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+from contourlab.studies.log_run import LogRun
+from contourlab.studies.reproduce.rows import Row, derived, ours
+from contourlab.studies.reproduce.ubc_runs import read_runs, unseen
+
+__all__ = ["MEASURED", "reproduce"]
+
+MEASURED = {"lead-lag": (76.4, 77.7, 84.7, 262.4), "pole-placement": (1277.4, 1082.7, 48.3, 95.4)}
+"""Of the raw logs, worked out by another program [um]: tracking rms of x and y, contour rms and maximum."""
+WITHIN = 0.01
+"""Share within which they count as the same."""
+EXPLAINED = {"lead-lag": 80.0, "pole-placement": 99.0}
+"""Least share [percent] of the variance of the tracking errors that a model of the table has to explain."""
+CONTOUR = {"lead-lag": 0.25, "pole-placement": 0.15}
+"""Share within which its contour rms has to be the measured one."""
+FITTED = "the library's machine along the log's own reference; the left column is the measured figure"
+LEFT_OUT = "the left column is the measured figure over the same part of the run"
+
+
+def reproduce(folder: str | Path | None = None, *, with_unseen: bool = True) -> list[dict[str, Any]]:
+    """Return the figures of the measured runs, of the simulated ones, and of fits that left something out.
+
+    Parameters
+    ----------
+    folder : str or Path
+        With line_circle_lli.mat and line_circle_pp.mat.
+    with_unseen : bool
+        Whether fits are made that leave parts of the runs out; they take a few minutes.
+
+    Raises
+    ------
+    LogError
+        If a log is not given or cannot be read.
+    """
+    runs = read_runs(folder)
+    rows = [*_measured(runs), *_explained(runs), *_contour(runs)]
+    if with_unseen:
+        rows += _unseen(runs)
+    return [row.as_dict() for row in rows]
+
+
+def _measured(runs: dict[str, LogRun]) -> Iterator[Row]:
+    figures = {}
+    for name, run in runs.items():
+        found = run.judged().metrics
+        tracking = [axis.rms for axis in found.tracking_error]
+        figures[name] = [1e6 * value for value in (*tracking, found.contour_error.rms, found.contour_error.max)]
+    titles = ("measured tracking rms, x", "measured tracking rms, y", "measured contour rms", "measured contour maximum")
+    for k, title in enumerate(titles):
+        for name, here in figures.items():
+            known = MEASURED[name][k]
+            yield derived(title, name, known, here[k], "um", WITHIN * known, "over the move; beside it what another program makes of the log")
+
+
+def _explained(runs: dict[str, LogRun]) -> Iterator[Row]:
+    found = [one for run in runs.values() for one in run.agreement(run.once())]
+    note = "of the measured tracking error over the move; 100 would be all, and {} are asked for"
+    for one in found:
+        asked = EXPLAINED[one.run]
+        yield derived(
+            "variance explained", f"{one.run}, {one.axis}", 100.0, 100.0 * one.explained, "%", 100.0 - asked, note.format(f"{asked:g}")
+        )
+    for one in found:
+        yield ours("left of the tracking error, rms", f"{one.run}, {one.axis}", 1e6 * one.rms, "um")
+
+
+def _contour(runs: dict[str, LogRun]) -> Iterator[Row]:
+    figures = {name: (run.judged().metrics.contour_error, run.judged(run.once()).metrics.contour_error) for name, run in runs.items()}
+    for name, (there, here) in figures.items():
+        yield derived("simulated contour rms", name, 1e6 * there.rms, 1e6 * here.rms, "um", CONTOUR[name] * 1e6 * there.rms, FITTED)
+    for name, (there, here) in figures.items():
+        yield derived("simulated contour maximum", name, 1e6 * there.max, 1e6 * here.max, "um", CONTOUR[name] * 1e6 * there.max, FITTED)
+
+
+def _unseen(runs: dict[str, LogRun]) -> Iterator[Row]:
+    found = unseen(runs)
+    for one in found:
+        for axis in one.agreement:
+            yield ours("unseen: variance explained", f"{one.case}: {axis.axis}", 100.0 * axis.explained, "%")
+    for one in found:
+        yield _beside("unseen: contour rms", one.case, one.measured_rms, one.rms)
+    for one in found:
+        yield _beside("unseen: contour maximum", one.case, one.measured_largest, one.largest)
+
+
+def _beside(name: str, case: str, measured: float, here: float) -> Row:
+    note = f"{LEFT_OUT}; {100.0 * (here / measured - 1.0):+.0f} %"
+    return Row(name, case, 1e6 * measured, 1e6 * here, "um", None, note, "ours", "")
