@@ -112,7 +112,7 @@ def _memory(residual: Array) -> int:
             continue
         forgotten = np.flatnonzero(along < FADED * along[0])
         reached = max(reached, int(forgotten[0]) if forgotten.size else longest)
-    return min(max(rule, reached), longest)
+    return int(min(max(rule, reached), longest))
 
 
 def _long_run(pushed: Array, lags: int) -> Array:

@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from contourlab.errors import ParameterError, ScenarioError, UnitError
+from contourlab.errors import ParameterError, UnitError
 from contourlab.result import write_text_atomic
 from contourlab.session.log_choice import LogChoice, open_log
 from contourlab.session.run import check_plots
@@ -86,10 +86,11 @@ def refine_logs(
         runs = [replace(run, label=f"{run.label} {i + 1}") for i, run in enumerate(runs)]
     wanted = [_wanted(text, runs) for text in parameters]
     spans = _windows(windows, len(runs))
+    held_out = None if validation is None else _run(read[0], validation, several=False)  # a log that cannot be read is told ahead
     if out is not None:
         _check_folder(Path(out))
     found = refine(runs, wanted, windows=spans, settings=RefineSettings(starts=starts), progress=progress)
-    checked = () if validation is None else _validated(found, read[0], validation)
+    checked = () if held_out is None else _held_out(found, held_out)
     sources = [Path(choice.file).name for choice in choices]
     text = _text(found, checked)
     if plots:
@@ -133,7 +134,9 @@ def _wanted(text: str, runs: Sequence[LogRun]) -> Wanted:
     if unit and " " not in low:
         low = f"{low} {high.partition(' ')[2]}".strip()
     try:
-        return Wanted(name, read_number(low if unit else float(low), unit, display), read_number(high if unit else float(high), unit, display))
+        return Wanted(
+            name, read_number(low if unit else float(low), unit, display), read_number(high if unit else float(high), unit, display)
+        )
     except (UnitError, ValueError) as error:
         raise ParameterError("--parameter", repr(text), f"a range in {display or 'bare numbers'}: {error}") from error
 
@@ -170,17 +173,17 @@ def _windows(texts: Sequence[str], count: int) -> list[Window | None]:
     return found * count if len(found) == 1 else found
 
 
-def _validated(found: Refined, scenario: Scenario, choice: LogChoice) -> tuple[Agreement, ...]:
-    machine, controller = found.runs[0].machine, found.runs[0].controller
-    run = log_run(machine, controller, open_log(choice).result, Path(choice.file).stem)
-    if run.machine.axis_names != scenario.machine.axis_names:  # pragma: no cover - the same machine
-        raise ScenarioError("another machine", file=scenario.file)
-    return run.agreement(run.once())
+def _held_out(found: Refined, run: LogRun) -> tuple[Agreement, ...]:
+    """Return how well the first run's machine and controller follow a log that was not fitted."""
+    followed = replace(run, machine=found.runs[0].machine, controller=found.runs[0].controller)
+    return followed.agreement(followed.once())
 
 
 def _table(rows: Sequence[Sequence[str]], left: tuple[int, ...]) -> list[str]:
     widths = [max(len(row[i]) for row in rows) for i in range(len(rows[0]))]
-    return ["  ".join(c.ljust(w) if i in left else c.rjust(w) for i, (c, w) in enumerate(zip(r, widths, strict=True))).rstrip() for r in rows]
+    return [
+        "  ".join(c.ljust(w) if i in left else c.rjust(w) for i, (c, w) in enumerate(zip(r, widths, strict=True))).rstrip() for r in rows
+    ]
 
 
 def _text(found: Refined, checked: Sequence[Agreement]) -> str:
@@ -191,7 +194,7 @@ def _text(found: Refined, checked: Sequence[Agreement]) -> str:
     agreed = [("", "run", "axis", "signal", "explained", "fit", "left, rms")]
     for words, group in (("before", found.before), ("fitted", found.after), ("unseen", found.unseen), ("validation", checked)):
         for a in group:
-            agreed.append((words, a.run, a.axis, a.signal, f"{100 * a.explained:.3f} %", f"{a.fit:.2f} %", _size(a)))
+            agreed.append((words, a.run, a.axis, a.signal, f"{100.0 * a.explained:.3f} %", f"{a.fit:.2f} %", _size(a)))
     lines += ["", *_table(agreed, (0, 1, 2, 3))]
     lines += [f"note: {remark}" for remark in found.remarks]
     return "\n".join(lines)

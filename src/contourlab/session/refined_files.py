@@ -49,7 +49,7 @@ def controller_text(found: Refined, run: int, sources: Sequence[str]) -> str:
 def _head(found: Refined, sources: Sequence[str]) -> str:
     lines = [f"Refined against {', '.join(dict.fromkeys(sources))}: simulated against measured along the logs' own references."]
     for one in found.after:
-        lines.append(f"{one.run}, {one.signal} of {one.axis}: {100.0 * one.explained:.4g} % of the variance explained, fit {one.fit:.4g} %")
+        lines.append(f"{one.run}, {one.signal} of {one.axis}: {100.0 * one.explained:.5g} % of the variance explained, fit {one.fit:.4g} %")
     lines += list(found.remarks)
     return "".join(f"# {line}\n" for line in lines) + "\n"
 

@@ -12,7 +12,7 @@ from contourlab.report.charts import Chart, PolarChart
 from contourlab.report.plots import write_charts
 from contourlab.report.reproduction_pictures import circle_chart, course_chart, sweep_chart, traces_chart, turn_chart
 
-__all__ = ["check_choice", "write_emps", "write_gecer_ulu", "write_ghaffari", "write_shahin"]
+__all__ = ["check_choice", "write_emps", "write_gecer_ulu", "write_ghaffari", "write_shahin", "write_ubc"]
 
 RATIO = "contour rms of FB CCC ILC over FB ILC, over kappa"
 
@@ -161,4 +161,27 @@ def write_emps(log: str | Path | None, folder: str | Path, formats: Sequence[str
         traces_chart("emps-error", late, ("time [s]", "position error [mm]"), drawn.position_errors(found)),
         traces_chart("emps-error-left", "EMPS: measured less simulated", ("time [s]", "position [µm]"), drawn.error_left_over(found)),
     ]
+    return write_charts(charts, folder, formats)
+
+
+def write_ubc(folder_of_logs: str | Path | None, folder: str | Path, formats: Sequence[str]) -> tuple[Path, ...]:
+    """Write tracking and contour errors of both runs of the UBC table, measured and simulated, into a folder; return the files.
+
+    Parameters
+    ----------
+    folder_of_logs : str or Path
+        With line_circle_lli.mat and line_circle_pp.mat.
+    folder : str or Path
+    formats : sequence of str
+        Of ``"png"``, ``"svg"``, ``"pdf"``.
+    """
+    from contourlab.studies.reproduce.ubc_runs import contour_errors, read_runs, tracking_errors
+
+    charts = []
+    for name, run in read_runs(folder_of_logs).items():
+        for axis, traces in tracking_errors(run).items():
+            labels = "time [s]", f"tracking error of {axis} [µm]"
+            charts.append(traces_chart(f"ubc-{name}-{axis}", f"UBC table, {name}: tracking error of {axis}", labels, traces))
+        labels = "place along the path [mm]", "contour error [µm]"
+        charts.append(traces_chart(f"ubc-{name}-contour", f"UBC table, {name}: contour error", labels, contour_errors(run)))
     return write_charts(charts, folder, formats)

@@ -97,8 +97,8 @@ class LogRun:
     @cached_property
     def measured(self) -> Array:
         """Measured signals side by side (n_sample, n_channel), in the order of `channels`; positions as tracking errors [m]."""
-        parts = [self.asked - self.position]
-        return np.hstack(parts if self.command is None else [*parts, self.command])
+        joined: Array = np.hstack([self.asked - self.position] if self.command is None else [self.asked - self.position, self.command])
+        return joined
 
     @property
     def channels(self) -> tuple[tuple[str, str], ...]:
@@ -119,9 +119,7 @@ class LogRun:
         rows : slice or ndarray of bool
             Samples that are wanted.
         """
-        found = simulate_batch(
-            self.machine, self.controller, self.reference, variants, keep=self.signals, judge=False, moving=self.steady
-        )
+        found = simulate_batch(self.machine, self.controller, self.reference, variants, keep=self.signals, judge=False, moving=self.steady)
         parts = [self.asked[rows][:, :, None] - found.signals["position"][rows]]
         joined = np.concatenate(parts if self.command is None else [*parts, found.signals["command"][rows]], axis=1)
         joined[:, :, (found.failed_at >= 0) | ~np.isfinite(joined).all(axis=(0, 1))] = np.nan
@@ -163,19 +161,15 @@ class LogRun:
             found.append(Agreement(self.label, axis, signal, explained, fit, float(np.sqrt(np.mean(left**2)))))
         return tuple(found)
 
-    def judged(self, simulated: Array | None = None, rows: slice | None = None) -> Measured:
-        """Return the contour figures of simulated signals (n_sample, n_channel), or of the measured ones, over the move or some samples."""
-        part = rows or slice(None)
+    def judged(self, simulated: Array | None = None) -> Measured:
+        """Return the contour figures of simulated signals (n_sample, n_channel), or of the measured ones, over the move."""
         signals = self.measured if simulated is None else simulated
-        asked = self.asked[part]
-        position = asked - signals[part, : len(self.machine.axes)]
-        held = {name: Signal(data, ("sample", "axis"), "m") for name, data in (("reference", asked), ("position", position))}
+        position = self.asked - signals[:, : len(self.machine.axes)]
+        held = {name: Signal(data, ("sample", "axis"), "m") for name, data in (("reference", self.asked), ("position", position))}
         return measure(Result(self.label, self.machine.axis_names, self.machine.servo_period, held))
 
 
-def log_run(
-    machine: Machine, controller: Controller, result: Result, label: str, *, settling: float = 0.2, lead: int = LEAD
-) -> LogRun:
+def log_run(machine: Machine, controller: Controller, result: Result, label: str, *, settling: float = 0.2, lead: int = LEAD) -> LogRun:
     """Make ready what is simulated along a log.
 
     Parameters
@@ -232,7 +226,9 @@ def _command(machine: Machine, result: Result, columns: list[int], part: slice) 
         return None, ()
     unit, wanted = result.signals["command"].unit, {axis.plant.command_unit for axis in machine.axes}
     if wanted != {unit}:
-        said = f"the command in {result.scheme} is in {unit or 'no unit'} and the model's in {', '.join(sorted(wanted))}: it is not compared"
+        said = (
+            f"the command in {result.scheme} is in {unit or 'no unit'} and the model's in {', '.join(sorted(wanted))}: it is not compared"
+        )
         return None, (said,)
     values = result["command"][part][:, columns]
     return (np.array(values), ()) if np.isfinite(values).all() else (None, (f"the command in {result.scheme} is not finite: not compared",))

@@ -16,7 +16,7 @@ from contourlab.studies.log_run import Agreement, LogRun
 from contourlab.studies.refine_parameters import Sought, Wanted, columns_of, seek, with_values
 from contourlab.studies.refine_remarks import remarks_on
 
-__all__ = ["Refined", "RefineSettings", "Window", "refine", "rows_within"]
+__all__ = ["RefineSettings", "Refined", "Window", "refine", "rows_within"]
 
 Array = NDArray[np.float64]
 Rows = NDArray[np.bool_]
@@ -142,7 +142,7 @@ def refine(
         raise ParameterError("--parameter", "the start", "parameters with which the run does not diverge: look at the scenario first")
     problem.weigh(first, 0)
     found, agreeing, made = _descended(problem, chosen, progress)
-    return _told(runs, sought, problem, found, kept, given, (made, agreeing))
+    return _told(runs, sought, problem, found, given, (made, agreeing))
 
 
 class _Problem:
@@ -173,10 +173,8 @@ class _Problem:
         found = []
         for i, (run, rows) in enumerate(zip(self.runs, self.kept, strict=True)):
             columns = columns_of(self.sought, i, points)
-            if columns:
-                simulated = run.simulated(columns, rows)
-            else:  # none of its parameters is sought: a constant
-                simulated = np.repeat(run.once()[rows][:, :, None], len(points), axis=2)
+            # Where none of its parameters is sought, a run is a constant.
+            simulated = run.simulated(columns, rows) if columns else np.repeat(run.once()[rows][:, :, None], len(points), axis=2)
             found.append(run.measured[rows][:, :, None] - simulated)
         return found
 
@@ -184,7 +182,7 @@ class _Problem:
         """Take the rms of what is left of each channel, in one of the variants, as its size."""
         for i, part in enumerate(left):
             rms = np.sqrt(np.mean(part[:, :, which] ** 2, axis=0))
-            floor = 1e-6 * np.sqrt(np.mean(self.runs[i].measured**2, axis=0))
+            floor = 1e-6 * np.sqrt(np.mean(self.runs[i].measured ** 2, axis=0))
             self.sizes[i] = np.maximum(np.maximum(rms, floor), 1e-12)
 
     def grain(self) -> float:
@@ -256,43 +254,43 @@ def _told(
     sought: tuple[Sought, ...],
     problem: _Problem,
     found: Descent,
-    kept: Sequence[Rows],
     windows: Sequence[Window | None],
     descents: tuple[int, int],
 ) -> Refined:
     free = ~found.at_bound
-    slopes, left = problem.split(found.jacobian[:, free]), problem.split(found.residual)
-    knowledge = fit_covariance(slopes, left)
+    knowledge = fit_covariance(problem.split(found.jacobian[:, free]), problem.split(found.residual))
     deviations, white = np.full(len(sought), math.nan), np.full(len(sought), math.nan)
     deviations[free], white[free] = knowledge.deviations, knowledge.white_deviations
-    ends, simulated, before, after, unseen = [], [], [], [], []
-    for i, (run, rows, window) in enumerate(zip(runs, kept, windows, strict=True)):
-        values = {one.name: float(found.values[j]) for j, one in enumerate(sought) if i in one.runs}
-        machine, controller = with_values(run.machine, run.controller, values)
-        ends.append(replace(run, machine=machine, controller=controller))
-        simulated.append(ends[-1].once())
+    ends = tuple(_placed(run, sought, found.values, i) for i, run in enumerate(runs))
+    simulated = tuple(run.once() for run in ends)
+    before, after, unseen = _agreements(runs, ends, simulated, windows)
+    said, usable = remarks_on(sought, found, deviations, white, knowledge, after, descents)
+    said += tuple(note for run in runs for note in run.notes)
+    known = found.values, deviations, white, found.at_bound, knowledge
+    return Refined(sought, *known, ends, simulated, before, after, unseen, *descents, said, usable)
+
+
+def _placed(run: LogRun, sought: Sequence[Sought], values: Array, which: int) -> LogRun:
+    """Return a run with the values of its parameters in their places."""
+    mine = {one.name: float(value) for one, value in zip(sought, values, strict=True) if which in one.runs}
+    machine, controller = with_values(run.machine, run.controller, mine)
+    return replace(run, machine=machine, controller=controller)
+
+
+def _agreements(
+    runs: Sequence[LogRun], ends: Sequence[LogRun], simulated: Sequence[Array], windows: Sequence[Window | None]
+) -> tuple[tuple[Agreement, ...], ...]:
+    """Return the agreement before and after over what was fitted, and after over what moves outside of it."""
+    before: list[Agreement] = []
+    after: list[Agreement] = []
+    unseen: list[Agreement] = []
+    for run, end, signals, window in zip(runs, ends, simulated, windows, strict=True):
         within = rows_within(run, window)
         moves = np.zeros_like(within)
         moves[slice(*run.moves)] = True
-        before += run.agreement(run.once(), within & moves if (within & moves).any() else rows)
-        after += run.agreement(simulated[-1], within & moves if (within & moves).any() else rows)
+        fitted = within & moves if (within & moves).any() else within
+        before += run.agreement(run.once(), fitted)
+        after += end.agreement(signals, fitted)
         if (moves & ~within).any():
-            unseen += run.agreement(simulated[-1], moves & ~within)
-    said, usable = remarks_on(sought, found, deviations, white, knowledge, after, descents)
-    said += tuple(note for run in runs for note in run.notes)
-    return Refined(
-        sought,
-        found.values,
-        deviations,
-        white,
-        found.at_bound,
-        knowledge,
-        tuple(ends),
-        tuple(simulated),
-        tuple(before),
-        tuple(after),
-        tuple(unseen),
-        *descents,
-        said,
-        usable,
-    )
+            unseen += end.agreement(signals, moves & ~within)
+    return tuple(before), tuple(after), tuple(unseen)

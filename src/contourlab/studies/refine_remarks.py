@@ -89,4 +89,5 @@ def _on_pairs(sought: Sequence[Sought], found: Descent, knowledge: FitCovariance
     strong = np.argwhere(np.triu(np.abs(knowledge.correlation), 1) > TOGETHER)
     for i, j in strong.tolist():
         if not (knowledge.untold[i] or knowledge.untold[j]):
-            yield f"{names[i]} and {names[j]} go together, correlation {knowledge.correlation[i, j]:.3f}: one is worth what is known of the other"
+            pair, strength = f"{names[i]} and {names[j]}", f"{knowledge.correlation[i, j]:.3f}"
+            yield f"{pair} go together, correlation {strength}: one is worth what is known of the other"

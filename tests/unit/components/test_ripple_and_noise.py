@@ -74,3 +74,17 @@ def test_noise_is_there_from_the_first_tick_on_and_other_in_other_streams() -> N
     spread = np.std(first, axis=0)
     assert spread == pytest.approx([2.0, 2.0, 2.0], rel=4.0 / math.sqrt(2000.0))
     assert len({row[0] for row in first}) == 1000
+
+
+@settings(deadline=None)
+@given(parts=st.lists(st.floats(-10.0, 10.0), min_size=5, max_size=5), lead=st.floats(1e-3, 0.1), order=st.integers(1, 12))
+def test_the_ripple_of_a_screw_is_its_fourier_series(parts: list[float], lead: float, order: int) -> None:
+    offset, sine, cosine, order_sine, order_cosine = parts
+    values = {"offset": offset, "sine": sine, "cosine": cosine, "order_sine": order_sine, "order_cosine": order_cosine}
+    screw = make("disturbance", "screw-ripple", lead=lead, order=float(order), **values)
+    position = np.random.default_rng(order).uniform(-0.5, 0.5, 50)
+    angle = 2.0 * math.pi * position / lead
+    exact = (
+        offset + sine * np.sin(angle) + cosine * np.cos(angle) + order_sine * np.sin(order * angle) + order_cosine * np.cos(order * angle)
+    )
+    assert run_alone(screw, {"position": position})["force"] == pytest.approx(exact, abs=1e-8)

@@ -19,7 +19,8 @@ def refine(
     scenario: ScenarioFile,
     log: Annotated[list[Path], typer.Option(help="A log of such a run; may be given again.", show_default=False)],
     parameter: Annotated[
-        list[str], typer.Option(help='What is refined: "axes.*.plant.damping" or "NAME=50 N..200 N"; may be given again.', show_default=False)
+        list[str],
+        typer.Option(help='What is refined: "axes.*.plant.damping" or "NAME=50 N..200 N"; may be given again.', show_default=False),
     ],
     also: Annotated[
         list[str] | None, typer.Option(help="Scenario of the next log, the same machine under another controller.", show_default=False)

@@ -94,6 +94,27 @@ def emps(
     return _told(rows, as_json)
 
 
+@reproduce.command()
+def ubc(
+    log_folder: Annotated[Path | None, typer.Option(help="Folder with line_circle_lli.mat and line_circle_pp.mat.")] = None,
+    unseen: Annotated[bool, typer.Option(help="Also fit with parts of the runs left out, which takes minutes.")] = True,
+    as_json: Json = False,
+    plots: Annotated[list[str] | None, typer.Option(help="Also draw measured and simulated errors as png, svg or pdf.")] = None,
+    out: Annotated[Path, typer.Option(help="Folder of the pictures.")] = Path("results"),
+) -> int:
+    """The XY table of the UBC course MECH 467: two measured line-circle runs, and the machine found from them."""
+    from contourlab.studies.reproduce.ubc import reproduce as rows_of
+
+    if plots:
+        from contourlab.session.reproduce import check_choice, write_ubc
+
+        check_choice(out, tuple(plots))
+    rows = rows_of(log_folder, with_unseen=unseen)
+    if plots:
+        write_ubc(log_folder, out, tuple(plots))
+    return _told(rows, as_json)
+
+
 def _told(rows: Sequence[Mapping[str, Any]], as_json: bool) -> int:
     """Print the rows; return 1 where one fails."""
     if as_json:

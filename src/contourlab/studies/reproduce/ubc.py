@@ -56,7 +56,9 @@ def _measured(runs: dict[str, LogRun]) -> Iterator[Row]:
     for k, title in enumerate(titles):
         for name, here in figures.items():
             known = MEASURED[name][k]
-            yield derived(title, name, known, here[k], "um", WITHIN * known, "over the move; beside it what another program makes of the log")
+            yield derived(
+                title, name, known, here[k], "um", WITHIN * known, "over the move; beside it what another program makes of the log"
+            )
 
 
 def _explained(runs: dict[str, LogRun]) -> Iterator[Row]:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 
@@ -18,14 +17,14 @@ from contourlab.studies.log_run import Agreement, LogRun, log_run
 from contourlab.studies.refine import RefineSettings, Window, refine
 from contourlab.studies.refine_parameters import Wanted, with_values
 
-__all__ = ["CONTROLLERS", "FILES", "PHYSICS", "WANTED", "Unseen", "read_runs", "unseen"]
+__all__ = ["CONTROLLERS", "FILES", "PHYSICS", "WANTED", "Unseen", "contour_errors", "read_runs", "tracking_errors", "unseen"]
 
 Array = NDArray[np.float64]
 
 FILES = {"lead-lag": "line_circle_lli.mat", "pole-placement": "line_circle_pp.mat"}
 WANTED = (
-    "wanted is a folder with line_circle_lli.mat and line_circle_pp.mat, the line-circle runs of November 2020 of the course MECH 467 of the "
-    "University of British Columbia (Gigahawk/mech467, Labs). They are not part of contourlab"
+    "wanted is a folder with line_circle_lli.mat and line_circle_pp.mat, the line-circle runs of November 2020 of the course MECH 467 of "
+    "the University of British Columbia (Gigahawk/mech467, Labs). They are not part of contourlab"
 )
 LINES = 0.07
 """Metres along the path at which the circle begins, behind lines of 50 and 20 mm."""
@@ -101,7 +100,8 @@ def unseen(runs: dict[str, LogRun]) -> list[Unseen]:
     """Return what fits that leave something out are worth on what they leave out.
 
     Halves: physics and gains from the lines of both runs, held against both circles, and the other way round. Other runs: physics from one
-    run alone; of the other run only the gains, which nobody has recorded, from its lines, and its circle is what was not seen.
+    run alone; of the other run only the gains, which nobody has recorded, from its lines, and its circle is what was not seen. Friction and
+    ripple begin as if these logs were not known; the gains begin at the library's, and which orders of ripple there are is taken from it.
     """
     begun = {name: _forgotten(run) for name, run in runs.items()}
     found = []
@@ -148,10 +148,26 @@ def _judged(case: str, run: LogRun, window: Window) -> Unseen:
     times, simulated = run.times(), run.once()
     first, last = (int(np.searchsorted(times, t)) for t in window)
     rows = slice(max(first, run.moves[0]), min(last, run.moves[1]))
-    here, there = (run.judged(signals, rows).metrics.contour_error for signals in (simulated, None))
-    return Unseen(case, run.agreement(simulated, rows), here.rms, here.max, there.rms, there.max)
+    figures = []
+    for signals in (simulated, None):
+        error = run.judged(signals).result["contour_error"][rows]
+        figures += [float(np.sqrt(np.mean(error**2))), float(np.abs(error).max())]
+    return Unseen(case, run.agreement(simulated, rows), *figures)
 
 
-def agreements(runs: Sequence[LogRun]) -> list[Agreement]:
-    """Return how well runs follow their logs over the moves."""
-    return [one for run in runs for one in run.agreement(run.once())]
+def tracking_errors(run: LogRun) -> dict[str, dict[str, tuple[Array, Array]]]:
+    """Return for each axis, over time [s], its tracking error [um] as measured and as simulated."""
+    times, simulated = run.times(), run.once()
+    return {
+        axis: {"measured": (times, 1e6 * run.measured[:, j]), "simulated": (times, 1e6 * simulated[:, j])}
+        for j, axis in enumerate(run.machine.axis_names)
+    }
+
+
+def contour_errors(run: LogRun) -> dict[str, tuple[Array, Array]]:
+    """Return over the place along the path [mm] the contour error [um] as measured and as simulated."""
+    found = {}
+    for name, signals in (("measured", None), ("simulated", run.once())):
+        judged = run.judged(signals).result
+        found[name] = 1e3 * judged["foot_arc_length"], 1e6 * judged["contour_error"]
+    return found

@@ -1,0 +1,145 @@
+"""``contourlab refine`` as typed: from a scenario and a log to a machine that can be run."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from contourlab.cli.main import main
+from contourlab.scenario import load_machine, load_scenario
+from contourlab.session.folder import staged
+
+MACHINE = """
+[machine]
+name = "table"
+servo_period = "1 ms"
+axes = ["x", "y"]
+
+[axes."*"]
+sensor = {kind = "encoder", resolution = "0.1 um"}
+friction = {kind = "coulomb", coulomb = "COULOMB N"}
+plant = {kind = "mass-damper", mass = "50 kg", damping = "DAMPING N*s/m", force_constant = "100 N/A"}
+
+[axes."*".limits]
+velocity = "100 mm/s"
+acceleration = "1 m/s^2"
+jerk = "20 m/s^3"
+"""
+SCENARIO = """
+machine = "NAME.toml"
+[contour]
+name = "circle"
+radius = "10 mm"
+[feed]
+feedrate = "40 mm/s"
+[controller.axes."*".controller]
+kind = "lead-lag"
+gains = {phase_margin = "60 deg", crossover = "60 rad/s"}
+"""
+NAMES = ["axes.*.plant.damping", "axes.*.friction.coulomb=5 N..80 N"]
+
+
+def written(folder: Path, name: str, damping: float, coulomb: float) -> Path:
+    """Write a scenario; gains are those of one model, whatever the friction."""
+    (folder / f"{name}.toml").write_text(MACHINE.replace("COULOMB", str(coulomb)).replace("DAMPING", str(damping)))
+    file = folder / f"{name}-circle.toml"
+    file.write_text(SCENARIO.replace("NAME", name).replace('crossover = "60 rad/s"}', 'crossover = "60 rad/s"}'))
+    return file
+
+
+@pytest.fixture(scope="module")
+def scene(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """A folder with a scenario that guesses, and the log of one that is true: damping 300 and Coulomb friction 40 N."""
+    from contourlab.loop import simulate
+
+    folder = tmp_path_factory.mktemp("scene")
+    guess, true = load_scenario(written(folder, "guess", 500.0, 20.0)), load_scenario(written(folder, "true", 300.0, 40.0))
+    seen = simulate(true.machine, guess.controller, true.base.reference())
+    rest = np.zeros((100, 2))
+    asked, found = (np.vstack([rest + data[0], data, rest + data[-1]]) for data in (seen["reference"], seen["position"]))
+    rows = np.column_stack([np.arange(len(asked)) * 1e-3, 1e3 * asked, 1e3 * found])
+    head = "time [s],x ref [mm],y ref [mm],x pos [mm],y pos [mm]"
+    (folder / "log.csv").write_text(head + "\n" + "\n".join(",".join(f"{v:.6f}" for v in row) for row in rows))
+    (folder / "columns.toml").write_text(
+        '[columns]\n"reference.x" = "x ref"\n"reference.y" = "y ref"\n"position.x" = "x pos"\n"position.y" = "y pos"\n'
+    )
+    return folder
+
+
+def words(scene: Path, *more: str, names: list[str] | None = None) -> list[str]:
+    chosen = [word for name in (NAMES if names is None else names) for word in ("--parameter", name)]
+    return [
+        "refine", str(scene / "guess-circle.toml"), "--log", str(scene / "log.csv"), "--columns", str(scene / "columns.toml"),
+        *chosen, "--starts", "1", *more,
+    ]  # fmt: skip
+
+
+def test_a_machine_comes_out_of_a_log(scene: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    out = tmp_path / "machine.toml"
+    more = ["--out", str(out), "--json", "--plots", "svg", "--folder", str(tmp_path / "seen"), "--validation", str(scene / "log.csv")]
+    assert main(words(scene, *more)) == 0
+    found = json.loads(capsys.readouterr().out)
+    for axis in "xy":
+        for name, true in (("plant.damping", 300.0), ("friction.coulomb", 40.0)):
+            figure = found["parameters"][f"axes.{axis}.{name}"]
+            assert figure["value"] == pytest.approx(true, abs=4.0 * figure["deviation"] + 2e-3 * true)
+    assert all(row["explained"] > 0.999 for row in found["fitted"] + found["validation"])
+    machine = load_machine(out)
+    assert machine.axis("y").friction.values()["coulomb"] == pytest.approx(
+        found["parameters"]["axes.y.friction.coulomb"]["value"], rel=1e-5
+    )
+    assert "fitted to log.csv, +- " in out.read_text() and "one standard deviation" in out.read_text()
+    drawn = {file.name for file in (tmp_path / "seen").iterdir()}
+    assert drawn == {f"log-position-{axis}{part}.svg" for axis in "xy" for part in ("", "-left")}
+
+
+def test_the_table_says_what_was_not_seen(scene: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(words(scene, "--window", "0 s..1 s")) == 0
+    said = capsys.readouterr().out
+    assert "unseen" in said and "deviation" in said and "explained" in said
+
+
+def test_controllers_that_were_refined_get_files_of_their_own(scene: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    gain = "controller.axes.*.controller.gain"
+    assert main(words(scene, "--out", str(tmp_path / "m.toml"), names=[*NAMES, gain])) == 0
+    file = tmp_path / "m-log-controller.toml"
+    assert f"controller: {file}" in capsys.readouterr().out and "fitted to log.csv" in file.read_text()
+    joined = tmp_path / "joined.toml"
+    text = (scene / "guess-circle.toml").read_text().split("[controller.axes")[0]
+    joined.write_text('controller = "m-log-controller.toml"\n' + text.replace("guess.toml", "m.toml"))
+    assert load_scenario(joined).controller.axes["x"].controller.kind == "lead-lag"
+
+
+@pytest.mark.parametrize(
+    ("names", "more", "said"),
+    [
+        (["axes.x.plant.weight"], [], "--parameter"),
+        (["axes.x.friction.coulomb=5..x N"], [], "a range in"),
+        (["axes.x.friction.coulomb=5 mm..80 mm"], [], "a range in"),
+        (["axes.x.friction.coulomb=50 N"], [], "name with a range"),
+        (NAMES, ["--window", "soon"], "two times"),
+        (NAMES, ["--window", "2 s..1 s"], "the earlier one first"),
+        (NAMES, ["--window", "0 s..1 s", "--window", "0 s..1 s"], "one for all logs"),
+        (NAMES, ["--starts", "0"], "starts from 1 to 32"),
+        (NAMES, ["--also", "builtin:ubc/lead-lag", "--also", "builtin:ubc/lead-lag"], "one scenario, or one for each log"),
+        (NAMES, ["--plots", "gif"], "gif"),
+        (NAMES, ["--validation", "nowhere.csv"], "nowhere.csv"),
+    ],
+)
+def test_bad_options_are_told_in_words(
+    scene: Path, capsys: pytest.CaptureFixture[str], names: list[str], more: list[str], said: str
+) -> None:
+    assert main(words(scene, *more, names=names)) == 2
+    error = capsys.readouterr().err
+    assert said in error and "Traceback" not in error
+
+
+def test_a_folder_that_cannot_be_made_is_told_ahead_of_the_work(scene: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    (tmp_path / "file").write_text("")
+    assert main(words(scene, "--out", str(tmp_path / "file" / "m.toml"))) == 2
+    assert "Traceback" not in capsys.readouterr().err
+    with staged(tmp_path):
+        pass

@@ -1,0 +1,201 @@
+"""Refinement against logs that were simulated with known numbers, through an encoder."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from contourlab.components.controller.lead_lag import LeadLag
+from contourlab.components.disturbance.screw_ripple import ScrewRipple
+from contourlab.components.friction.coulomb import Coulomb
+from contourlab.components.plant.mass_damper import MassDamper
+from contourlab.components.sensor.encoder import Encoder
+from contourlab.errors import ParameterError, ResultError
+from contourlab.feed import Reference
+from contourlab.geometry import Line, Path
+from contourlab.loop import Axis, AxisController, Controller, Machine, simulate
+from contourlab.result import Result, Signal
+from contourlab.studies.log_run import LogRun, log_run
+from contourlab.studies.refine import RefineSettings, refine
+from contourlab.studies.refine_parameters import Wanted, seek, with_values
+
+PERIOD = 1e-3
+TRUE = {"axes.x.plant.damping": 400.0, "axes.x.friction.coulomb": 60.0, "axes.x.disturbance.sine": 8.0}
+GUESS = {"axes.x.plant.damping": 700.0, "axes.x.friction.coulomb": 30.0, "axes.x.disturbance.sine": 0.0}
+WANTED = (Wanted("axes.x.plant.damping"), Wanted("axes.x.friction.coulomb"), Wanted("axes.x.disturbance.sine", -30.0, 30.0))
+
+
+def parts(resolution: float = 1e-7, **axis: object) -> tuple[Machine, Controller]:
+    plant = MassDamper(mass=50.0, damping=400.0, force_constant=100.0)
+    ripple = ScrewRipple(lead=0.01, sine=8.0)
+    mine = Axis("x", plant, Coulomb(coulomb=60.0), sensor=Encoder(resolution=resolution), disturbance=ripple, **axis)  # type: ignore[arg-type]
+    gains = LeadLag.design(np.radians(60.0), 60.0, 2.0, 8.0)
+    return Machine("axis", (mine,), PERIOD), Controller({"x": AxisController(LeadLag(**gains))})
+
+
+def way(seconds: float = 2.0) -> np.ndarray:
+    """Positions to and fro that begin and end at rest."""
+    time = np.arange(0.0, seconds, PERIOD)
+    fade = np.sin(np.pi * time / seconds) ** 2
+    moved = 0.02 * fade * np.sin(2.0 * np.pi * 1.3 * time)
+    return np.concatenate([np.zeros(60), moved, np.zeros(100)])[:, None]
+
+
+def log_of(machine: Machine, controller: Controller, noise: np.ndarray | float = 0.0, place: np.ndarray | None = None) -> Result:
+    asked = way() if place is None else place
+    path = Path([Line([-0.05], [0.05])])
+    reference = Reference.from_samples(asked, PERIOD, path, arc_length=asked[:, 0] + 0.05)
+    seen = simulate(machine, controller, reference, signals=("position", "command"))
+    signals = {"reference": Signal(asked, ("sample", "axis"), "m"), "position": Signal(seen["position"] + noise, ("sample", "axis"), "m")}
+    return Result("log", ("x",), PERIOD, signals)
+
+
+def guessed(result: Result) -> LogRun:
+    machine, controller = parts()
+    return log_run(*with_values(machine, controller, GUESS), result, "log")
+
+
+@pytest.fixture(scope="module")
+def result() -> Result:
+    return log_of(*parts())
+
+
+def test_known_numbers_come_back_within_what_is_said_of_them(result: Result) -> None:
+    found = refine([guessed(result)], WANTED, settings=RefineSettings(starts=2))
+    for one, value, deviation in zip(found.sought, found.values, found.deviations, strict=True):
+        assert abs(value - TRUE[one.name]) < 4.0 * deviation + 1e-4 * abs(TRUE[one.name]), one.name
+        assert deviation < 0.02 * abs(TRUE[one.name])
+    assert found.usable and found.after[0].explained > 0.9999 > found.before[0].explained
+    assert found.after[0].rms < 1e-7  # an encoder's count
+
+
+def test_what_moves_outside_a_window_is_unseen(result: Result) -> None:
+    found = refine([guessed(result)], WANTED, windows=[(0.0, 1.0)], settings=RefineSettings(starts=1))
+    (unseen,) = found.unseen
+    assert unseen.explained > 0.999
+    assert refine([guessed(result)], WANTED[:1], settings=RefineSettings(starts=1)).unseen == ()
+
+
+def test_one_machine_under_two_controllers_shares_its_numbers(result: Result) -> None:
+    machine, controller = parts()
+    name = "controller.axes.x.controller.gain"
+    gain = controller.axes["x"].controller.values()["gain"]
+    soft = with_values(machine, controller, {name: 0.5 * gain})[1]
+    guess = with_values(machine, controller, GUESS | {name: 0.7 * gain})
+    runs = [guessed(result), log_run(*guess, log_of(machine, soft), "soft")]
+    found = refine(runs, [*WANTED, Wanted(f"soft:{name}", 0.2 * gain, gain)], settings=RefineSettings(starts=1))
+    wanted = TRUE | {f"soft:{name}": 0.5 * gain}
+    assert dict(zip((one.label for one in found.sought), found.values, strict=True)) == pytest.approx(wanted, rel=2e-3)
+    assert found.runs[0].controller == runs[0].controller and found.runs[1].controller != runs[1].controller
+    assert {one.run for one in found.after} == {"log", "soft"}
+
+
+def test_deviations_are_those_of_many_logs() -> None:
+    """Thirty logs with noise that remembers ten rows: the spread of what is found is what each says of itself."""
+    from scipy.signal import lfilter
+
+    machine, controller = parts()
+    clean = log_of(machine, controller)
+    rng, settings = np.random.default_rng(3), RefineSettings(starts=1, rounds=1)
+    values, told = [], []
+    for _ in range(30):
+        noise = 2e-6 * lfilter([1.0], [1.0, -0.9], rng.standard_normal((clean.n_sample, 1)), axis=0)
+        noisy = clean.with_signals(position=Signal(clean["position"] + noise, ("sample", "axis"), "m"))
+        run = log_run(machine, controller, noisy, "log")
+        found = refine([run], WANTED, settings=settings)
+        values.append(found.values)
+        told.append(found.deviations)
+    # Standard deviations of 30 draws are themselves known to 13 percent: three times that.
+    assert np.sqrt(np.mean(np.square(told), axis=0)) == pytest.approx(np.std(values, axis=0, ddof=1), rel=0.4)
+    assert np.mean(values, axis=0) == pytest.approx([TRUE[w.name] for w in WANTED], abs=4.0 * np.max(told, axis=0).max() / np.sqrt(30.0))
+
+
+def test_a_command_in_the_log_is_compared_too(result: Result) -> None:
+    machine, controller = parts()
+    path = Path([Line([-0.05], [0.05])])
+    reference = Reference.from_samples(way(), PERIOD, path, arc_length=way()[:, 0] + 0.05)
+    command = simulate(machine, controller, reference, signals=("command",))["command"]
+    both = result.with_signals(command=Signal(command, ("sample", "axis"), "A"))
+    found = refine([guessed(both)], WANTED, settings=RefineSettings(starts=1))
+    assert [one.signal for one in found.after] == ["position", "command"]
+    assert all(one.explained > 0.999 for one in found.after)
+    strange = result.with_signals(command=Signal(command, ("sample", "axis"), "V"))
+    assert any("not compared" in note for note in guessed(strange).notes)
+
+
+def test_what_cannot_be_told_and_what_goes_together_is_said(result: Result) -> None:
+    wanted = [*WANTED, Wanted("axes.x.friction.viscous", 0.0, 100.0)]
+    machine, controller = parts()
+    run = log_run(*with_values(machine, controller, GUESS | {"axes.x.friction.viscous": 50.0}), result, "log")
+    found = refine([run], wanted, settings=RefineSettings(starts=1))
+    said = " ".join(found.remarks)
+    assert "axes.x.plant.damping" in said and ("go together" in said or "cannot be told" in said or "bound" in said)
+    idle = refine([guessed(result)], [*WANTED, Wanted("axes.x.drive.limit", 50.0, 200.0)][:3], settings=RefineSettings(starts=1))
+    assert idle.usable
+
+
+def test_a_bound_that_holds_is_said(result: Result) -> None:
+    wanted = [WANTED[0], Wanted("axes.x.friction.coulomb", 20.0, 40.0), WANTED[2]]
+    found = refine([guessed(result)], wanted, settings=RefineSettings(starts=1))
+    assert found.at_bound.tolist()[1] and found.values[1] == 40.0 and np.isnan(found.deviations[1])
+    assert any("stands at the bound" in remark for remark in found.remarks)
+
+
+def test_lanes_that_diverge_are_no_crash(result: Result) -> None:
+    """Gains up to a hundred times too large are tried, and run away."""
+    machine, controller = parts()
+    run = log_run(*with_values(machine, controller, GUESS), result, "log")
+    gain = run.controller.axes["x"].controller.values()["gain"]
+    wanted = [*WANTED, Wanted("controller.axes.x.controller.gain", gain / 10.0, gain * 100.0)]
+    left = run.simulated({"controller.axes.x.controller.gain": [gain, 100.0 * gain]})
+    assert np.isfinite(left[:, :, 0]).all() and not np.isfinite(left[:, :, 1]).any()
+    found = refine([run], wanted, settings=RefineSettings(starts=3))
+    assert found.values[3] == pytest.approx(gain, rel=0.01)
+
+
+def test_bad_questions_are_refused_in_words(result: Result) -> None:
+    run = guessed(result)
+    for wanted, said in (
+        ([Wanted("axes.x.plant.dampings")], "near to it: axes.x.plant.damping"),
+        ([Wanted("elsewhere:axes.x.plant.damping")], "a run called log"),
+        ([Wanted("axes.x.disturbance.sine")], "given with a range"),
+        ([Wanted("axes.x.plant.damping"), Wanted("axes.*.plant.damping")], "asked for once"),
+        ([Wanted("axes.x.plant.damping", 10.0, 20.0)], "holds where it begins"),
+        ([Wanted("axes.x.plant.damping", 900.0, 20.0)], "the lower end first"),
+        ([Wanted("axes.x.plant.damping", -5.0, 900.0)], ">= 0"),
+        ([Wanted("axes.x.disturbance.order")], "change a little"),
+        ([Wanted("axes.x.drive.limit")], "change a little"),
+        ([], "one or more"),
+    ):
+        with pytest.raises(ParameterError, match=said):
+            seek([run], wanted)
+    with pytest.raises(ParameterError, match="times within those of log"):
+        refine([run], WANTED, windows=[(50.0, 60.0)])
+    with pytest.raises(ParameterError, match="rows a parameter"):
+        refine([run], WANTED, windows=[(0.5, 0.51)])
+    with pytest.raises(ParameterError, match="starts from 1 to 32"):
+        RefineSettings(starts=0)
+
+
+def test_a_log_that_does_not_fit_the_machine_is_refused_in_words(result: Result) -> None:
+    machine, controller = parts()
+    for other, said in (
+        (Result("log", ("z",), PERIOD, result.signals), "no axis x in log"),
+        (Result("log", ("x",), 2e-3, result.signals), "sample every 2 ms"),
+        (Result("log", ("x",), PERIOD, {"position": result.signals["position"]}), "no reference in log"),
+    ):
+        with pytest.raises(ResultError, match=said):
+            log_run(machine, controller, other, "log")
+    hurt = np.array(result["position"])
+    hurt[7] = np.nan
+    with pytest.raises(ResultError, match="not finite"):
+        log_run(machine, controller, result.with_signals(position=Signal(hurt, ("sample", "axis"), "m")), "log")
+
+
+def test_a_log_that_begins_in_motion_is_said(result: Result) -> None:
+    cut = {name: Signal(signal.data[400:], signal.dims, signal.unit) for name, signal in result.signals.items()}
+    machine, controller = parts()
+    run = log_run(machine, controller, Result("log", ("x",), PERIOD, cut), "log")
+    assert run.steady and "begins in motion" in run.notes[0]
+    late = run.moves[0] + 300  # what came before has faded
+    assert run.agreement(run.once(), slice(late, run.moves[1]))[0].explained > 0.99
