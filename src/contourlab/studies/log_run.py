@@ -97,8 +97,8 @@ class LogRun:
     @cached_property
     def measured(self) -> Array:
         """Measured signals side by side (n_sample, n_channel), in the order of `channels`; positions as tracking errors [m]."""
-        joined: Array = np.hstack([self.asked - self.position] if self.command is None else [self.asked - self.position, self.command])
-        return joined
+        late = self.asked - self.position
+        return late if self.command is None else np.hstack([late, self.command])
 
     @property
     def channels(self) -> tuple[tuple[str, str], ...]:
@@ -107,7 +107,7 @@ class LogRun:
 
     def times(self) -> Array:
         """Return the times of the samples (n_sample,) [s], on the log's clock."""
-        return self.start + np.arange(self.reference.n_sample) * self.machine.servo_period
+        return self.start + self.machine.servo_period * np.arange(self.reference.n_sample, dtype=np.float64)
 
     def simulated(self, variants: Mapping[str, ArrayLike], rows: slice | NDArray[np.bool_] = slice(None)) -> Array:
         """Return the simulated signals (n_row, n_channel, n_variant), as `measured` has them; NaN throughout where a variant diverges.
