@@ -47,7 +47,7 @@ class FitCovariance:
     untold: NDArray[np.bool_]
 
 
-def fit_covariance(jacobians: Sequence[Array], residuals: Sequence[Array]) -> FitCovariance:
+def fit_covariance(jacobians: Sequence[Array], residuals: Sequence[Array], floor: float = 0.0) -> FitCovariance:
     """Return the covariance of the parameters at the least sum of squares.
 
     Parameters
@@ -56,6 +56,8 @@ def fit_covariance(jacobians: Sequence[Array], residuals: Sequence[Array]) -> Fi
         Slopes of the residuals, a record each: rows in time, channels that were recorded together.
     residuals : sequence of ndarray (n_k, c_k)
         Weighted to one size.
+    floor : float
+        Root mean square of what every residual holds though it may not show: half of an encoder's count either way.
 
     Notes
     -----
@@ -81,7 +83,7 @@ def fit_covariance(jacobians: Sequence[Array], residuals: Sequence[Array]) -> Fi
     untold: NDArray[np.bool_] = (lengths == 0.0) | (np.abs(vectors[:, lost]) > 0.2).any(axis=1)
     inverse = (vectors[:, ~lost] / values[~lost]) @ vectors[:, ~lost].T / np.outer(size, size)
     spare = max(left.size - p, 1)
-    white = np.sqrt(np.maximum(np.diag(inverse), 0.0) * float(left @ left) / spare)
+    white = np.sqrt(np.maximum(np.diag(inverse), 0.0) * (float(left @ left) + floor**2 * left.size) / spare)
     lags = max(_memory(r) for r in residuals)
     middle = sum(_long_run(np.einsum("ncp,nc->np", j, r), lags) for j, r in zip(jacobians, residuals, strict=True))
     covariance = inverse @ middle @ inverse * (left.size / spare)

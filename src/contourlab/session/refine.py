@@ -13,7 +13,6 @@ from contourlab.session.log_choice import LogChoice, open_log
 from contourlab.session.run import check_plots
 from contourlab.studies.log_run import Agreement, LogRun, log_run
 from contourlab.studies.refine import Refined, RefineSettings, Window, refine
-from contourlab.studies.refine_parameters import Wanted, declared
 from contourlab.studies.refine_remarks import shown
 
 if TYPE_CHECKING:
@@ -53,7 +52,7 @@ def refine_logs(
         One for all logs, or one for each.
     choices : sequence of LogChoice
     parameters : sequence of str
-        Dotted names, ``*`` for any axis; with a range as ``"axes.x.friction.coulomb=50 N..200 N"``.
+        Dotted names or their ends, ``*`` for any axis; with a range as ``"axes.x.friction.coulomb=50 N..200 N"``.
     windows : sequence of str
         Times that are fitted, as ``"0.8 s..1.6 s"``: one for all logs, or one for each; what moves outside of them shows what the fit is
         worth.
@@ -84,12 +83,11 @@ def refine_logs(
     runs = [_run(read[i if several else 0], choice, several) for i, choice in enumerate(choices)]
     if len({run.label for run in runs}) < len(runs):
         runs = [replace(run, label=f"{run.label} {i + 1}") for i, run in enumerate(runs)]
-    wanted = [_wanted(text, runs) for text in parameters]
     spans = _windows(windows, len(runs))
     held_out = None if validation is None else _run(read[0], validation, several=False)  # a log that cannot be read is told ahead
     if out is not None:
         _check_folder(Path(out))
-    found = refine(runs, wanted, windows=spans, settings=RefineSettings(starts=starts), progress=progress)
+    found = refine(runs, parameters, windows=spans, settings=RefineSettings(starts=starts), progress=progress)
     checked = () if held_out is None else _held_out(found, held_out)
     sources = [Path(choice.file).name for choice in choices]
     text = _text(found, checked)
@@ -119,40 +117,6 @@ def _check_folder(out: Path) -> None:
 
     with staged(out.parent):
         pass
-
-
-def _wanted(text: str, runs: Sequence[LogRun]) -> Wanted:
-    name, _, span = (part.strip() for part in text.partition("="))
-    if not span:
-        return Wanted(name)
-    low, dots, high = (part.strip() for part in span.partition(".."))
-    if not dots:
-        raise ParameterError("--parameter", repr(text), 'a name, or a name with a range as "axes.x.friction.coulomb=50 N..200 N"')
-    from contourlab.scenario.quantities import read_number
-
-    unit, display = _unit_of(name, runs)
-    if unit and " " not in low:
-        low = f"{low} {high.partition(' ')[2]}".strip()
-    try:
-        return Wanted(
-            name, read_number(low if unit else float(low), unit, display), read_number(high if unit else float(high), unit, display)
-        )
-    except (UnitError, ValueError) as error:
-        raise ParameterError("--parameter", repr(text), f"a range in {display or 'bare numbers'}: {error}") from error
-
-
-def _unit_of(pattern: str, runs: Sequence[LogRun]) -> tuple[str, str]:
-    """Return unit and display of the first parameter that a name fits; none where it fits nothing, which is told later."""
-    import fnmatch
-
-    from contourlab.loop import parameter_names
-
-    for run in runs:
-        for name, (part, parameter) in parameter_names(run.machine, run.controller).items():
-            if fnmatch.fnmatchcase(name, pattern.rpartition(":")[2]):
-                known = declared(run.machine, part, parameter, name)
-                return known.unit, known.display
-    return "", ""
 
 
 def _windows(texts: Sequence[str], count: int) -> list[Window | None]:
@@ -189,7 +153,7 @@ def _table(rows: Sequence[Sequence[str]], left: tuple[int, ...]) -> list[str]:
 def _text(found: Refined, checked: Sequence[Agreement]) -> str:
     rows = [("parameter", "began at", "is", "deviation", "if white")]
     for one, value, deviation, white in zip(found.sought, found.values, found.deviations, found.white_deviations, strict=True):
-        rows.append((one.label, shown(one, one.start), shown(one, value), shown(one, deviation, 2), shown(one, white, 2)))
+        rows.append((one.label, shown(one, one.number.value), shown(one, value), shown(one, deviation, 2), shown(one, white, 2)))
     lines = _table(rows, (0,))
     agreed = [("", "run", "axis", "signal", "explained", "fit", "left, rms")]
     for words, group in (("before", found.before), ("fitted", found.after), ("unseen", found.unseen), ("validation", checked)):
@@ -216,11 +180,11 @@ def _summary(found: Refined, checked: Sequence[Agreement], sources: Sequence[str
         "parameters": {
             one.label: {
                 "value": float(value),
-                "unit": one.declared.unit,
+                "unit": one.number.unit,
                 "deviation": float(deviation),
                 "white_deviation": float(white),
-                "start": one.start,
-                "range": [one.low, one.high],
+                "start": one.number.value,
+                "range": [one.number.low, one.number.high],
                 "at_bound": bool(bound),
             }
             for one, value, deviation, white, bound in figures

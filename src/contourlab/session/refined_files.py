@@ -67,4 +67,4 @@ def _note(found: Refined, sources: Sequence[str], tables: dict[str, Any], head: 
         logs = ", ".join(dict.fromkeys(sources[i] for i in one.runs))
         worth = f"+- {shown(one, deviation, 2)} (one standard deviation)" if math.isfinite(deviation) else "not told by it"
         said = f"at the bound of its range, fitted to {logs}" if bound else f"fitted to {logs}, {worth}"
-        table[last] = Noted(shown(one, value, DIGITS) if one.declared.unit else float(f"{value:.{DIGITS}g}"), said)
+        table[last] = Noted(shown(one, value, DIGITS) if one.number.unit else float(f"{value:.{DIGITS}g}"), said)

@@ -13,7 +13,8 @@ from contourlab.errors import ResultError
 from contourlab.feed import Reference
 from contourlab.loop import Controller, Machine, simulate_batch
 from contourlab.result import Result, Signal
-from contourlab.studies.measure import Measured, measure, moving
+from contourlab.studies.measure import Measured, measure
+from contourlab.studies.sample_path import moving
 
 __all__ = ["Agreement", "LogRun", "log_run"]
 

@@ -13,7 +13,7 @@ from contourlab.analysis.fit_covariance import FitCovariance, fit_covariance
 from contourlab.analysis.gauss_newton import Descent, DescentSettings, descend, spread_starts
 from contourlab.errors import ParameterError
 from contourlab.studies.log_run import Agreement, LogRun
-from contourlab.studies.refine_parameters import Sought, Wanted, columns_of, seek, with_values
+from contourlab.studies.refine_parameters import Sought, columns_of, seek, with_values
 from contourlab.studies.refine_remarks import remarks_on
 
 __all__ = ["RefineSettings", "Refined", "Window", "refine", "rows_within"]
@@ -99,7 +99,7 @@ class Refined:
 
 def refine(
     runs: Sequence[LogRun],
-    wanted: Iterable[Wanted],
+    wanted: Iterable[str],
     *,
     windows: Sequence[Window | None] = (),
     settings: RefineSettings | None = None,
@@ -111,7 +111,8 @@ def refine(
     ----------
     runs : sequence of LogRun
         A parameter of the machine is one for all runs that have it by name; a controller's too.
-    wanted : iterable of Wanted
+    wanted : iterable of str
+        Names, and ranges where they are given, as of `contourlab.studies.refine_parameters.seek`.
     windows : sequence of (float, float) or None
         Of each log the times [s] that are fitted; by default all of it. What moves outside of them is what was not seen.
     settings : RefineSettings, optional
@@ -136,7 +137,7 @@ def refine(
         total = sum(int(np.count_nonzero(rows)) for rows in kept)
         raise ParameterError("--window", f"{total} rows for {len(sought)} parameters", f"{FEWEST} rows a parameter or more")
     problem = _Problem(runs, sought, kept)
-    start = np.array([one.start for one in sought])
+    start = np.array([one.number.value for one in sought])
     first = problem.left(start[None])
     if not all(np.isfinite(part).all() for part in first):
         raise ParameterError("--parameter", "the start", "parameters with which the run does not diverge: look at the scenario first")
@@ -154,15 +155,15 @@ class _Problem:
 
     @property
     def start(self) -> Array:
-        return np.array([one.start for one in self.sought])
+        return np.array([one.number.value for one in self.sought])
 
     @property
     def low(self) -> Array:
-        return np.array([one.low for one in self.sought])
+        return np.array([one.number.low for one in self.sought])
 
     @property
     def high(self) -> Array:
-        return np.array([one.high for one in self.sought])
+        return np.array([one.number.high for one in self.sought])
 
     @property
     def scale(self) -> Array:
@@ -185,17 +186,17 @@ class _Problem:
             floor = 1e-6 * np.sqrt(np.mean(self.runs[i].measured ** 2, axis=0))
             self.sizes[i] = np.maximum(np.maximum(rms, floor), 1e-12)
 
-    def grain(self) -> float:
-        """Return the size of an encoder's count beside what is left of its channel: the largest of all."""
-        found = [0.0]
+    def grains(self) -> Array:
+        """Return the size of an encoder's count beside what is left of its channel."""
+        found = []
         for run, sizes in zip(self.runs, self.sizes, strict=True):
             counts = [getattr(axis.sensor, "resolution", 0.0) for axis in run.machine.axes]
             found += [count / size for count, size in zip(counts, sizes, strict=False)]
-        return max(found)
+        return np.array(found)
 
     def settings(self, given: DescentSettings) -> DescentSettings:
         """Return the settings of a descent whose differences show beside counts."""
-        return replace(given, visible=max(given.visible, COUNTS * self.grain()))
+        return replace(given, visible=max(given.visible, COUNTS * float(self.grains().max())))
 
     def residuals(self, points: Array) -> Array:
         """Return the weighted residuals (k, n)."""
@@ -258,7 +259,8 @@ def _told(
     descents: tuple[int, int],
 ) -> Refined:
     free = ~found.at_bound
-    knowledge = fit_covariance(problem.split(found.jacobian[:, free]), problem.split(found.residual))
+    floor = float(np.sqrt(np.mean(problem.grains() ** 2) / 12.0))  # of whole counts
+    knowledge = fit_covariance(problem.split(found.jacobian[:, free]), problem.split(found.residual), floor)
     deviations, white = np.full(len(sought), math.nan), np.full(len(sought), math.nan)
     deviations[free], white[free] = knowledge.deviations, knowledge.white_deviations
     ends = tuple(_placed(run, sought, found.values, i) for i, run in enumerate(runs))

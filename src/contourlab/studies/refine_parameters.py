@@ -2,41 +2,23 @@
 
 from __future__ import annotations
 
-import fnmatch
 import math
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
+from numpy.typing import NDArray
 
-from contourlab.components.contract import Component, Parameter
 from contourlab.errors import ParameterError
 from contourlab.loop import Axis, AxisController, Controller, Machine, parameter_names
 from contourlab.loop.machine import AXIS_SLOTS
-from contourlab.scenario.components import parameters_of
 from contourlab.studies.log_run import LogRun
+from contourlab.studies.space.numbers import Number, Space
 
-__all__ = ["Sought", "Wanted", "declared", "seek", "with_values"]
+__all__ = ["Sought", "columns_of", "seek", "with_values"]
 
 SPAN = 10.0
 """Where no range is given, a parameter may become so many times smaller or larger."""
-
-
-@dataclass(frozen=True)
-class Wanted:
-    """A parameter that someone asks for.
-
-    Attributes
-    ----------
-    name : str
-        Dotted, as of `contourlab.loop.parameter_names`; ``*`` stands for anything between dots. ``LABEL:name`` is that of one run alone.
-    low, high : float or None
-        Range in SI; by default a tenth to ten times of where it begins, within what the part allows.
-    """
-
-    name: str
-    low: float | None = None
-    high: float | None = None
 
 
 @dataclass(frozen=True)
@@ -45,132 +27,99 @@ class Sought:
 
     Attributes
     ----------
-    name : str
-        Dotted.
+    number : Number
+        Its dotted name, where it begins, its bounds and its unit.
     runs : tuple of int
         In which of the runs it is the one parameter.
     label : str
-        The name, with the run's label ahead where not all runs share it by name.
-    declared : Parameter
-        Unit, bounds and meaning.
-    start, low, high : float
+        The name, with the run's label ahead where it was asked for in that run alone.
+    signed : bool
+        Whether it may be below zero.
     """
 
-    name: str
+    number: Number
     runs: tuple[int, ...]
     label: str
-    declared: Parameter
-    start: float
-    low: float
-    high: float
+    signed: bool
+
+    @property
+    def name(self) -> str:
+        """Dotted."""
+        return self.number.name
 
     @property
     def scale(self) -> float:
         """Size of the parameter, what steps are measured by."""
-        return max(abs(self.start), 0.1 * (self.high - self.low))
+        return max(abs(self.number.value), 0.1 * (self.number.high - self.number.low))
 
 
-def seek(runs: Sequence[LogRun], wanted: Iterable[Wanted]) -> tuple[Sought, ...]:
+def seek(runs: Sequence[LogRun], wanted: Iterable[str]) -> tuple[Sought, ...]:
     """Return the parameters that are asked for, each once.
 
     Parameters
     ----------
     runs : sequence of LogRun
-    wanted : iterable of Wanted
+    wanted : iterable of str
+        As `Space.chosen` takes them, ``NAME`` or ``NAME=LOW..HIGH``; ``LABEL:NAME`` is that of one run alone.
 
     Raises
     ------
     ParameterError
         If a name fits nothing, a parameter is asked for twice or differs between runs at the start, or a range is none.
     """
-    known = [parameter_names(run.machine, run.controller) for run in runs]
     found: dict[tuple[str, tuple[int, ...]], Sought] = {}
-    for one in wanted:
-        label, _, pattern = one.name.rpartition(":")
+    for text in wanted:
+        label, _, rest = text.rpartition(":")
         among = [i for i, run in enumerate(runs) if label in ("", run.label)]
         if not among:
-            raise ParameterError("--parameter", one.name, f"that of a run called {', '.join(run.label for run in runs)}")
-        names = dict.fromkeys(name for i in among for name in known[i] if _fits(name, pattern))
-        if not names:
-            raise ParameterError("--parameter", one.name, f"the name of a number{_near(pattern, [n for i in among for n in known[i]])}")
-        for name in names:
-            held = tuple(i for i in among if name in known[i])
+            raise ParameterError("--parameter", text, f"that of a run called {', '.join(run.label for run in runs)}")
+        chosen = _chosen(runs, among, rest)
+        for name in dict.fromkeys(name for numbers in chosen.values() for name in numbers):
+            held = tuple(i for i in among if name in chosen[i])
             if any(name == other and set(held) & set(places) for other, places in found):
                 raise ParameterError("--parameter", name, "asked for once")
-            found[name, held] = _sought(runs, known, name, held, label, one)
+            found[name, held] = _sought(runs, [chosen[i][name] for i in held], held, label)
     if not found:
         raise ParameterError("--parameter", "none", "one or more, such as axes.x.plant.damping")
     return tuple(found.values())
 
 
-def _fits(name: str, pattern: str) -> bool:
-    parts, wanted = name.split("."), pattern.split(".")
-    return len(parts) == len(wanted) and all(fnmatch.fnmatchcase(a, b) for a, b in zip(parts, wanted, strict=True))
-
-
-def _near(pattern: str, names: Sequence[str]) -> str:
-    import difflib
-
-    close = difflib.get_close_matches(pattern, names, 3, 0.5)
-    return f"; near to it: {', '.join(close)}" if close else f", such as {', '.join(names[:3])}"
-
-
-def _sought(
-    runs: Sequence[LogRun], known: Sequence[Mapping[str, tuple[Component, str]]], name: str, held: tuple[int, ...], label: str, one: Wanted
-) -> Sought:
-    starts = {float(known[i][name][0].values()[known[i][name][1]]) for i in held}
-    if len(starts) > 1:
-        told = f"begins at {' and '.join(f'{s:.6g}' for s in sorted(starts))}: put the run's label ahead, as {runs[held[0]].label}:{name}"
-        raise ParameterError("--parameter", name, f"the same in all runs, or asked for in one of them; it {told}")
-    start = starts.pop()
-    parameter = declared(runs[held[0]].machine, *known[held[0]][name], name)
-    shown = f"{label}:{name}" if label else name
-    if parameter.whole or not math.isfinite(start):
-        raise ParameterError("--parameter", shown, f"a number that can change a little; it is {start:g}")
-    low, high = _range(shown, start, parameter, one)
-    return Sought(name, held, shown, parameter, start, low, high)
-
-
-def _range(shown: str, start: float, parameter: Parameter, one: Wanted) -> tuple[float, float]:
-    unit = f" {parameter.unit}" if parameter.unit else ""
-    if one.low is None or one.high is None:
-        if start == 0.0:
-            bound = f"given with a range, as '{shown}=0{unit}..1{unit}': from 0 no size is known"
-            raise ParameterError("--parameter", shown, bound)
-        low, high = (start / SPAN, start * SPAN) if parameter.minimum >= 0.0 else (-SPAN * abs(start), SPAN * abs(start))
-        low, high = max(low, parameter.minimum), min(high, parameter.maximum)
-    else:
-        low, high = one.low, one.high
-        for value in (low, high):
-            try:
-                parameter.check(value)
-            except ParameterError as error:
-                error.add_note(f"In the range of {shown}.")
+def _chosen(runs: Sequence[LogRun], among: Sequence[int], text: str) -> dict[int, dict[str, Number]]:
+    """Return for each run the numbers that a text chooses there; an error only where it chooses none in any."""
+    found: dict[int, dict[str, Number]] = {}
+    for i in among:
+        try:
+            space = Space.chosen(runs[i].machine, runs[i].controller, [text], SPAN)
+        except ParameterError as error:
+            if i == among[-1] and not any(found.values()):
                 raise
-    if not low < high:
-        raise ParameterError("--parameter", f"{shown}={low:g}..{high:g}", "a range, the lower end first", parameter.unit)
-    if not low <= start <= high:
-        raise ParameterError(
-            "--parameter", f"{shown}={low:g}..{high:g}", f"a range that holds where it begins, {start:.6g}{unit}", parameter.unit
-        )
-    return low, high
+            if not _fits_nothing(error):
+                raise
+            found[i] = {}
+        else:
+            found[i] = {number.name: number for number in space.numbers}
+    return found
 
 
-def declared(machine: Machine, part: Component, parameter: str, name: str) -> Parameter:
-    """Return what is known of a parameter, in the units of the plant that it works with.
+def _fits_nothing(error: ParameterError) -> bool:
+    return error.name == "parameter"
 
-    Parameters
-    ----------
-    machine : Machine
-    part : Component
-    parameter : str
-        Its name there.
-    name : str
-        Its dotted name, which tells the axis.
-    """
-    axes = [word for word in name.split(".") if word in machine.axis_names]
-    plant = machine.axis(axes[0]).plant if axes else machine.axes[0].plant
-    return parameters_of(type(part), (plant.command_unit, plant.force_unit))[parameter]
+
+def _sought(runs: Sequence[LogRun], numbers: Sequence[Number], held: tuple[int, ...], label: str) -> Sought:
+    number = numbers[0]
+    starts = sorted({one.value for one in numbers})
+    if len(starts) > 1:
+        told = f"begins at {' and '.join(f'{number.shown(s):.6g}' for s in starts)} {number.display}"
+        bound = f"the same in all runs, or asked for in one of them as {runs[held[0]].label}:{number.name}; it {told}"
+        raise ParameterError("--parameter", number.name, bound)
+    part, word = parameter_names(runs[held[0]].machine, runs[held[0]].controller)[number.name]
+    if part.parameters[word].whole or not math.isfinite(number.value):
+        raise ParameterError("--parameter", number.name, f"a number that can change a little; it is {number.value:g}")
+    if not number.low <= number.value <= number.high:
+        ends = f"{number.shown(number.low):g}..{number.shown(number.high):g} {number.display}".strip()
+        start = f"{number.shown(number.value):.6g} {number.display}".strip()
+        raise ParameterError("--parameter", f"{number.name}={ends}", f"a range that holds where it begins, {start}")
+    return Sought(number, held, f"{label}:{number.name}" if label else number.name, part.parameters[word].minimum < 0.0)
 
 
 def with_values(machine: Machine, controller: Controller, values: Mapping[str, float]) -> tuple[Machine, Controller]:
@@ -209,6 +158,6 @@ def _axis_controller(mine: AxisController, words: Sequence[str], value: float) -
     return replace(mine, **{words[0]: getattr(mine, words[0]).replace(**{words[1]: value})})
 
 
-def columns_of(sought: Sequence[Sought], run: int, points: np.ndarray) -> dict[str, np.ndarray]:
+def columns_of(sought: Sequence[Sought], run: int, points: NDArray[np.float64]) -> dict[str, NDArray[np.float64]]:
     """Return the columns of points (k, p) that are parameters of a run, by their names there."""
     return {one.name: points[:, j] for j, one in enumerate(sought) if run in one.runs}

@@ -11,7 +11,6 @@ from contourlab.analysis.fit_covariance import FitCovariance
 from contourlab.analysis.gauss_newton import Descent
 from contourlab.studies.log_run import Agreement
 from contourlab.studies.refine_parameters import Sought
-from contourlab.units import from_si
 
 __all__ = ["remarks_on", "shown"]
 
@@ -27,8 +26,7 @@ COLOURED = 1.5
 
 def shown(one: Sought, value: float, digits: int = 5) -> str:
     """Return a value of a parameter in the unit that people use."""
-    unit = one.declared.display or one.declared.unit
-    return f"{from_si(value, unit):.{digits}g} {unit}".strip()
+    return f"{one.number.shown(value):.{digits}g} {one.number.display or one.number.unit}".strip()
 
 
 def remarks_on(
@@ -80,7 +78,7 @@ def _on_values(sought: Sequence[Sought], found: Descent, deviations: Array) -> I
             yield f"{one.label} stands at the bound of its range, {shown(one, value)}: the fit wants it further"
         elif not np.isfinite(deviation):
             yield f"{one.label} has no effect of its own in these logs: it cannot be told from them"
-        elif deviation > UNKNOWN * abs(value) and one.declared.minimum >= 0.0:
+        elif deviation > UNKNOWN * abs(value) and not one.signed:
             yield f"{one.label} = {shown(one, value)} is hardly known, standard deviation {shown(one, deviation, 2)}"
 
 

@@ -15,7 +15,7 @@ from contourlab.loop import Machine
 from contourlab.scenario import load_scenario
 from contourlab.studies.log_run import Agreement, LogRun, log_run
 from contourlab.studies.refine import RefineSettings, Window, refine
-from contourlab.studies.refine_parameters import Wanted, with_values
+from contourlab.studies.refine_parameters import with_values
 
 __all__ = ["CONTROLLERS", "FILES", "PHYSICS", "WANTED", "Unseen", "contour_errors", "read_runs", "tracking_errors", "unseen"]
 
@@ -28,20 +28,17 @@ WANTED = (
 )
 LINES = 0.07
 """Metres along the path at which the circle begins, behind lines of 50 and 20 mm."""
-RIPPLE = 60.0
-"""Newtons within which ripple and offset are looked for."""
-
 PHYSICS = (
-    Wanted("axes.*.plant.damping"),
-    Wanted("axes.*.friction.coulomb"),
-    Wanted("axes.*.friction.breakaway"),
-    Wanted("axes.*.friction.stiffness"),
-    Wanted("axes.*.disturbance.offset", -100.0, 100.0),
-    *(Wanted(f"axes.*.disturbance.{name}", -RIPPLE, RIPPLE) for name in ("sine", "cosine", "order_sine", "order_cosine")),
+    "axes.*.plant.damping",
+    "axes.*.friction.coulomb",
+    "axes.*.friction.breakaway",
+    "axes.*.friction.stiffness",
+    "axes.*.disturbance.offset=-100 N..100 N",
+    *(f"axes.*.disturbance.{name}=-60 N..60 N" for name in ("sine", "cosine", "order_sine", "order_cosine")),
 )
 CONTROLLERS = {
-    "lead-lag": tuple(Wanted(f"controller.axes.*.controller.{name}") for name in ("gain", "lead_time", "lag_time", "integral_rate")),
-    "pole-placement": tuple(Wanted(f"controller.axes.*.controller.{name}") for name in ("position_gain", "velocity_gain")),
+    "lead-lag": tuple(f"controller.axes.*.controller.{name}" for name in ("gain", "lead_time", "lag_time", "integral_rate")),
+    "pole-placement": tuple(f"controller.axes.*.controller.{name}" for name in ("position_gain", "velocity_gain")),
 }
 QUICK = RefineSettings(starts=1, rounds=1, descent=DescentSettings(least_gain=1e-3))
 """Of fits whose parameters nobody keeps: they say what such a fit is worth elsewhere."""

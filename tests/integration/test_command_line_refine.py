@@ -116,10 +116,10 @@ def test_controllers_that_were_refined_get_files_of_their_own(scene: Path, tmp_p
 @pytest.mark.parametrize(
     ("names", "more", "said"),
     [
-        (["axes.x.plant.weight"], [], "--parameter"),
-        (["axes.x.friction.coulomb=5..x N"], [], "a range in"),
-        (["axes.x.friction.coulomb=5 mm..80 mm"], [], "a range in"),
-        (["axes.x.friction.coulomb=50 N"], [], "name with a range"),
+        (["axes.x.plant.weight"], [], "a number of the machine"),
+        (["axes.x.friction.coulomb=5..x N"], [], "bounds LOW..HIGH"),
+        (["axes.x.friction.coulomb=5 mm..80 mm"], [], "bounds LOW..HIGH"),
+        (["axes.x.friction.coulomb=50 N"], [], "bounds LOW..HIGH"),
         (NAMES, ["--window", "soon"], "two times"),
         (NAMES, ["--window", "2 s..1 s"], "the earlier one first"),
         (NAMES, ["--window", "0 s..1 s", "--window", "0 s..1 s"], "one for all logs"),
