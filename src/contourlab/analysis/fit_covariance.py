@@ -64,8 +64,8 @@ def fit_covariance(jacobians: Sequence[Array], residuals: Sequence[Array], floor
     (J'J)^-1 S (J'J)^-1 with S the sum of the autocovariances of J'r under a window that is flat up to the lag at which the residual has
     forgotten itself, and falls to nothing at twice that lag: what a model lacks lasts longer than the usual rule of thumb for the number of
     lags allows for, and a window that falls from the start (Bartlett's) makes deviations too small by a tenth and more. Such a window may
-    give a variance below zero; no deviation is told that is below the white one. Where the sum of squares has several minima beside each
-    other, none of this knows of them.
+    give a variance that is far too small, even below zero: no deviation is told that is below that of Bartlett's window, or the white one.
+    Where the sum of squares has several minima beside each other, none of this knows of them.
 
     References
     ----------
@@ -85,15 +85,14 @@ def fit_covariance(jacobians: Sequence[Array], residuals: Sequence[Array], floor
     spare = max(left.size - p, 1)
     white = np.sqrt(np.maximum(np.diag(inverse), 0.0) * (float(left @ left) + floor**2 * left.size) / spare)
     lags = max(_memory(r) for r in residuals)
-    middle = sum(_long_run(np.einsum("ncp,nc->np", j, r), lags) for j, r in zip(jacobians, residuals, strict=True))
-    covariance = inverse @ middle @ inverse * (left.size / spare)
-    # No less than were the residual white: the matrix is scaled, so that correlations stay.
-    own = np.diag(covariance)
-    raised = np.where(own < white**2, white, 1.0) / np.where(own < white**2, np.sqrt(np.maximum(own, 1e-300)), 1.0)
-    low = own <= 0.0
-    covariance[low, :], covariance[:, low] = 0.0, 0.0
-    covariance *= np.outer(np.where(low, 1.0, raised), np.where(low, 1.0, raised))
-    covariance[low, low] = white[low] ** 2
+    pushed = [np.einsum("ncp,nc->np", j, r) for j, r in zip(jacobians, residuals, strict=True)]
+    found = [inverse @ sum(_long_run(part, lags, flat) for part in pushed) @ inverse * (left.size / spare) for flat in (True, False)]
+    # Never less than under Bartlett's window, which is never negative, nor than were the residual white; correlations stay.
+    covariance, own = found[0], np.diag(found[0]).copy()
+    least = np.maximum(np.diag(found[1]), white**2)
+    raised = np.sqrt(np.where(own > 0.0, np.maximum(own, least) / np.where(own > 0.0, own, 1.0), 0.0))
+    covariance = covariance * np.outer(raised, raised)
+    np.fill_diagonal(covariance, np.maximum(own, least))
     covariance[untold, untold] = np.inf
     scale = np.sqrt(np.where(np.diag(inverse) > 0.0, np.diag(inverse), 1.0))
     deviations = np.sqrt(np.maximum(np.diag(covariance), 0.0))
@@ -117,11 +116,12 @@ def _memory(residual: Array) -> int:
     return int(min(max(rule, reached), longest))
 
 
-def _long_run(pushed: Array, lags: int) -> Array:
-    """Return the sum of the autocovariances of rows (n, p) under a window flat up to `lags` and zero at twice as much."""
+def _long_run(pushed: Array, lags: int, flat: bool) -> Array:
+    """Return the sum of the autocovariances of rows (n, p) under a window that is zero at 2 `lags`, and flat up to `lags` or Bartlett's."""
     total = pushed.T @ pushed
     for lag in range(1, min(2 * lags, len(pushed) - 1)):
         shifted = pushed[lag:].T @ pushed[:-lag]
-        total += min(1.0, 2.0 - lag / lags) * (shifted + shifted.T)
+        weight = min(1.0, 2.0 - lag / lags) if flat else 1.0 - 0.5 * lag / lags
+        total += weight * (shifted + shifted.T)
     found: Array = total
     return found
