@@ -91,7 +91,7 @@ def test_a_machine_comes_out_of_a_log(scene: Path, tmp_path: Path, capsys: pytes
     assert machine.axis("y").friction.values()["coulomb"] == pytest.approx(
         found["parameters"]["axes.y.friction.coulomb"]["value"], rel=1e-5
     )
-    assert "fitted to log.csv, +- " in out.read_text() and "one standard deviation" in out.read_text()
+    assert 'source = "fitted", deviation = "' in out.read_text() and 'from = "log.csv"' in out.read_text()
     drawn = {file.name for file in (tmp_path / "seen").iterdir()}
     assert drawn == {f"log-position-{axis}{part}.svg" for axis in "xy" for part in ("", "-left")}
 
@@ -106,7 +106,7 @@ def test_controllers_that_were_refined_get_files_of_their_own(scene: Path, tmp_p
     gain = "controller.axes.*.controller.gain"
     assert main(words(scene, "--out", str(tmp_path / "m.toml"), names=[*NAMES, gain])) == 0
     file = tmp_path / "m-log-controller.toml"
-    assert f"controller: {file}" in capsys.readouterr().out and "fitted to log.csv" in file.read_text()
+    assert f"controller: {file}" in capsys.readouterr().out and 'from = "log.csv"' in file.read_text()
     joined = tmp_path / "joined.toml"
     text = (scene / "guess-circle.toml").read_text().split("[controller.axes")[0]
     joined.write_text('controller = "m-log-controller.toml"\n' + text.replace("guess.toml", "m.toml"))

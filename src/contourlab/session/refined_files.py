@@ -55,7 +55,7 @@ def _head(found: Refined, sources: Sequence[str]) -> str:
 
 
 def _note(found: Refined, sources: Sequence[str], tables: dict[str, Any], head: str, run: int = 0) -> None:
-    """Put what a refined number is worth behind it, in digits that are worth having."""
+    """Put where a refined number is from and what it is worth beside it, in digits that are worth having."""
     figures = zip(found.sought, found.values.tolist(), found.deviations.tolist(), found.at_bound.tolist(), strict=True)
     for one, value, deviation, bound in figures:
         if not one.name.startswith(head) or run not in one.runs:
@@ -65,6 +65,8 @@ def _note(found: Refined, sources: Sequence[str], tables: dict[str, Any], head: 
         for word in words:
             table = table[word]
         logs = ", ".join(dict.fromkeys(sources[i] for i in one.runs))
-        worth = f"+- {shown(one, deviation, 2)} (one standard deviation)" if math.isfinite(deviation) else "not told by it"
-        said = f"at the bound of its range, fitted to {logs}" if bound else f"fitted to {logs}, {worth}"
-        table[last] = Noted(shown(one, value, DIGITS) if one.number.unit else float(f"{value:.{DIGITS}g}"), said)
+        known = not bound and math.isfinite(deviation)
+        said = "at the bound of its range" if bound else "not told by the logs"
+        number = shown(one, value, DIGITS) if one.number.unit else float(f"{value:.{DIGITS}g}")
+        worth = {"deviation": shown(one, deviation, 2) if one.number.unit else float(f"{deviation:.2g}")} if known else {"note": said}
+        table[last] = Noted({"value": number, "source": "fitted", **worth, "from": logs})
