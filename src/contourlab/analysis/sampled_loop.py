@@ -8,6 +8,7 @@ wires that are one tick late, the filters as they are sampled, the hold and the 
 from __future__ import annotations
 
 import math
+from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import Any
@@ -18,7 +19,7 @@ from numpy.typing import ArrayLike, NDArray
 from contourlab.analysis.delay_form import DelayForm
 from contourlab.analysis.margins import Margins, delay_margin, margins
 from contourlab.analysis.response import AxisResponse
-from contourlab.analysis.tick_map import poles_of, tick_map
+from contourlab.analysis.tick_map import TickMap, poles_of, tick_map
 from contourlab.components.contract import Component
 from contourlab.engine.schedule import Schedule
 from contourlab.engine.step import Port
@@ -28,7 +29,7 @@ from contourlab.loop.machine import Axis, AxisController, Controller, Machine
 from contourlab.loop.template import EXTERNALS, build
 from contourlab.loop.watch import NAME as WATCH
 
-__all__ = ["SampledLoop", "linear_axis", "sampled_loop", "without_limits"]
+__all__ = ["SampledLoop", "bare_axis", "linear_axis", "loop_of", "opened_schedule", "sampled_loop", "without_limits"]
 
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
@@ -207,24 +208,45 @@ def sampled_loop(axis: Axis, controller: AxisController, servo_period: float, ca
     ComponentError
         If a component is not linear, or a delay is longer than `LONGEST` ticks.
     """
+    machine, made = bare_axis(axis, controller, servo_period, carried_mass)
+    return loop_of(machine, made, tick_map(opened_schedule(machine, made)))
+
+
+def bare_axis(axis: Axis, controller: AxisController, servo_period: float, carried_mass: float = 0.0) -> tuple[Machine, Controller]:
+    """Return a machine of one axis and its controller, without what is not linear; arguments as of `sampled_loop`."""
     ahead = controller.feedforward
     # What is fed forward is no part of the loop: of it only what is linear has a place in the response to the reference.
     ahead = ahead if ahead is not None and ahead.linearize() is not None else None
     # Under a supervisor it is the loop of the first controller, which is that for contact.
     nonlinear = dict.fromkeys(("gap_observer", "compensation", "supervisor", "link"))
     made = replace(controller, controller=without_limits(controller.controller).linear(), feedforward=ahead, others=(), **nonlinear)  # type: ignore[arg-type]
-    machine = Machine("axis", (linear_axis(axis, carried_mass),), servo_period)
-    path = Path([Line((0.0,), (1.0,))])
-    whole = build(machine, Controller({axis.name: made}), path, np.zeros(1)).schedule
+    return Machine("axis", (linear_axis(axis, carried_mass),), servo_period), Controller({axis.name: made})
+
+
+def opened_schedule(machine: Machine, controller: Controller, columns: Mapping[str, Array] | None = None) -> Schedule:
+    """Return the schedule of a bare axis, opened; with `columns`, that of variants.
+
+    Raises
+    ------
+    ComponentError
+        If a delay is longer than `LONGEST` ticks.
+    """
+    name = machine.axis_names[0]
+    whole = build(machine, controller, Path([Line((0.0,), (1.0,))]), np.zeros(1), overrides=columns).schedule
     if sum(node.ring_length for node in whole.nodes) > LONGEST:
-        raise ComponentError(f"axis {axis.name}: a delay of more than {LONGEST} servo periods is more than its analysis takes")
-    name, opened = axis.name, tick_map(_opened(axis.name, whole))
+        raise ComponentError(f"axis {name}: a delay of more than {LONGEST} servo periods is more than its analysis takes")
+    return _opened(name, whole)
+
+
+def loop_of(machine: Machine, controller: Controller, opened: TickMap) -> SampledLoop:
+    """Return the loop of a bare axis from the map of its opened schedule."""
+    name = machine.axis_names[0]
     c, state = np.zeros((2, len(opened.a))), np.zeros((2, len(opened.a)))
     c[0, opened.row(f"{name}.controller.command")] = 1.0
-    if controller.observer is not None:
+    if controller.axes[name].observer is not None:
         c[1, opened.row(f"{name}.observer.disturbance_estimate")] = 1.0
     state[[0, 1], [opened.row(f"{name}.plant.position"), opened.row(f"{name}.plant.velocity")]] = 1.0
-    return SampledLoop(servo_period, opened.a, opened.b[:, [opened.column(signal) for signal in INPUTS]], c, state)
+    return SampledLoop(machine.servo_period, opened.a, opened.b[:, [opened.column(signal) for signal in INPUTS]], c, state)
 
 
 def _opened(name: str, whole: Schedule) -> Schedule:

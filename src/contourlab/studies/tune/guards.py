@@ -1,0 +1,178 @@
+"""What a calibration must not cross: stability, gain and phase margin of every axis, stability of the coupling, limits of the drives."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
+
+import numpy as np
+from numpy.typing import NDArray
+
+from contourlab.analysis import Margins, SampledLoop, internal_stability, sampled_loop
+from contourlab.analysis.sampled_loops import rough_margins, sampled_loops
+from contourlab.errors import ComponentError, ParameterError
+from contourlab.loop import Controller, Machine
+from contourlab.studies.tune.values import axes_of, with_values
+
+__all__ = ["Bounds", "Guards"]
+
+Array = NDArray[np.float64]
+SLACK = (0.02, 0.05)
+"""Margins of a search, read off a grid, are asked for with this much more: dB, degrees."""
+ROUNDING = 1e-9
+
+
+@dataclass(frozen=True)
+class Bounds:
+    """What has to be kept.
+
+    Attributes
+    ----------
+    gain_margin : float [dB], >= 0
+        Of each axis, opened at its drive.
+    phase_margin : float [deg], >= 0
+    limited_share : float, 0 to 1
+        Largest part of the time that counts at which a drive does not give all it is asked for.
+    command_largest : float, > 0
+        Largest command, in parts of what the drive can give.
+    """
+
+    gain_margin: float = 6.0
+    phase_margin: float = 30.0
+    limited_share: float = 0.0
+    command_largest: float = math.inf
+
+    def __post_init__(self) -> None:
+        for name, high, unit in (("gain_margin", 60.0, "dB"), ("phase_margin", 90.0, "deg"), ("limited_share", 1.0, "")):
+            if not 0.0 <= getattr(self, name) <= high:
+                raise ParameterError(name, f"{getattr(self, name):g}", f"0 to {high:g}", unit)
+        if not self.command_largest > 0.0:
+            raise ParameterError("command_largest", f"{self.command_largest:g}", "> 0, in parts of what the drive can give")
+
+    @property
+    def words(self) -> str:
+        """The bounds in words."""
+        found = [f"gain margin at least {self.gain_margin:g} dB", f"phase margin at least {self.phase_margin:g} deg"]
+        found.append(f"at most {100.0 * self.limited_share:g} % of the time at a limit of a drive")
+        if math.isfinite(self.command_largest):
+            found.append(f"commands up to {100.0 * self.command_largest:g} % of the drive")
+        return ", ".join(found)
+
+    def missing(self, margins: Margins, slack: tuple[float, float] = (0.0, 0.0)) -> float:
+        """Return how far margins are from what is asked for, in parts of it: 0 where they are kept, infinite for an unstable loop."""
+        if not margins.stable:
+            return math.inf
+        gain, phase = 20.0 * math.log10(margins.gain), math.degrees(abs(margins.phase))
+        short = max(0.0, self.gain_margin + slack[0] - gain) / max(self.gain_margin, 1.0) if self.gain_margin else 0.0
+        turn = max(0.0, self.phase_margin + slack[1] - phase) / max(self.phase_margin, 1.0) if self.phase_margin else 0.0
+        return short + turn
+
+    def broken(self, margins: Margins) -> str:
+        """Return in words what margins fall short of; empty where they are kept."""
+        if not margins.stable:
+            return "unstable"
+        gain, phase = 20.0 * math.log10(margins.gain), math.degrees(abs(margins.phase))
+        found = [f"gain margin {gain:.2f} dB"] if gain < self.gain_margin - ROUNDING else []
+        return ", ".join([*found, *([f"phase margin {phase:.1f} deg"] if phase < self.phase_margin - ROUNDING else [])])
+
+
+@dataclass(eq=False)
+class Guards:
+    """Bounds on one or more machines under controllers that have the same numbers.
+
+    Attributes
+    ----------
+    cases : sequence of (Machine, Controller)
+    bounds : Bounds
+    unknown : dict of str to str
+        Axes whose loop has no linear model, and why: of these only the runs themselves are looked at.
+    checks : int
+        How many loops were looked at.
+    """
+
+    cases: Sequence[tuple[Machine, Controller]]
+    bounds: Bounds
+    unknown: dict[str, str] = field(default_factory=dict)
+    checks: int = 0
+
+    def __post_init__(self) -> None:
+        for machine, controller in self.cases:
+            for axis in machine.axes:
+                try:
+                    sampled_loop(axis, controller.axes[axis.name], machine.servo_period, machine.carried_mass(axis.name))
+                except ComponentError as error:
+                    self.unknown[axis.name] = str(error)
+
+    @property
+    def axes(self) -> tuple[str, ...]:
+        """Names of all axes."""
+        return tuple(dict.fromkeys(name for machine, _ in self.cases for name in machine.axis_names))
+
+    def concerned(self, name: str) -> tuple[str, ...]:
+        """Return the axes whose loop a number is part of."""
+        return tuple(dict.fromkeys(axis for machine, _ in self.cases for axis in axes_of(name, machine)))
+
+    def loops(self, columns: Mapping[str, Array], axes: Sequence[str]) -> list[list[SampledLoop]]:
+        """Return for each set of values the loops of some axes, of all machines."""
+        n = len(next(iter(columns.values())))
+        found: list[list[SampledLoop]] = [[] for _ in range(n)]
+        for machine, controller in self.cases:
+            for axis in machine.axes:
+                if axis.name in axes and axis.name not in self.unknown:
+                    carried = machine.carried_mass(axis.name)
+                    made = sampled_loops(axis, controller.axes[axis.name], machine.servo_period, columns, carried)
+                    for mine, loop in zip(found, made, strict=True):
+                        mine.append(loop)
+        return found
+
+    def missing(self, loops: Sequence[SampledLoop]) -> tuple[float, float]:
+        """Return how much margins fall short, and the smallest distance of a loop from -1, read off a grid."""
+        short, nearest = 0.0, math.inf
+        for loop in loops:
+            self.checks += 1
+            found = rough_margins(loop)
+            short = max(short, self.bounds.missing(found, SLACK))
+            nearest = min(nearest, found.modulus if found.stable else 0.0)
+            if math.isinf(short):
+                break
+        return short, nearest
+
+    def exact(self, values: Mapping[str, float]) -> dict[str, Margins]:
+        """Return the margins of every axis with values [SI], exactly; of several machines the worst."""
+        found: dict[str, Margins] = {}
+        for case in self.cases:
+            machine, controller = with_values(*case, values)
+            for axis in machine.axes:
+                if axis.name not in self.unknown:
+                    carried = machine.carried_mass(axis.name)
+                    margins = sampled_loop(axis, controller.axes[axis.name], machine.servo_period, carried).margins()
+                    known = found.get(axis.name)
+                    if known is None or self.bounds.missing(margins) > self.bounds.missing(known) or margins.modulus < known.modulus:
+                        found[axis.name] = margins
+        return found
+
+    def uncoupled(self, values: Mapping[str, float]) -> str:
+        """Return in words that the coupling of the axes is unstable with values [SI]; empty where it is not, or where there is none."""
+        for case in self.cases:
+            machine, controller = with_values(*case, values)
+            if controller.coupling is None or self.unknown:
+                continue
+            try:
+                found = internal_stability(machine, controller)
+            except ComponentError:
+                continue
+            if not found.stable:
+                return str(found.verdict)
+        return ""
+
+    def broken(self, values: Mapping[str, float], limited: float, largest: float) -> tuple[str, ...]:
+        """Return in words all that is not kept with values [SI], by the exact analysis."""
+        found = [f"axis {axis}: {words}" for axis, margins in self.exact(values).items() if (words := self.bounds.broken(margins))]
+        coupled = self.uncoupled(values)
+        found += [f"coupling: {coupled}"] if coupled else []
+        if limited > self.bounds.limited_share + ROUNDING:
+            found.append(f"at a limit of a drive for {100.0 * limited:.3g} % of the time")
+        if largest > self.bounds.command_largest * (1.0 + ROUNDING):
+            found.append(f"a command of {100.0 * largest:.3g} % of the drive")
+        return tuple(found)
