@@ -32,6 +32,7 @@ from contourlab.cli.commands.refine import refine
 from contourlab.cli.commands.reproduce import reproduce
 from contourlab.cli.commands.run import run as run_command
 from contourlab.cli.commands.sensitivity import sensitivity
+from contourlab.cli.commands.tune import tune
 from contourlab.cli.output import say, silence
 from contourlab.errors import ContourlabError
 
@@ -57,6 +58,7 @@ app.command("measure")(measure)
 app.command("identify")(identify)
 app.command("sensitivity")(sensitivity)
 app.command("refine")(refine)
+app.command("tune")(tune)
 app.command("check")(check)
 app.command("canon")(canon)
 app.command("interpolate")(interpolate)

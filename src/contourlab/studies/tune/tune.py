@@ -11,7 +11,7 @@ import numpy as np
 from contourlab.errors import ParameterError
 from contourlab.feed import Reference
 from contourlab.loop import Controller, Machine, parameter_names
-from contourlab.studies.space import Evaluator, Space, calibration_order
+from contourlab.studies.space import Evaluator, Number, Space, calibration_order
 from contourlab.studies.tune.checked import Checked, checked
 from contourlab.studies.tune.drive_terms import DriveTerms, drive_terms
 from contourlab.studies.tune.globally import Searched, globally
@@ -22,6 +22,7 @@ from contourlab.studies.tune.placed import fastest, placed_gains
 from contourlab.studies.tune.repair import repaired
 from contourlab.studies.tune.sequential import Path, sequential
 from contourlab.studies.tune.values import with_values
+from contourlab.units import to_si
 
 __all__ = ["METHODS", "STARTS", "TuneSettings", "Tuned", "tune"]
 
@@ -180,13 +181,14 @@ def tune(
     guards = Guards([(machine, from_here)], settings.bounds)
     found = _Search(objective, guards, space, settings, begin, tell).run(values)
     begin("checking the answer")
-    made = with_values(machine, from_here, found.values)[1]
+    answer = {number.name: rounded(number, found.values[number.name]) for number in space.numbers}
+    made = with_values(machine, from_here, answer)[1]
     after = checked(machine, made, reference, guards, seed=seed, moving=moving)
     notes = [f"axis {axis} has no linear model, so its margins are not known: {why}" for axis, why in guards.unknown.items()]
     return Tuned(
         made,
         space,
-        found.values,
+        answer,
         found.method,
         before,
         after,
@@ -197,6 +199,14 @@ def tune(
         evaluator.runs + 2,
         (*notes, *found.notes),
     )
+
+
+def rounded(number: Number, value: float) -> float:
+    """Return a value with six digits in the unit that people write, as a file has it; one that was not changed stays as it is."""
+    if value == number.value:
+        return value
+    shown = float(f"{number.shown(value):.6g}")
+    return to_si(f"{shown:.6g} {number.display}", number.unit) if number.display and number.display != number.unit else shown
 
 
 def _known(machine: Machine, controller: Controller, settings: TuneSettings) -> None:

@@ -1,0 +1,85 @@
+"""``contourlab tune``: calibrate the gains of a scenario."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from contourlab.cli.output import emit_json, say, wants_progress
+from contourlab.cli.scheme_options import Json, Plots, Plugins
+
+__all__ = ["tune"]
+
+
+def tune(
+    file: Annotated[str, typer.Argument(metavar="SCENARIO", help="A scenario (.toml), a shipped one, or a part program.", show_default=False)],
+    scheme: Annotated[str | None, typer.Option(help="Which scheme; the scenario without any by default.", show_default=False)] = None,
+    machine: Annotated[str | None, typer.Option(help="Of a part program.", show_default=False)] = None,
+    controller: Annotated[str | None, typer.Option(help="Of a part program.", show_default=False)] = None,
+    tolerance: Annotated[str | None, typer.Option(help='Of a part program, as "25 um".', show_default=False)] = None,
+    method: Annotated[str, typer.Option(help="sequential, global, or both.")] = "sequential",
+    start: Annotated[str, typer.Option(help="scenario, or placed: poles as fast as the margins let them.")] = "scenario",
+    objective: Annotated[str, typer.Option(help="integral, max, rms, tracking, energy; or a sum, integral=1,energy=0.1.")] = "integral",
+    parameter: Annotated[
+        list[str] | None,
+        typer.Option(help="NAME or NAME=LOW..HIGH with units; may be given again; all that is calibrated by default.", show_default=False),
+    ] = None,
+    width: Annotated[float, typer.Option(help="Factor either side of a start without bounds.")] = 4.0,
+    gain_margin: Annotated[float, typer.Option(help="Least gain margin of an axis [dB].")] = 6.0,
+    phase_margin: Annotated[float, typer.Option(help="Least phase margin of an axis [deg].")] = 30.0,
+    limited: Annotated[float, typer.Option(help="Largest part of the time at a limit of a drive, 0 to 1.")] = 0.0,
+    command: Annotated[float | None, typer.Option(help="Largest command, in parts of the drive.", show_default=False)] = None,
+    passes: Annotated[int, typer.Option(help="How often the sequential procedure goes through all numbers, at most.")] = 1,
+    lanes: Annotated[int, typer.Option(help="Values of a line.")] = 32,
+    plateau: Annotated[str, typer.Option(help="Of values as good as the best: robust, largest, or best.")] = "robust",
+    within: Annotated[float, typer.Option(help="Part by which a value counts as good as the best.")] = 0.01,
+    budget: Annotated[int, typer.Option(help="Runs of the global search.")] = 6000,
+    starts: Annotated[int, typer.Option(help="Starts of the global search.")] = 5,
+    seed: Annotated[int, typer.Option(help="Of the global search.")] = 0,
+    threads: Annotated[int | None, typer.Option(help="One for each processor by default.", show_default=False)] = None,
+    out: Annotated[Path | None, typer.Option(help="The controller file to write.", show_default=False)] = None,
+    folder: Annotated[Path, typer.Option(help="Folder of the pictures.")] = Path("results"),
+    as_json: Json = False,
+    plots: Plots = None,
+    plugin: Plugins = None,
+) -> int:
+    """Calibrate gains from the innermost loop to the outermost, within margins and limits; show the way, and write a controller file."""
+    import math
+
+    from contourlab.session.tune import tune_scenario
+    from contourlab.studies.tune import Bounds, Goal, LineRule, TuneSettings
+
+    settings = TuneSettings(
+        goal=Goal.parse(objective),
+        bounds=Bounds(gain_margin, phase_margin, limited, math.inf if command is None else command),
+        rule=LineRule(lanes, plateau=plateau, within=within),
+        method=method,
+        start=start,
+        parameters=tuple(parameter or ()),
+        width=width,
+        passes=passes,
+        budget=budget,
+        starts=starts,
+        seed=seed,
+        threads=threads,
+    )
+    found = tune_scenario(
+        file,
+        settings,
+        scheme=scheme,
+        machine=machine,
+        controller=controller,
+        tolerance=tolerance,
+        out=out,
+        plots=tuple(plots or ()),
+        folder=folder,
+        plugins=tuple(plugin or ()),
+        progress=wants_progress(as_json),
+    )
+    if as_json:
+        emit_json(found.summary)
+    else:
+        say(found.text)
+    return 0 if found.passed else 1
