@@ -88,7 +88,9 @@ def tune_scenario(
             tell=stages.advance,
         )
     if case.learning is not None:
-        found = replace(found, notes=(*found.notes, "what the scenario learns from trial to trial is left out: gains are calibrated for one run"))
+        found = replace(
+            found, notes=(*found.notes, "what the scenario learns from trial to trial is left out: gains are calibrated for one run")
+        )
     passed = not found.after.broken and not _beyond(case, found)
     summary = summary_of(name, case, settings, found, passed)
     text = text_of(name, case, settings, found)
@@ -157,7 +159,9 @@ def _write(found: Tuned, case: Case, out: str | Path | None, name: str, plugins:
     from contourlab.scenario.load import load_controller
 
     before, after = (1e6 * one.figures["contour_error_integral"] for one in (found.before, found.after))
-    head = f"# Calibrated for {name}, scheme {case.name}: integral of the contour error {before:.4g} um s before, {after:.4g} um s after.\n\n"
+    head = (
+        f"# Calibrated for {name}, scheme {case.name}: integral of the contour error {before:.4g} um s before, {after:.4g} um s after.\n\n"
+    )
     text = head.replace("\r", " ") + dump(found.controller, case.machine)
     with tempfile.TemporaryDirectory() as folder:
         trial = Path(folder) / "controller.toml"
@@ -186,7 +190,7 @@ def _charts(settings: TuneSettings, found: Tuned) -> tuple[Chart, ...]:
     if found.searched is not None:
         course["all numbers at once"] = (found.searched.found.course[:, 0], factor * found.searched.found.course[:, 1])
     lines = [
-        Line(step.number.short, step.number.short.partition(".")[0], step.values / step.before, factor * step.objectives)
+        Line(*reversed(step.number.short.partition(".")[::2]), step.values / step.before, factor * step.objectives)
         for step in found.steps
         if step.stage != "repair" and step.before
     ]
@@ -195,5 +199,3 @@ def _charts(settings: TuneSettings, found: Tuned) -> tuple[Chart, ...]:
             error = one.run["contour_error"]
             errors[words] = (one.run.time[len(error) // 2 :], 1e6 * error[len(error) // 2 :])
     return tuning_charts(label, course, lines, errors)
-
-

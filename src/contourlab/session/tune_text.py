@@ -137,7 +137,8 @@ def _drives(terms: Iterable[DriveTerms]) -> list[str]:
         gains = ", ".join(f"{name} {value:.6g}" for name, value in one.linuxcnc.per_millimetre().items() if value or name == "FF0")
         lines.append(f"    LinuxCNC, machine units mm, output in {one.command_unit}: {gains}")
         if math.isfinite(one.difference):
-            lines.append(f"    its law on this run: within {100.0 * one.difference:.2g} % of the largest command of what was simulated")
+            apart = f"{100.0 * one.difference_rms:.2g} % of the largest command, rms, at most {100.0 * one.difference:.2g} %"
+            lines.append(f"    its law on this run differs from ours by {apart}")
         lines += [f"    {note}" for note in one.linuxcnc.notes]
     return lines
 
@@ -214,4 +215,5 @@ def _terms(one: DriveTerms) -> dict[str, Any]:
         "linuxcnc": gains,
         "linuxcnc_notes": [] if one.linuxcnc is None else list(one.linuxcnc.notes),
         "linuxcnc_difference": one.difference,
+        "linuxcnc_difference_rms": one.difference_rms,
     }

@@ -65,6 +65,15 @@ def _tried(objective: Objective, guards: Guards, axis: str, number: Number, now:
     at = int(np.argmin(np.where(fine & (short <= shortest), judged.value, math.inf)))
     here = int(np.flatnonzero(values == own)[0])
     step = Step(
-        "repair", number, own, float(values[at]), float(judged.value[here]), float(judged.value[at]), "margins", values, judged.value, short <= 0.0
+        "repair",
+        number,
+        own,
+        float(values[at]),
+        float(judged.value[here]),
+        float(judged.value[at]),
+        "margins",
+        values,
+        judged.value,
+        short <= 0.0,
     )
     return shortest, float(judged.value[at]), step

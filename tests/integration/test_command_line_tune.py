@@ -1,0 +1,177 @@
+"""``contourlab tune`` as a user types it: the answer, the file, and what is refused."""
+
+from __future__ import annotations
+
+import json
+import math
+from pathlib import Path
+
+import pytest
+from typed_commands import Run
+
+from contourlab.cli.main import main
+from contourlab.scenario import load_scenario
+
+STAGE = """\
+[machine]
+name = "XY"
+servo_period = "1 ms"
+axes = ["x", "y"]
+[axes."*"]
+plant = {kind = "rigid-axis", gain = "1200 mm/s^2/full_scale", damping = "9 1/s"}
+friction = {kind = "coulomb", coulomb = "0.02 full_scale"}
+drive = {kind = "saturation", limit = "1 full_scale"}
+sensor = {kind = "encoder", resolution = "0.5 um"}
+limits = {velocity = "200 mm/s", acceleration = "1 m/s^2", jerk = "20 m/s^3"}
+"""
+MOTION = """
+name = "circle"
+machine = "stage.toml"
+controller = "control.toml"
+[contour]
+name = "circle"
+radius = "10 mm"
+[feed]
+law = "uniform"
+frequency = "0.5 Hz"
+laps = 2
+[run]
+tolerance = "%s um"
+"""
+CONTROL = {
+    "position": 'kind = "position"\nvelocity_gain = "0.04 full_scale*s/mm"\nposition_gain = "1.5 full_scale/mm"\nintegral_gain = "5 1/s"\n'
+    'model_gain = "900 mm/s^2/full_scale"\nmodel_damping = "6 1/s"\n',
+    "cascade": 'kind = "cascade"\ngains = {bandwidth = "100 rad/s"}\n',
+    "pid": 'kind = "pid"\nproportional_gain = "1.5 full_scale/mm"\nintegral_gain = "6 full_scale/mm/s"\nderivative_gain = "0.04 full_scale*s/mm"\n',
+    "lead-lag": 'kind = "lead-lag"\ngains = {phase_margin = "60 deg", crossover = "60 rad/s"}\n',
+    "state-feedback": 'kind = "state-feedback"\ngains = {natural_frequency = "50 rad/s", damping = 0.8, pole = "10 rad/s"}\n',
+}
+
+
+def written(folder: Path, kind: str = "position", tolerance: str = "100") -> Path:
+    """Write a scenario of two axes under a kind of controller."""
+    (folder / "stage.toml").write_text(STAGE)
+    velocity = '[controller.axes."*".velocity]\nkind = "filtered-difference"\nbandwidth = "1500 rad/s"\n'
+    (folder / "control.toml").write_text(f'[controller.axes."*".controller]\n{CONTROL[kind]}{velocity}')
+    file = folder / "circle.toml"
+    file.write_text(MOTION % tolerance)
+    return file
+
+
+@pytest.mark.parametrize("kind", sorted(CONTROL))
+def test_every_kind_of_controller_is_calibrated_and_its_file_runs(kind: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    file, out = written(tmp_path, kind), tmp_path / "tuned.toml"
+    assert main(["tune", str(file), "--out", str(out), "--json"]) == 0
+    found = json.loads(capsys.readouterr().out)
+    assert found["passed"] is True and found["broken"] == []
+    assert found["calibration_gain"] > 1.2
+    for margins in found["after"]["margins"].values():
+        assert margins["gain"] is None or 20.0 * math.log10(margins["gain"]) >= 6.0
+        assert math.degrees(margins["phase"]) >= 30.0
+    again = tmp_path / "again.toml"
+    again.write_text(file.read_text().replace("control.toml", "tuned.toml"))
+    capsys.readouterr()
+    assert main(["run", str(again), "--out", str(tmp_path / "results"), "--json"]) == 0
+    ran = json.loads(capsys.readouterr().out)
+    error = ran["schemes"]["base"]["metrics"]["contour_error"]
+    assert error["integral"] == pytest.approx(found["after"]["figures"]["contour_error_integral"], rel=1e-9)
+    for name, number in found["parameters"].items():
+        assert number["low"] <= number["after"] <= number["high"], name
+
+
+def test_the_text_shows_the_way_and_drive_terms(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    file = written(tmp_path)
+    words = ["tune", str(file), "--method", "both", "--budget", "400", "--plots", "svg", "--folder", str(tmp_path / "pictures")]
+    assert main(words) == 0
+    said = capsys.readouterr().out
+    for part in ("what bounds it", "pass 1", "all numbers at once", "gain before", "Kv ", "Pgain", "FF2", "PASS"):
+        assert part in said, part
+    assert {path.name for path in (tmp_path / "pictures" / "plots").iterdir()} == {"tune-course.svg", "tune-lines.svg", "tune-error.svg"}
+
+
+def test_a_tolerance_that_is_missed_is_a_failed_verdict(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    file = written(tmp_path, tolerance="0.01")
+    assert main(["tune", str(file), "--parameter", "x.position_gain"]) == 1
+    assert "FAIL" in capsys.readouterr().out
+
+
+def test_what_does_not_keep_the_bounds_is_not_written(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    out = tmp_path / "tuned.toml"
+    words = ["tune", str(written(tmp_path)), "--parameter", "x.model_gain", "--phase-margin", "85", "--out", str(out)]
+    assert main(words) == 1
+    said = capsys.readouterr().out
+    assert "bounds are not kept" in said and "is not written" in said
+    assert not out.exists()
+
+
+def test_a_part_program_on_a_machine(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    part, out = tmp_path / "part.ngc", tmp_path / "tuned.toml"
+    part.write_text("%\nG17 G21 G90 G94\nG1 X5 F1500\nG3 X5 Y6 I0 J3\nM30\n%\n")
+    words = ["tune", str(part), "--machine", "xyz", "--controller", "xyz-controller", "--parameter", "y.position_gain", "--out", str(out)]
+    assert main([*words, "--tolerance", "50 um"]) == 0
+    assert "largest part error" in capsys.readouterr().out
+    assert main(["run", str(part), "--machine", "xyz", "--controller", str(out), "--check", "--out", str(tmp_path / "r")]) == 0
+
+
+def test_a_scheme_is_chosen_by_its_name(capsys: pytest.CaptureFixture[str]) -> None:
+    words = ["tune", "builtin:ghaffari/demo-stage.toml", "--scheme", "with modified reference, initial gains", "--json"]
+    assert main([*words, "--parameter", "observer.model_damping"]) in (0, 1)
+    found = json.loads(capsys.readouterr().out)
+    assert found["scheme"] == "with modified reference, initial gains"
+    assert found["before"]["figures"]["contour_error_integral"] == pytest.approx(272.9e-6, rel=1e-3)
+
+
+@pytest.mark.parametrize(
+    ("words", "said"),
+    [
+        (["--scheme", "none such"], "no scheme"),
+        (["--method", "magic"], "sequential, global, both"),
+        (["--start", "here"], "scenario, placed"),
+        (["--objective", "speed"], "integral"),
+        (["--parameter", "x.none"], "such as"),
+        (["--parameter", "x.position_gain=1..2"], "full_scale/mm"),
+        (["--plateau", "flat"], "robust"),
+        (["--lanes", "2"], "8 to 1024"),
+        (["--gain-margin", "-1"], "0 to 60"),
+        (["--plots", "bmp"], "png"),
+        (["--out", "tuned.txt"], ".toml"),
+        (["--machine", "xyz"], "leave --machine out"),
+    ],
+)
+def test_wrong_words_are_refused(words: list[str], said: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["tune", str(written(tmp_path)), *words]) == 2
+    told = capsys.readouterr().err
+    assert said in told
+    assert "Traceback" not in told
+
+
+def test_the_scenario_itself_is_not_written_over(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    file = written(tmp_path)
+    before = file.read_text()
+    assert main(["tune", str(file), "--out", str(file)]) == 2
+    assert file.read_text() == before
+    assert "another file" in capsys.readouterr().err
+
+
+def test_placing_is_refused_where_a_kind_places_nothing(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["tune", str(written(tmp_path, "pid")), "--start", "placed"]) == 2
+    assert "pid on axis x works out no gains" in capsys.readouterr().err
+
+
+def test_the_written_controller_is_the_one_that_was_judged(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    file, out = written(tmp_path), tmp_path / "tuned.toml"
+    assert main(["tune", str(file), "--out", str(out), "--json"]) == 0
+    found = json.loads(capsys.readouterr().out)["parameters"]
+    again = tmp_path / "again.toml"
+    again.write_text(file.read_text().replace("control.toml", "tuned.toml"))
+    made = load_scenario(again).controller
+    for name, number in found.items():
+        _, _, axis, slot, word = name.split(".")
+        assert getattr(getattr(made.axes[axis], slot), word) == number["after"]
+    assert "integral of the contour error" in out.read_text().splitlines()[0]
+
+
+def test_in_a_process_of_its_own(contourlab: Run, tmp_path: Path) -> None:
+    said = contourlab("tune", written(tmp_path), "--parameter", "x.model_gain", "--json")
+    assert (said.code, said.err) == (0, "")
+    assert json.loads(said.out)["runs"] > 90
