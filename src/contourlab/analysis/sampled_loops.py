@@ -126,7 +126,7 @@ def _phase(w: Array, gain: NDArray[np.complex128]) -> tuple[float, float]:
 
 
 def _factor(w: Array, gain: NDArray[np.complex128]) -> tuple[float, float]:
-    at = np.flatnonzero((gain.imag[:-1] * gain.imag[1:] < 0.0))
+    at = np.flatnonzero(gain.imag[:-1] * gain.imag[1:] < 0.0)
     part = gain.imag[at] / (gain.imag[at] - gain.imag[at + 1])
     real, where = gain.real[at] + part * (gain.real[at + 1] - gain.real[at]), w[at] * (w[at + 1] / w[at]) ** part
     if abs(gain[-1].imag) <= 1e-9 * abs(gain[-1]):

@@ -47,9 +47,7 @@ def tuning_charts(
     curves = [Curve(*_drawn(*of), name, *scheme_style(i, len(course))) for i, (name, of) in enumerate(course.items())]
     if curves:
         panel = Panel("runs", label, tuple(curves), log_y=True)
-        caption = (
-            "The objective by the number of runs: of the sequential procedure after each number, of the global search the best so far."
-        )
+        caption = "The objective over runs: after each number of the sequential procedure; of the global search the best so far."
         found.append(Chart("tune-course", "Course of the calibration", caption, (panel,), panel_height=320))
     if lines:
         found.append(_lines(label, lines))
@@ -71,9 +69,7 @@ def _lines(label: str, lines: Sequence[Line]) -> Chart:
         panels.append(
             Panel("value over the one it had", f"{axis}: {label}", curves, log_x=all((c.x > 0.0).all() for c in curves), log_y=True)
         )
-    caption = (
-        "Each curve is one number of the procedure, all others fixed at what they were then: where it is flat, the number hardly matters."
-    )
+    caption = "Each curve is one number, all others fixed at what they were then: where it is flat, the number hardly matters."
     return Chart("tune-lines", "One number at a time", caption, tuple(panels), panel_height=320)
 
 

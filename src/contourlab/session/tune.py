@@ -88,9 +88,7 @@ def tune_scenario(
             tell=stages.advance,
         )
     if case.learning is not None:
-        found = replace(
-            found, notes=(*found.notes, "what the scenario learns from trial to trial is left out: gains are calibrated for one run")
-        )
+        found = replace(found, notes=(*found.notes, "what it learns from trial to trial is left out: gains are calibrated for one run"))
     passed = not found.after.broken and not _beyond(case, found)
     summary = summary_of(name, case, settings, found, passed)
     text = text_of(name, case, settings, found)
@@ -125,7 +123,7 @@ def _case(
     from contourlab.scenario import BUILTIN, load_scenario, scenario_from_parts
     from contourlab.session.run import refuse_drawing
 
-    if str(file).startswith(BUILTIN) and Path(file).suffix != ".ngc" or Path(file).suffix.lower() == ".toml":
+    if (str(file).startswith(BUILTIN) and Path(file).suffix != ".ngc") or Path(file).suffix.lower() == ".toml":
         given = {"--machine": machine, "--controller": controller, "--tolerance": tolerance}
         for option, value in given.items():
             if value is not None:
@@ -159,9 +157,7 @@ def _write(found: Tuned, case: Case, out: str | Path | None, name: str, plugins:
     from contourlab.scenario.load import load_controller
 
     before, after = (1e6 * one.figures["contour_error_integral"] for one in (found.before, found.after))
-    head = (
-        f"# Calibrated for {name}, scheme {case.name}: integral of the contour error {before:.4g} um s before, {after:.4g} um s after.\n\n"
-    )
+    head = f"# Calibrated for {name}, scheme {case.name}: integral of the contour error {before:.4g} um s, then {after:.4g} um s.\n\n"
     text = head.replace("\r", " ") + dump(found.controller, case.machine)
     with tempfile.TemporaryDirectory() as folder:
         trial = Path(folder) / "controller.toml"
@@ -189,11 +185,11 @@ def _charts(settings: TuneSettings, found: Tuned) -> tuple[Chart, ...]:
         course["one number at a time"] = (runs, factor * reached)
     if found.searched is not None:
         course["all numbers at once"] = (found.searched.found.course[:, 0], factor * found.searched.found.course[:, 1])
-    lines = [
-        Line(*reversed(step.number.short.partition(".")[::2]), step.values / step.before, factor * step.objectives)
-        for step in found.steps
-        if step.stage != "repair" and step.before
-    ]
+    lines = []
+    for step in found.steps:
+        axis, _, word = step.number.short.partition(".")
+        if step.stage != "repair" and step.before:
+            lines.append(Line(word, axis, step.values / step.before, factor * step.objectives))
     for words, one in (("before", found.before), ("after", found.after)):
         if one.run is not None:
             error = one.run["contour_error"]

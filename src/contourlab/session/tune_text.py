@@ -66,7 +66,7 @@ def _number(value: float, digits: int = 4) -> str:
 def _path(settings: TuneSettings, steps: Iterable[Step]) -> list[str]:
     single = settings.goal.single
     unit = FIGURES[single][2] if single else "sum"
-    rows = [("step", "number", "from", "to", "unit", f"before [{unit}]", "after", "what bounds it")]
+    rows: list[tuple[str, ...]] = [("step", "number", "from", "to", "unit", f"before [{unit}]", "after", "what bounds it")]
     for step in steps:
         number = step.number
         shown = [_number(number.shown(value), 5) for value in (step.before, step.after)]
@@ -84,7 +84,7 @@ def _searched(settings: TuneSettings, found: Tuned) -> list[str]:
 
 
 def _figures(found: Tuned) -> list[str]:
-    rows = [("figure", "before", "after", "", "unit")]
+    rows: list[tuple[str, ...]] = [("figure", "before", "after", "", "unit")]
     for key, (words, unit, factor) in SHOWN.items():
         before, after = found.before.figures[key], found.after.figures[key]
         ratio = f"/ {before / after:.3g}" if after and math.isfinite(before / after) and before / after > 0.0 else ""
@@ -93,7 +93,7 @@ def _figures(found: Tuned) -> list[str]:
 
 
 def _margins(found: Tuned) -> list[str]:
-    rows = [("margins", "gain before", "after", "phase before", "after", "modulus before", "after", "")]
+    rows: list[tuple[str, ...]] = [("margins", "gain before", "after", "phase before", "after", "modulus before", "after", "")]
     for axis, after in found.after.margins.items():
         both = (found.before.margins.get(axis), after)
         columns = [[_decibel(one), _degrees(one), _modulus(one)] for one in both]
@@ -118,7 +118,7 @@ def _modulus(margins: Margins | None) -> str:
 
 
 def _gains(found: Tuned) -> list[str]:
-    rows = [("number", "start", "in the end", "unit")]
+    rows: list[tuple[str, ...]] = [("number", "start", "in the end", "unit")]
     for number in found.space.numbers:
         shown = [_number(number.shown(value), 6) for value in (number.value, found.values[number.name])]
         rows.append((number.short, *shown, number.display or number.unit))

@@ -14,9 +14,7 @@ __all__ = ["tune"]
 
 
 def tune(
-    file: Annotated[
-        str, typer.Argument(metavar="SCENARIO", help="A scenario (.toml), a shipped one, or a part program.", show_default=False)
-    ],
+    file: Annotated[str, typer.Argument(metavar="SCENARIO", help="A scenario (.toml), or a part program.", show_default=False)],
     scheme: Annotated[str | None, typer.Option(help="Which scheme; the scenario without any by default.", show_default=False)] = None,
     machine: Annotated[str | None, typer.Option(help="Of a part program.", show_default=False)] = None,
     controller: Annotated[str | None, typer.Option(help="Of a part program.", show_default=False)] = None,

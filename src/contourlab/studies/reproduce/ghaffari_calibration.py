@@ -1,11 +1,11 @@
 """Ghaffari & Ulsoy, section IV: Table III from Table II by the sequential procedure, on the simulated stage.
 
-First all numbers of axes 3 and 2, in the printed order; then axis 2 is swapped with axis 1, whose numbers alone are calibrated, those of axis
-3 as they are. Nothing but stability and the limits of the drives bounds a number, as in the paper, which speaks of no margins.
+First all numbers of axes 3 and 2, in the printed order; then axis 2 is swapped with axis 1, whose numbers alone are calibrated, axis 3 left
+as it is. Nothing but stability and the limits of the drives bounds a number, as in the paper, which speaks of no margins.
 
 What comes out is no Table III, and is not expected to be. The model has no noise, no friction but Coulomb's, and no delay: its optimum lies
-ten times below Table III's contour error and in another place. Nor has the objective one place to go to. On the stage the compensated axis has
-the gain a_hat/b_hat, and feedforward follows it where a'/b' is the same: the error sees that ratio, and hardly the four numbers. Each table
+ten times below Table III's contour error and in another place. Nor has the objective one place to go to. The compensated axis has the gain
+a_hat/b_hat, and feedforward follows it where a'/b' is the same: the error sees that ratio, and hardly the four numbers. Each table
 keeps the ratio, and it is compared, too.
 """
 
@@ -39,7 +39,7 @@ WORDS = {
     "model_damping": ("b'", "1/s"),
 }
 LOOP = (
-    "the paper takes one large value for all axes, since measured errors hardly change with it; the model's own small slope is followed here, "
+    "the paper takes one large value for all axes, since measured errors hardly change with it; here the model's small slope is followed, "
     "without noise to end it"
 )
 RATIO = (
@@ -116,7 +116,8 @@ def _numbers(number: int, here: Gains) -> list[Row]:
     note = "the gain of the compensated axis, and that of its feedforward, from Table III"
     for name, pair in (("a_hat/b_hat", OBSERVER), ("a'/b'", MODEL)):
         told, mine = _ratio(paper, pair), _ratio(here, pair)
-        reason = f"kept from Table II's a'/b' = {_ratio(TABLE_2[number], MODEL):.3g}, which the observer, calibrated first, is led to{_shared(number)}"
+        kept = _ratio(TABLE_2[number], MODEL)
+        reason = f"kept from Table II's a'/b' = {kept:.3g}, which the observer, calibrated first, is led to{_shared(number)}"
         found.append(derived(f"Table III: {name}", case, told, mine, "mm/s", VARIATION * told, note, reason=reason))
     return found
 
@@ -153,10 +154,8 @@ def _worth(name: str, of: Calibrated) -> list[Row]:
         ours("integral before the calibration", case, integrals[0], "um s", f"Table II{swapped and ', both axes'}"),
         ours("integral after the calibration", case, integrals[1], "um s", f"one period of 2 s, single run, exact judge{swapped}"),
         ours("calibration gain", case, gain, "1", f"integral before over after; {note}"),
-        ours("least gain margin after the calibration", case, gain_here, "dB", f"none was asked for; Table III has {gain_table:.3g} dB"),
-        ours(
-            "least phase margin after the calibration", case, phase_here, "deg", f"none was asked for; Table III has {phase_table:.3g} deg"
-        ),
+        ours("least gain margin after the calibration", case, gain_here, "dB", f"not asked for; Table III has {gain_table:.3g} dB"),
+        ours("least phase margin after the calibration", case, phase_here, "deg", f"not asked for; Table III has {phase_table:.3g} deg"),
     ]
 
 

@@ -1,4 +1,4 @@
-"""A calibrated controller in the terms of drives: Kv, bandwidth of the velocity loop, LinuxCNC's gains, each worked out for the loop as it runs."""
+"""A calibrated controller in the terms of drives: Kv, bandwidth of the velocity loop, LinuxCNC's gains."""
 
 from __future__ import annotations
 

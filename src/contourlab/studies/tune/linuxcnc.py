@@ -105,15 +105,12 @@ def linuxcnc_gains(axis: AxisController, controller: Controller) -> LinuxCNCGain
     for slot in ("observer", "predictor", "compensation", "gap_observer", "supervisor"):
         part = getattr(axis, slot)
         if part is not None:
-            notes.append(
-                f"the {slot.replace('_', ' ')} {part.kind} has no counterpart: its output is to be added behind pid, by a component of its own"
-            )
+            named = f"the {slot.replace('_', ' ')} {part.kind}"
+            notes.append(f"{named} has no counterpart: its output is to be added behind pid, by a component of its own")
     if controller.coupling is not None:
         notes.append(f"the coupling {controller.coupling.kind} has no counterpart: axes are on their own there")
     if any(port.name == "velocity" for port in axis.controller.inputs) and found.d:
-        notes.append(
-            "connect the filtered velocity to feedback-deriv and the planner's velocity to command-deriv; the difference of counts is rougher"
-        )
+        notes.append("connect a filtered velocity to feedback-deriv and the planner's to command-deriv: differences of counts are rougher")
     return replace(found, notes=tuple(notes))
 
 

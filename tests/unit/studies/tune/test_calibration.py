@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import replace
+from itertools import pairwise
 
 import numpy as np
 import pytest
@@ -12,6 +13,8 @@ from tuned_axes import DAMPING, GAIN, circle, position_control, rigid_stage
 from contourlab.analysis import sampled_loop
 from contourlab.components.sensor.encoder import Encoder
 from contourlab.errors import ParameterError
+from contourlab.feed import uniform
+from contourlab.geometry import contour
 from contourlab.studies.reproduce.ghaffari_setup import TABLE_2, Reading, controller, machine
 from contourlab.studies.space import Evaluator, Space
 from contourlab.studies.tune import (
@@ -58,7 +61,7 @@ def test_each_step_moves_one_number_and_never_up() -> None:
     path = sequential(Objective([evaluator], Goal(), values), Guards([(stage, made)], Bounds()), space, values, LineRule(), passes=2)
     assert [step.number.name for step in path.steps[: len(space.names)]] == list(space.names)
     reached = [path.before, *(step.objective_after for step in path.steps)]
-    assert all(later <= earlier for earlier, later in zip(reached, reached[1:], strict=False))
+    assert all(later <= earlier for earlier, later in pairwise(reached))
     now = dict(values)
     for step in path.steps:
         assert step.before == now[step.number.name]
@@ -240,9 +243,6 @@ def test_a_controller_with_nothing_to_calibrate_is_refused() -> None:
 def test_tenfold_on_the_paper_s_circle() -> None:
     reading = Reading()
     stage, made = machine(1, reading), controller(1, TABLE_2, reading)
-    from contourlab.feed import uniform
-    from contourlab.geometry import contour
-
     found = tune(stage, made, uniform(contour("circle", radius=0.02), 0.5, 2, reading.servo_period))
     assert found.before.figures["contour_error_integral"] == pytest.approx(272.9e-6, rel=1e-3)
     assert found.gain > 10.0
