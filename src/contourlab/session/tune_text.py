@@ -173,7 +173,7 @@ def summary_of(name: str, case: Case, settings: TuneSettings, found: Tuned, pass
         "after": _state(found.after.figures, found.after.margins),
         "parameters": {
             number.name: {
-                "before": number.value,
+                "start": number.value,
                 "after": found.values[number.name],
                 "low": number.low,
                 "high": number.high,

@@ -68,11 +68,18 @@ def drive_terms(machine: Machine, controller: Controller, run: Result | None = N
         terms = DriveTerms(
             axis.name, _kv(machine, axis, mine, gains), _velocity_bandwidth(machine, axis, mine), axis.plant.command_unit, gains
         )
-        if run is not None and gains is not None and run.status.ok:
+        if run is not None and gains is not None and run.status.ok and _comparable(axis, mine):
             largest, rms = law_difference(gains, mine, run, i)
             terms = replace(terms, difference=largest, difference_rms=rms)
         found.append(terms)
     return tuple(found)
+
+
+def _comparable(axis: Axis, mine: AxisController) -> bool:
+    """Tell whether a command is made of nothing but the law, the observer's estimate and what LinuxCNC feeds forward, too."""
+    others = (mine.compensation, mine.gap_observer, mine.supervisor, mine.predictor)
+    ahead = mine.feedforward is None or mine.feedforward.kind == "inverse-dynamics"
+    return ahead and not axis.plant.two_sided and all(part is None for part in others)
 
 
 def _kv(machine: Machine, axis: Axis, mine: AxisController, gains: LinuxCNCGains | None) -> float:

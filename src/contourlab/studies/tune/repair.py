@@ -45,7 +45,7 @@ def repaired(objective: Objective, guards: Guards, space: Space, values: Mapping
             if short <= 0.0:
                 break
             tried = [_tried(objective, guards, axis, number, now) for number in mine]
-            short_after, _, step = min(tried, key=lambda found: found[:2])
+            short_after, _, _, step = min(tried, key=lambda found: found[:3])
             if not short_after < short:
                 break
             now[step.number.name] = step.after
@@ -53,27 +53,18 @@ def repaired(objective: Objective, guards: Guards, space: Space, values: Mapping
     return now, tuple(steps)
 
 
-def _tried(objective: Objective, guards: Guards, axis: str, number: Number, now: Mapping[str, float]) -> tuple[float, float, Step]:
-    """Return how far margins fall short at the best value of one number, the objective there, and the step."""
+def _tried(objective: Objective, guards: Guards, axis: str, number: Number, now: Mapping[str, float]) -> tuple[float, float, float, Step]:
+    """Return how far margins fall short at the best value of one number, the objective there, how far it is, and the step."""
     own = now[number.name]
     values = np.unique(np.append(number.physical(np.linspace(0.0, 1.0, LANES - 1)), own))
     columns = {name: np.full(values.size, value) for name, value in now.items()} | {number.name: values}
     judged = objective(columns)
     short = np.array([guards.missing(loops)[0] for loops in guards.loops(columns, (axis,))])
-    fine = np.isfinite(judged.value)
+    # Where another axis runs away yet, no run tells anything: margins are restored by the smallest change.
+    fine = np.isfinite(judged.value) if np.isfinite(judged.value).any() else np.ones(values.size, dtype=bool)
     shortest = float(short[fine].min(initial=math.inf))
-    at = int(np.argmin(np.where(fine & (short <= shortest), judged.value, math.inf)))
-    here = int(np.flatnonzero(values == own)[0])
-    step = Step(
-        "repair",
-        number,
-        own,
-        float(values[at]),
-        float(judged.value[here]),
-        float(judged.value[at]),
-        "margins",
-        values,
-        judged.value,
-        short <= 0.0,
-    )
-    return shortest, float(judged.value[at]), step
+    far = np.abs(number.place(values) - number.place(own))
+    at = int(np.lexsort((far, judged.value, ~(fine & (short <= shortest))))[0])
+    here, reached = int(np.flatnonzero(values == own)[0]), float(judged.value[at])
+    step = Step("repair", number, own, float(values[at]), float(judged.value[here]), reached, "margins", values, judged.value, short <= 0.0)
+    return shortest, reached, float(far[at]), step

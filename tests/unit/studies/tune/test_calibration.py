@@ -110,6 +110,15 @@ def test_margins_that_the_start_lacks_are_restored_first() -> None:
     assert all(math.degrees(margins.phase) >= 40.0 for margins in found.after.margins.values())
 
 
+def test_a_start_that_runs_away_is_brought_back() -> None:
+    found = tune(rigid_stage(), position_control(position_gain=3e5), circle(), TuneSettings(width=10.0))
+    assert found.before.run is None and "runs away" in found.before.broken[0]
+    assert {step.number.short.partition(".")[0] for step in found.steps if step.stage == "repair"} == {"x", "y"}
+    assert found.after.run is not None and not found.after.broken
+    lost = tune(rigid_stage(), position_control(position_gain=5e6), circle(), TuneSettings(parameters=("x.model_gain",)))
+    assert "runs away" in lost.after.broken[0]
+
+
 def test_what_cannot_be_kept_is_said() -> None:
     settings = TuneSettings(parameters=("x.model_gain",), bounds=Bounds(6.0, 60.0))
     found = tune(rigid_stage(), position_control(position_gain=60000.0), circle(), settings)
