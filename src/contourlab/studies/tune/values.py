@@ -43,6 +43,8 @@ def _changed(owner: Any, slot: str, word: str, value: float) -> Any:
     part = getattr(owner, slot, None)
     if part is None or word not in part.parameters:
         raise ParameterError("parameter", repr(f"{slot}.{word}"), "a number of the machine or its controller")
+    if getattr(part, word) == value:
+        return owner  # where the number is from stays said
     return replace(owner, **{slot: part.replace(**{word: value})})
 
 
