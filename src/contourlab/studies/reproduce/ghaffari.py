@@ -6,8 +6,8 @@ from collections.abc import Callable
 from typing import Any
 
 from contourlab.studies.reproduce.ghaffari_bench import bench_rows
-from contourlab.studies.reproduce.ghaffari_identified import identified_rows
 from contourlab.studies.reproduce.ghaffari_calibration import calibration_rows
+from contourlab.studies.reproduce.ghaffari_identified import identified_rows
 from contourlab.studies.reproduce.ghaffari_linear import linear_rows
 from contourlab.studies.reproduce.ghaffari_observer import observer_rows
 from contourlab.studies.reproduce.ghaffari_runs import run_rows
@@ -23,10 +23,10 @@ PARTS: tuple[Callable[[], list[Row]], ...] = (
     identified_rows,
     run_rows,
     sensitivity_rows,
+    calibration_rows,
 )
 
 
 def reproduce() -> list[dict[str, Any]]:
     """Return every figure of the paper beside ours: rows with the keys of `contourlab.studies.reproduce.rows.Row.as_dict`."""
     return [row.as_dict() for part in PARTS for row in part()]
-    return [found.as_dict() for found in (*linear_rows(), *observer_rows(), *bench_rows(), *run_rows(), *calibration_rows())]
