@@ -33,6 +33,7 @@ from contourlab.cli.commands.reproduce import reproduce
 from contourlab.cli.commands.run import run as run_command
 from contourlab.cli.commands.sensitivity import sensitivity
 from contourlab.cli.commands.tune import tune
+from contourlab.cli.commands.swap import swap
 from contourlab.cli.output import say, silence
 from contourlab.errors import ContourlabError
 
@@ -59,6 +60,7 @@ app.command("identify")(identify)
 app.command("sensitivity")(sensitivity)
 app.command("refine")(refine)
 app.command("tune")(tune)
+app.command("swap")(swap)
 app.command("check")(check)
 app.command("canon")(canon)
 app.command("interpolate")(interpolate)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import io
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -23,7 +23,7 @@ from contourlab.result.atomic import write_bytes_atomic
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
-__all__ = ["FORMATS", "write_plots"]
+__all__ = ["FORMATS", "write_figures", "write_plots"]
 
 FORMATS = ("png", "svg", "pdf")
 POINTS = 8000  # of a curve; four for every dot across a printed page
@@ -73,6 +73,19 @@ def write_charts(
         As of `write_plots`, which says what may be raised, too.
     """
     return _written(((chart.key, _draw(chart)) for chart in charts), folder, formats)
+
+
+def write_figures(drawings: Mapping[str, Callable[[], Figure]], folder: str | Path, formats: Sequence[str] = ("png",)) -> tuple[Path, ...]:
+    """Write drawings that are of no kind of chart, each as a file named by its key.
+
+    Parameters
+    ----------
+    drawings : mapping of str to callable
+        What makes each; it is called when its turn comes.
+    folder, formats
+        As of `write_plots`, which says what may be raised, too.
+    """
+    return _written(((key, draw()) for key, draw in drawings.items()), folder, formats)
 
 
 def _written(drawings: Iterator[tuple[str, Figure]], folder: str | Path, formats: Sequence[str]) -> tuple[Path, ...]:

@@ -17,7 +17,7 @@ __all__ = ["staged"]
 
 KEPT = "learned/*.nc"
 """What is no report but a product: each replaces an older one of its own name only."""
-OURS = ("report.html", "signals/*.nc", "switches/*.csv", KEPT, "plots/*.png", "plots/*.svg", "plots/*.pdf", "summary.json")
+OURS = ("report.html", "signals/*.nc", "switches/*.csv", KEPT, "controllers/*.toml", "plots/*.png", "plots/*.svg", "plots/*.pdf", "summary.json")
 """What a run writes; the summary comes last, so that where it is the rest is complete."""
 
 
@@ -63,7 +63,7 @@ def _exchange(stage: Path, folder: Path) -> None:
             path.replace(target)
     except OSError as error:
         raise OutputError(f"{folder}: cannot be written: {error.strerror or error}") from error
-    for name in ("signals", "switches", "learned", "plots"):
+    for name in ("signals", "switches", "learned", "controllers", "plots"):
         with suppress(OSError):
             (folder / name).rmdir()
 

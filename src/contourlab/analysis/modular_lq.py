@@ -1,0 +1,189 @@
+"""Linear servo axes that are swapped: what each costs under a state feedback, its own optimum, and one made of base and local gains.
+
+An axis a/(s (s + b)) is fed back from the integral of its position, its position and its velocity, u = -K x. What a gain costs is
+J = tr P, the sum of the quadratic costs from unit initial states, each state in turn.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from contourlab.errors import ParameterError
+
+__all__ = ["GAINS", "LinearAxis", "LqWeights", "ModularDesign", "blind_swaps", "cost", "direct_design", "optimum"]
+
+Array = NDArray[np.float64]
+GAINS = ("integral", "position", "velocity")
+"""Entries of K."""
+
+
+@dataclass(frozen=True)
+class LinearAxis:
+    """An axis a/(s (s + b)): acceleration per command [mm/s^2/unit] and damping [1/s]."""
+
+    gain: float
+    damping: float
+
+    def __post_init__(self) -> None:
+        if not (self.gain > 0.0 and math.isfinite(self.gain)):
+            raise ParameterError("gain", f"{self.gain:g}", "> 0 and finite")
+        if not math.isfinite(self.damping):
+            raise ParameterError("damping", f"{self.damping:g}", "finite")
+
+
+@dataclass(frozen=True)
+class LqWeights:
+    """What is weighed, over states in scaled time: integral [mm times the unit], position [mm], velocity [mm per unit], command.
+
+    Attributes
+    ----------
+    time_unit : float [s], > 0
+        Time is counted in it: of the order of the loop's own time, so that the states are alike in size.
+    integral, position, velocity : float, >= 0
+    command : float, > 0
+
+    Notes
+    -----
+    No published weights are known for these axes. These put the loops at about 2 Hz and give the losses of the raw drives and of those
+    behind the observer that are of the size of the technical brief's.
+    """
+
+    time_unit: float = 0.1
+    integral: float = 1.0
+    position: float = 1.0
+    velocity: float = 0.0
+    command: float = 20.0
+
+    def matrices(self, axis: LinearAxis) -> tuple[Array, Array, Array, Array]:
+        """Return A (3, 3), B (3, 1), Q (3, 3), R (1, 1) of an axis in scaled time."""
+        unit = self.time_unit
+        a = np.array([[0.0, 1.0, 0.0], [0.0, 0.0, 1.0], [0.0, 0.0, -axis.damping * unit]])
+        b = np.array([[0.0], [0.0], [axis.gain * unit**2]])
+        return a, b, np.diag([self.integral, self.position, self.velocity]), np.array([[self.command]])
+
+
+@dataclass(frozen=True, eq=False)
+class ModularDesign:
+    """Base and local gains, and what they cost.
+
+    Attributes
+    ----------
+    method : str
+    local : tuple of str
+        Of `GAINS`: those that each axis has its own value of.
+    gains : ndarray (n_axis, 3)
+        K of each, base and local together.
+    ratio : ndarray (n_axis,)
+        J/J*; infinite where the loop does not hold.
+    """
+
+    method: str
+    local: tuple[str, ...]
+    gains: Array
+    ratio: Array
+
+    @property
+    def loss(self) -> float:
+        """Largest J/J* - 1."""
+        return float(self.ratio.max() - 1.0)
+
+
+def optimum(axis: LinearAxis, weights: LqWeights) -> tuple[Array, float]:
+    """Return the optimal gains (3,) and J* of an axis alone."""
+    from scipy.linalg import solve_continuous_are
+
+    a, b, q, r = weights.matrices(axis)
+    p = solve_continuous_are(a, b, q, r)
+    return np.asarray(np.linalg.solve(r, b.T @ p)[0]), float(np.trace(p))
+
+
+def cost(axis: LinearAxis, gains: Array, weights: LqWeights) -> float:
+    """Return J of an axis under gains (3,); infinite where the loop does not hold."""
+    from scipy.linalg import solve_continuous_lyapunov
+
+    a, b, q, r = weights.matrices(axis)
+    k = np.asarray(gains, dtype=float)[None, :]
+    closed = a - b @ k
+    if not np.isfinite(closed).all() or np.linalg.eigvals(closed).real.max() >= 0.0:
+        return math.inf
+    return float(np.trace(solve_continuous_lyapunov(closed.T, -(q + k.T @ r @ k))))
+
+
+def blind_swaps(axes: Sequence[LinearAxis], weights: LqWeights) -> Array:
+    """Return J/J* (n, n) of the optimal gains of axis i on axis j."""
+    known = [optimum(axis, weights) for axis in axes]
+    return np.array([[cost(axis, k, weights) / best for axis, (_, best) in zip(axes, known, strict=True)] for k, _ in known])
+
+
+def direct_design(axes: Sequence[LinearAxis], local: Sequence[str] = (), weights: LqWeights | None = None) -> ModularDesign:
+    """Return base and local gains by the direct method, bi-level: the base that is best when each axis does its best with its local gains.
+
+    Parameters
+    ----------
+    axes : sequence of LinearAxis
+    local : sequence of str
+        Of `GAINS`.
+    weights : LqWeights, optional
+
+    Notes
+    -----
+    Both levels are one problem here, min over base and local gains of sum_i (J_i/J_i* - 1): the inner minimum of each axis is that of its
+    own term. The sum is taken, so that axes that are not the worst count, too.
+
+    References
+    ----------
+    Li, Kolmanovsky & Ulsoy, "Direct optimal design for component swapping modularity in control systems", IEEE/ASME Trans. Mechatronics 18
+    (2013): the method by name; the formula is ours.
+    """
+    from scipy.optimize import minimize
+
+    weights = weights or LqWeights()
+    known = [optimum(axis, weights) for axis in axes]
+    mask = checked_local(local)
+    size = np.abs(np.mean([k for k, _ in known], axis=0))
+
+    def gains(z: Array) -> Array:
+        return assembled(z, mask, len(axes)) * size
+
+    def total(z: Array) -> float:
+        terms = [cost(axis, k, weights) / best - 1.0 for axis, k, (_, best) in zip(axes, gains(z), known, strict=True)]
+        return float(min(sum(terms), 1e6))
+
+    mean = np.mean([k for k, _ in known], axis=0) / size
+    start = np.concatenate([mean[~mask], *(k[mask] / size[mask] for k, _ in known)])
+    found = minimize(total, start, method="Nelder-Mead", options={"xatol": 1e-7, "fatol": 1e-12, "maxiter": 4000, "adaptive": True})
+    return judged("direct", local, gains(found.x), axes, weights)
+
+
+def checked_local(local: Sequence[str]) -> NDArray[np.bool_]:
+    """Return which entries of K are local.
+
+    Raises
+    ------
+    ParameterError
+        If a name is none of `GAINS`.
+    """
+    for name in local:
+        if name not in GAINS:
+            raise ParameterError("local", repr(name), "of " + ", ".join(GAINS))
+    return np.array([name in local for name in GAINS])
+
+
+def assembled(z: Array, mask: NDArray[np.bool_], n_axis: int) -> Array:
+    """Return the gains (n_axis, 3) of a row: base entries, then the local ones axis by axis."""
+    n_base = int((~mask).sum())
+    found = np.empty((n_axis, mask.size))
+    found[:, ~mask] = z[:n_base]
+    found[:, mask] = z[n_base:].reshape(n_axis, -1)
+    return found
+
+
+def judged(method: str, local: Sequence[str], gains: Array, axes: Sequence[LinearAxis], weights: LqWeights) -> ModularDesign:
+    """Return a design with what it costs on each axis."""
+    ratio = [cost(axis, k, weights) / optimum(axis, weights)[1] for axis, k in zip(axes, gains, strict=True)]
+    return ModularDesign(method, tuple(local), np.asarray(gains), np.array(ratio))

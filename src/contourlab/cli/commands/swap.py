@@ -1,0 +1,88 @@
+"""``contourlab swap``: does the controller still hold when an axis is swapped?"""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from contourlab.cli.output import conclude, wants_progress
+from contourlab.cli.scheme_options import Json, Out, Plots, Plugins, ScenarioFile
+
+__all__ = ["swap"]
+
+
+def swap(
+    file: ScenarioFile,
+    axis: Annotated[list[str], typer.Option(help="Axis that is swapped; may be given again, each with its --with.", show_default=False)],
+    others: Annotated[
+        list[str], typer.Option("--with", help="Files of the axes that take its place, with commas between.", show_default=False)
+    ],
+    scheme: Annotated[str | None, typer.Option(help="Scheme of the scenario; by default its base.", show_default=False)] = None,
+    objective: Annotated[
+        str, typer.Option(help="contour_error_integral, contour_error_rms or contour_error_max.")
+    ] = "contour_error_integral",
+    floor: Annotated[str | None, typer.Option(help='J_tol: "2 um*s" for the integral, "1 um" else.', show_default=False)] = None,
+    parameter: Annotated[
+        list[str] | None, typer.Option(help="A number that is searched, or NAME=LOW..HIGH; by default all gains.", show_default=False)
+    ] = None,
+    width: Annotated[float, typer.Option(help="Bounds are this factor either side where none are given.")] = 4.0,
+    local: Annotated[
+        list[str] | None,
+        typer.Option(help="Local numbers to look at, with commas between, in place of searching a set; may be given again.", show_default=False),
+    ] = None,
+    exhaustive: Annotated[bool, typer.Option("--exhaustive", help="Try all sets of local numbers by size, not one that grows.")] = False,
+    budget: Annotated[int, typer.Option(help="Candidates of each search.")] = 8000,
+    seed: Annotated[int, typer.Option(help="The same seed gives the same study.")] = 0,
+    threads: Annotated[int | None, typer.Option(help="One for each processor by default; results do not hang on it.", show_default=False)] = None,
+    gain_margin: Annotated[float, typer.Option(help="Gain margin that a design has to keep on every axis [dB].")] = 6.0,
+    phase_margin: Annotated[float, typer.Option(help="Phase margin likewise [deg].")] = 30.0,
+    region: Annotated[
+        list[str] | None,
+        typer.Option(help="Coverage over a number of the machine, as axes.x.plant.gain=LOW..HIGH; may be given again.", show_default=False),
+    ] = None,
+    tolerance: Annotated[
+        str | None, typer.Option(help='J that is good enough in the region, as "5 um*s", in place of a loss.', show_default=False)
+    ] = None,
+    places: Annotated[int, typer.Option(help="Points of the region at which J* is searched; a power of 2.")] = 8,
+    linear: Annotated[
+        list[str] | None,
+        typer.Option(help="Linear base and local designs too: direct, three-step, lmi; may be given again.", show_default=False),
+    ] = None,
+    out: Out = Path("results"),
+    as_json: Json = False,
+    plots: Plots = None,
+    plugin: Plugins = None,
+) -> int:
+    """Say whether one controller serves a machine whose axis is swapped, and if not, which numbers have to move with the axis."""
+    from contourlab.errors import ParameterError
+    from contourlab.session.swap import SwapOptions, swap_scenario
+
+    if len(axis) != len(others):
+        raise ParameterError("--axis", f"{len(axis)} of them", f"as many as --with, of which there are {len(others)}")
+    if len(set(axis)) != len(axis):
+        raise ParameterError("--axis", ", ".join(axis), "given once for each axis, all its files under one --with")
+    options = SwapOptions(
+        objective=objective,
+        floor=floor,
+        parameters=tuple(parameter or ()),
+        width=width,
+        local=tuple(local or ()),
+        exhaustive=exhaustive,
+        budget=budget,
+        seed=seed,
+        threads=threads,
+        gain_margin=gain_margin,
+        phase_margin=phase_margin,
+        region=tuple(region or ()),
+        tolerance=tolerance,
+        places=places,
+        linear=tuple(linear or ()),
+        plugins=tuple(plugin or ()),
+    )
+    swaps = [(name, [one.strip() for one in text.split(",")]) for name, text in zip(axis, others, strict=True)]
+    outcome = swap_scenario(
+        file, swaps, out, options, scheme=scheme, plots=tuple(plots or ("png",)), progress=wants_progress(as_json)
+    )
+    return conclude(outcome, as_json)

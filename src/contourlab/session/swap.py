@@ -1,0 +1,270 @@
+"""``contourlab swap``: from a scenario and other axes to a verdict."""
+
+from __future__ import annotations
+
+import json
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from contourlab.errors import ParameterError, ScenarioError
+from contourlab.result import write_text_atomic
+from contourlab.scenario.quantities import read_number
+from contourlab.session.folder import staged
+from contourlab.session.run import RunOutcome, check_plots, file_names
+from contourlab.session.stages import Stages, shown
+from contourlab.studies.space import Space
+from contourlab.studies.space.guards import Guards
+from contourlab.studies.swap.coverage import Coverage, coverage
+from contourlab.studies.swap.fleet import OBJECTIVES, Fleet
+from contourlab.studies.swap.linear import METHODS, LinearSwap, linear_swap
+from contourlab.studies.swap.numbers import controller_with
+from contourlab.studies.swap.study import SwapSettings, SwapStudy, swap_study
+from contourlab.studies.swap.variants import variants_of
+
+if TYPE_CHECKING:
+    from contourlab.loop import Axis
+    from contourlab.scenario import Case
+
+__all__ = ["SwapOptions", "swap_scenario"]
+
+
+@dataclass(frozen=True)
+class SwapOptions:
+    """What is asked of a study; quantities as typed.
+
+    Attributes
+    ----------
+    objective, floor
+        Figure that is made small, and J_tol with its unit; by default that of `contourlab.studies.swap.fleet.OBJECTIVES`.
+    parameters, width
+        As of `contourlab.studies.space.Space.chosen`.
+    local : sequence of str
+        Names, with commas between those of one set, of local numbers to look at in place of searching for a set.
+    gain_margin, phase_margin
+        In dB and degrees.
+    region : sequence of str
+        Numbers of the machine with bounds.
+    tolerance : str, optional
+        J that is good enough in the region.
+    linear : sequence of str
+        Methods of linear design to report, of `contourlab.studies.swap.linear.METHODS`.
+    """
+
+    objective: str = "contour_error_integral"
+    floor: str | None = None
+    parameters: tuple[str, ...] = ()
+    width: float = 4.0
+    local: tuple[str, ...] = ()
+    exhaustive: bool = False
+    budget: int = 8000
+    seed: int = 0
+    threads: int | None = None
+    gain_margin: float = 6.0
+    phase_margin: float = 30.0
+    region: tuple[str, ...] = ()
+    tolerance: str | None = None
+    places: int = 8
+    linear: tuple[str, ...] = ()
+    plugins: tuple[str | Path, ...] = field(default=())
+
+
+def swap_scenario(
+    file: str | Path,
+    swaps: Sequence[tuple[str, Sequence[str]]],
+    out: str | Path,
+    options: SwapOptions,
+    *,
+    scheme: str | None = None,
+    plots: Sequence[str] = ("png",),
+    progress: bool = False,
+) -> RunOutcome:
+    """Say whether one controller holds when axes are swapped, and which numbers would have to move with them.
+
+    Parameters
+    ----------
+    file : str or Path
+        A scenario.
+    swaps : sequence of (str, sequence of str)
+        Axis, and the files of the axes that take its place.
+    out : str or Path
+        Folder of ``swap.json``, of the controller of the recommended division for each variant, and of the picture.
+    options : SwapOptions
+    scheme : str, optional
+        Of the scenario; by default its base.
+    plots : sequence of str
+        Formats of the picture.
+    progress : bool
+
+    Raises
+    ------
+    ScenarioError, ParameterError
+        If a file or an option is wrong; before anything runs.
+    """
+    check_plots(plots)
+    study_of, region, tolerance = _prepared(file, swaps, options, scheme)
+    fleet, candidates, settings = study_of
+    with shown(progress) as stages, staged(out) as folder:
+        study = swap_study(fleet, candidates, settings, _told(stages, fleet, settings))
+        over = None
+        if region is not None:
+            stages.begin("coverage of the region")
+            point = study.base.design.points[0]
+            over = coverage(
+                fleet, point, region, full=settings.full, tolerance=tolerance, places=options.places, budget=max(options.budget // 4, 200)
+            )
+        stages.begin("linear designs")
+        asked = [name for name, _ in swaps] if options.linear else []
+        linear = tuple(found for name in asked for found in linear_swap(fleet.variants, fleet.controller, name, options.linear))
+        stages.begin("writing")
+        return _written(study, over, linear, folder, Path(out), plots)
+
+
+def _prepared(
+    file: str | Path, swaps: Sequence[tuple[str, Sequence[str]]], options: SwapOptions, scheme: str | None
+) -> tuple[tuple[Fleet, tuple[str, ...], SwapSettings], Space | None, float | None]:
+    """Return all that is checked before anything runs."""
+    from contourlab.scenario import load_scenario
+
+    scenario = load_scenario(file, plugins=options.plugins)
+    case: Case = scenario.case(scheme) if scheme is not None else scenario.base
+    machine, controller = case.machine, case.controller
+    for name, _ in swaps:
+        if name not in machine.axis_names:
+            raise ParameterError("--axis", repr(name), f"one of {', '.join(machine.axis_names)}, the axes of {machine.name}")
+    loaded = {name: [(_called(other), _axis(other, name, options.plugins)) for other in others] for name, others in swaps}
+    variants = variants_of(machine, controller, loaded)
+    unit, default = OBJECTIVES.get(options.objective, ("", 0.0))
+    if not unit:
+        raise ParameterError("--objective", repr(options.objective), "one of " + ", ".join(OBJECTIVES))
+    fleet = Fleet(
+        variants,
+        controller,
+        case.reference(),
+        Space.chosen(machine, controller, options.parameters, options.width),
+        objective=options.objective,
+        floor=_quantity("--floor", options.floor, unit, default),
+        guards=_guards(options),
+        moving=case.moving,
+        seed=case.seed,
+        threads=options.threads,
+    )
+    candidates = tuple(name for name in fleet.space.names if variants[0].module(name))
+    if options.budget < 100:
+        raise ParameterError("--budget", str(options.budget), "100 or more candidates a search")
+    settings = SwapSettings(
+        budget=options.budget, seed=options.seed, exhaustive=options.exhaustive, local=_local_sets(fleet, candidates, options.local)
+    )
+    region = Space.chosen(machine, controller, options.region, options.width) if options.region else None
+    if region is not None and any(not name.startswith("axes.") for name in region.names):
+        raise ParameterError("--region", ", ".join(options.region), "numbers of the machine, such as axes.x.plant.gain")
+    tolerance = None if options.tolerance is None else _quantity("--tolerance", options.tolerance, unit, 0.0)
+    _methods(options.linear)
+    return (fleet, candidates, settings), region, tolerance
+
+
+def _methods(methods: Sequence[str]) -> None:
+    for method in methods:
+        if method not in METHODS:
+            raise ParameterError("--linear", repr(method), "one of " + ", ".join(METHODS))
+
+
+def _guards(options: SwapOptions) -> Guards:
+    return Guards(10.0 ** (options.gain_margin / 20.0), math.radians(options.phase_margin))
+
+
+def _axis(file: str, name: str, plugins: Sequence[str | Path]) -> Axis:
+    from contourlab.scenario.load import load_axis
+
+    if not file.strip():
+        raise ParameterError("--with", repr(file), "names of axis files, with commas between")
+    try:
+        return load_axis(file, name, plugins)
+    except ScenarioError as error:
+        error.add_note(f"In the axis that is to take the place of {name}.")
+        raise
+
+
+def _called(file: str) -> str:
+    return Path(file.rpartition(":")[2]).stem
+
+
+def _quantity(option: str, text: str | None, unit: str, default: float) -> float:
+    if text is None:
+        return default
+    example = "2 um*s" if "s" in unit else "2 um"
+    try:
+        value = read_number(text, unit, "")
+    except Exception as error:
+        raise ParameterError(option, repr(text), f'a quantity, such as "{example}"') from error
+    if not (math.isfinite(value) and value > 0.0):
+        raise ParameterError(option, repr(text), f'above 0, such as "{example}"')
+    return value
+
+
+def _local_sets(fleet: Fleet, candidates: Sequence[str], texts: Sequence[str]) -> tuple[frozenset[str], ...] | None:
+    """Return the sets of local numbers that were asked for."""
+    if not texts:
+        return None
+    short = {number.name: number.short for number in fleet.space.numbers if number.name in candidates}
+    found = []
+    for text in texts:
+        chosen: set[str] = set()
+        for word in (each.strip() for each in text.split(",")):
+            fits = [name for name, called in short.items() if word and (word in (name, called) or called.endswith(f".{word}"))]
+            if not fits:
+                raise ParameterError("--local", repr(word), "a number of a swapped axis: " + ", ".join(short.values()))
+            chosen.update(fits)
+        found.append(frozenset(chosen))
+    return tuple(found)
+
+
+def _told(stages: Stages, fleet: Fleet, settings: SwapSettings) -> Any:
+    """Return what shows a stage, and how far it is."""
+    at = {"runs": 0, "of": settings.budget}
+
+    def begin(words: str) -> None:
+        at["runs"] = fleet.runs
+        at["of"] = settings.budget * (1 if words.startswith("best of") else fleet.n_variant)
+        stages.begin(words)
+
+    fleet.progress = lambda runs: stages.advance(min(runs - at["runs"], at["of"]), at["of"])
+    return begin
+
+
+def _written(
+    study: SwapStudy, over: Coverage | None, linear: Sequence[LinearSwap], folder: Path, out: Path, plots: Sequence[str]
+) -> RunOutcome:
+    """Write everything; return what is printed."""
+    from contourlab.report.swap_picture import write_matrices
+    from contourlab.session.swap_text import matrices, summary_of, text_of
+
+    lines = [text_of(study, over, linear)]
+    if plots:
+        write_matrices(matrices(study), study.settings.full, "What a swap loses", folder / "plots", plots)
+        lines += [f"picture: {out / 'plots' / f'swap.{name}'}" for name in plots]
+    best = study.recommended
+    if best is not None:
+        from contourlab.scenario.dump import dump
+
+        (folder / "controllers").mkdir()
+        names = file_names([variant.name for variant in study.fleet.variants])
+        for variant, point in zip(study.fleet.variants, best.design.points, strict=True):
+            made = controller_with(study.fleet.controller, study.fleet.space.values(point), sorted(best.design.local))
+            head = f"# For {variant.name}; J and the guards were met on the motion of the study. `local` moves with the axis.\n\n"
+            write_text_atomic(folder / "controllers" / f"{names[variant.name]}.toml", head + dump(made, variant.machine))
+            lines.append(f"controller for {variant.name}: {out / 'controllers' / f'{names[variant.name]}.toml'}")
+    summary = summary_of(study, over, linear)
+    write_text_atomic(folder / "summary.json", json.dumps(_strict(summary), indent=2, allow_nan=False) + "\n")
+    return RunOutcome(best is not None, summary, "\n".join(lines))
+
+
+def _strict(value: Any) -> Any:
+    """Return a value as JSON has it: what is not finite is null."""
+    if isinstance(value, dict):
+        return {key: _strict(item) for key, item in value.items()}
+    if isinstance(value, list):
+        return [_strict(item) for item in value]
+    return value if not isinstance(value, float) or math.isfinite(value) else None

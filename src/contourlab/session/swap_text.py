@@ -1,0 +1,204 @@
+"""What ``contourlab swap`` prints, its summary, and its picture's cells."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Sequence
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from contourlab.report.swap_picture import LossMatrix
+from contourlab.studies.swap.coverage import Coverage
+from contourlab.studies.swap.fleet import OBJECTIVES
+from contourlab.studies.swap.linear import LinearSwap
+from contourlab.studies.swap.loss import losses
+from contourlab.studies.swap.study import Choice, SwapStudy
+from contourlab.studies.swap.verdict import on_bounds, search_words, verdict
+
+__all__ = ["matrices", "summary_of", "text_of"]
+
+Array = NDArray[np.float64]
+_MICRO = 1e6
+
+
+def text_of(study: SwapStudy, over: Coverage | None, linear: Sequence[LinearSwap]) -> str:
+    """Return the report as text."""
+    unit = _unit(study)
+    variants = [variant.name for variant in study.fleet.variants]
+    table = [("local numbers", "", *variants, "loss %")]
+    table.append(("best of its own, J*", "", *(_number(value) for value in study.fleet.best * _MICRO), ""))
+    for choice in (study.given, *study.choices):
+        effort = "" if choice is study.given else str(choice.effort)
+        named = "the scenario's own numbers" if choice is study.given else choice.name
+        table.append((named, effort, *(_number(v) for v in choice.design.values * _MICRO), _percent(choice.loss)))
+    lines = [f"J in {unit}, of each variant; the column behind the names counts the local numbers", *_columns(table), "", verdict(study)]
+    best = study.recommended
+    if best is not None:
+        lines += ["", "recommended division", *_division(study, best)]
+    edges = on_bounds(study, best or study.base)
+    lines += ["", *(f"note: {words}" for words in search_words(study))]
+    if edges:
+        lines.append(f"note: on a bound, where a wider one might do better: {', '.join(edges)}")
+    if study.given_breaks:
+        lines.append(f"note: the scenario's own numbers break a guard with {'; '.join(study.given_breaks)}")
+    if over is not None:
+        lines += ["", *_coverage(study, over)]
+    for found in linear:
+        lines += ["", *_linear(found)]
+    return "\n".join(lines)
+
+
+def _division(study: SwapStudy, choice: Choice) -> Iterator[str]:
+    """Yield the numbers of a division: base, then local with a value for each variant."""
+    space, rows = study.fleet.space, []
+    for j, number in enumerate(space.numbers):
+        shown = [float(number.shown(float(number.physical(place)))) for place in choice.design.points[:, j]]
+        unit = number.display or number.unit
+        local = number.name in choice.design.local
+        rows.append((f"  {number.short}", "local" if local else "base", *(f"{v:.5g}" for v in (shown if local else shown[:1])), unit))
+    widest = max(len(row) for row in rows)
+    yield from _columns([(*row[:-1], *[""] * (widest - len(row)), row[-1]) for row in rows])
+
+
+def _coverage(study: SwapStudy, over: Coverage) -> Iterator[str]:
+    low, high = over.bounds
+    span = ", ".join(
+        f"{number.short} {number.shown(number.low):g} to {number.shown(number.high):g} {number.display or number.unit}".rstrip()
+        for number in over.region.numbers
+    )
+    good = f"J up to {over.tolerance * _MICRO:g} {_unit(study)}" if over.tolerance is not None else f"a loss under {100.0 * study.settings.full:g} %"
+    yield f"coverage of {span}: {100.0 * over.share:.3g} % ({100.0 * low:.3g} to {100.0 * high:.3g} % with 95 % confidence)"
+    held = int(np.isfinite(over.values).sum())
+    searched = "" if over.tolerance is not None else "; J* from a search at each of them"
+    yield f"  {good}, guards kept, nothing local: {over.covered} of {over.judged} Sobol points{searched}; the guards hold at {held}"
+
+
+def _linear(found: LinearSwap) -> Iterator[str]:
+    models = ", ".join(
+        f"{name} a = {model.gain:.4g}, b = {model.damping:.3g}" for name, model in zip(found.modules, found.models, strict=True)
+    )
+    yield f"linear, axis {found.axis}, {found.case}: {models} (a per mm/s^2, b per 1/s)"
+    yield f"  blind swap: J/J* up to {found.blind.max():.4g}"
+    for design in found.designs:
+        local = ", ".join(design.local) or "nothing"
+        ratios = ", ".join(f"{ratio:.4g}" for ratio in design.ratio)
+        yield f"  {design.method}, {local} local: J/J* {ratios}"
+
+
+def _columns(rows: Sequence[tuple[str, ...]]) -> list[str]:
+    """Return rows with their columns under one another: names to the left, figures to the right."""
+    widths = [max(len(row[i]) for row in rows) for i in range(len(rows[0]))]
+    return ["  ".join(cell.ljust(w) if i == 0 else cell.rjust(w) for i, (cell, w) in enumerate(zip(row, widths, strict=True))).rstrip() for row in rows]
+
+
+def _number(value: float) -> str:
+    return f"{value:.4g}" if math.isfinite(value) else "breaks a guard"
+
+
+def _percent(loss: float) -> str:
+    return f"{100.0 * loss:.3g}" if math.isfinite(loss) else "-"
+
+
+def _unit(study: SwapStudy) -> str:
+    return {"m*s": "um s", "m": "um"}[OBJECTIVES[study.fleet.objective][0]]
+
+
+def summary_of(study: SwapStudy, over: Coverage | None, linear: Sequence[LinearSwap]) -> dict[str, Any]:
+    """Return everything as JSON has it, in SI."""
+    fleet, best, settings = study.fleet, study.recommended, study.settings
+    numbers = {
+        number.name: {"low": number.low, "high": number.high, "unit": number.unit, "scenario": number.value} for number in fleet.space.numbers
+    }
+    return {
+        "verdict": verdict(study),
+        "full_modularity": study.full,
+        "restorable": best is not None,
+        "local": sorted(best.design.local) if best is not None else None,
+        "swap_loss": study.base.loss,
+        "limit": settings.full,
+        "objective": fleet.objective,
+        "floor": fleet.floor,
+        "guards": {
+            "gain_margin": fleet.guards.gain_margin,
+            "phase_margin": fleet.guards.phase_margin,
+            "limited_share": fleet.guards.limited_share,
+        },
+        "search": {"budget": settings.budget, "seed": settings.seed, "runs": fleet.runs, "exhaustive": settings.exhaustive},
+        "bounds": numbers,
+        "variants": {
+            variant.name: {"best": float(value), "per_start": own.per_start.tolist(), "numbers": fleet.space.values(point)}
+            for variant, value, own, point in zip(fleet.variants, fleet.best, study.owns, fleet.best_points, strict=True)
+        },
+        "as_given": _choice(study, study.given),
+        "choices": [_choice(study, choice) for choice in study.choices],
+        "designs_on_variants": study.crossed.tolist(),
+        "ranking": [{"name": r.name, "sensitivity": r.sensitivity, "movement": r.movement} for r in study.ranking],
+        "coverage": None if over is None else _coverage_summary(over),
+        "linear": [
+            {
+                "axis": one.axis,
+                "case": one.case,
+                "models": {name: {"a": m.gain, "b": m.damping} for name, m in zip(one.modules, one.models, strict=True)},
+                "blind": one.blind.tolist(),
+                "designs": [{"method": d.method, "local": list(d.local), "ratio": d.ratio.tolist()} for d in one.designs],
+            }
+            for one in linear
+        ],
+    }
+
+
+def _coverage_summary(over: Coverage) -> dict[str, Any]:
+    low, high = over.bounds
+    return {
+        "share": over.share,
+        "low": low,
+        "high": high,
+        "points": over.judged,
+        "tolerance": over.tolerance,
+        "values": over.values.tolist(),
+        "best": over.best.tolist(),
+    }
+
+
+def _choice(study: SwapStudy, choice: Choice) -> dict[str, Any]:
+    return {
+        "name": choice.name,
+        "local": sorted(choice.design.local),
+        "values": choice.design.values.tolist(),
+        "losses": choice.losses.tolist(),
+        "swap_loss": choice.loss,
+        "per_start": choice.design.per_start.tolist(),
+        "numbers": [study.fleet.space.values(point) for point in choice.design.points],
+    }
+
+
+def matrices(study: SwapStudy) -> list[LossMatrix]:
+    """Return the picture's matrices: variants under choices of local numbers, and variants under designs for each other."""
+    fleet, unit = study.fleet, _unit(study)
+    names = tuple(variant.name for variant in fleet.variants)
+
+    def cells(values: Array) -> tuple[Array, tuple[tuple[str, ...], ...]]:
+        lost = losses(np.where(np.isfinite(values), values, np.nan), fleet.best, fleet.floor)
+        texts = [
+            [f"{100.0 * x:.3g} %  ({v * _MICRO:.3g} {unit})" if math.isfinite(x) else "breaks a guard" for x, v in zip(*pair, strict=True)]
+            for pair in zip(lost, values, strict=True)
+        ]
+        return lost, tuple(map(tuple, texts))
+
+    shown = _distinct(study)
+    rows = tuple(_broken_up(choice.name if choice.effort else "nothing") for choice in shown)
+    first = LossMatrix("local numbers, and the swap loss of each variant", rows, names, *cells(np.array([c.design.values for c in shown])))
+    crossed = np.vstack([study.crossed, study.given.design.values])
+    second = LossMatrix("numbers found for one, run on the other", (*(f"for {n}" for n in names), "the scenario's own"), names, *cells(crossed))
+    return [first, second]
+
+
+def _distinct(study: SwapStudy) -> list[Choice]:
+    """Return the choices in the order of their effort; the last is all."""
+    return sorted(study.choices, key=lambda choice: choice.effort)
+
+
+def _broken_up(name: str) -> str:
+    return name if len(name) < 40 else name.replace(", ", ",\n", 1)

@@ -1,0 +1,155 @@
+"""Designs that variants share: base numbers for all of them, local ones for each, searched together."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from contourlab.errors import ParameterError
+from contourlab.studies.space import Found, search
+from contourlab.studies.swap.division import Division
+from contourlab.studies.swap.fleet import BROKEN, Fleet
+from contourlab.studies.swap.loss import losses
+
+__all__ = ["Design", "Own", "best_of_its_own", "evaluated", "shared", "starts_around"]
+
+Array = NDArray[np.float64]
+POPULATION = 16
+"""Candidates of a generation and start, to begin with. What the count of an encoder does to the figure makes it rough at the end: each time a
+search comes to rest the next one has generations twice as large (restarts of Auger & Hansen, CEC 2005)."""
+POLISH, POLISHED, SMALL = 0.6, 2, 0.05
+"""Part of a budget that goes into searching on around so many of the best starts, and the first step of that in parts of the box."""
+EVENNESS = 0.01
+"""Weight of the mean loss beside the largest one: of two designs that are equal for the worst variant the better one for the others counts."""
+
+
+@dataclass(frozen=True, eq=False)
+class Own:
+    """The best design of one variant alone.
+
+    Attributes
+    ----------
+    point : ndarray (n_number,)
+    value : float
+        J.
+    per_start : ndarray (n_start,)
+        J that each start came to; infinite where it found nothing that keeps the guards.
+    runs : int
+    """
+
+    point: Array
+    value: float
+    per_start: Array
+    runs: int
+
+
+@dataclass(frozen=True, eq=False)
+class Design:
+    """A shared design.
+
+    Attributes
+    ----------
+    local : frozenset of str
+        Numbers that each variant has its own value of.
+    points : ndarray (n_variant, n_number)
+        What each variant runs with; equal but for the local numbers.
+    values : ndarray (n_variant,)
+        J of each.
+    per_start : ndarray (n_start,)
+        Swap loss that each start came to, against J* as it was known then.
+    runs : int
+        Candidates that were tried, each on all variants.
+    """
+
+    local: frozenset[str]
+    points: Array
+    values: Array
+    per_start: Array
+    runs: int
+
+    @property
+    def holds(self) -> bool:
+        """Whether it keeps the guards on all variants."""
+        return bool(np.isfinite(self.values).all())
+
+
+def starts_around(start: Array, number: int, seed: int, distance: float = 0.15) -> Array:
+    """Return starts (number, n): a point, and others at a distance from it that is normal with a standard deviation in parts of the box."""
+    generator = np.random.default_rng([seed, number])
+    return np.clip(start + np.vstack([np.zeros(start.size), distance * generator.standard_normal((number - 1, start.size))]), 0.0, 1.0)
+
+
+def best_of_its_own(fleet: Fleet, i: int, *, budget: int, seed: int, starts: Array, spread: float = 0.2) -> Own:
+    """Search the best design of one variant.
+
+    Raises
+    ------
+    ParameterError
+        If nothing that was tried keeps the guards.
+    """
+    found = _thorough(fleet.own(i), starts, budget, seed, spread)
+    if found.value >= BROKEN:
+        raise ParameterError(
+            "guards", fleet.variants[i].name, "kept by some design within the bounds: ask for smaller margins, or give wider bounds"
+        )
+    return Own(found.point, found.value * fleet.floor, np.where(found.per_start < BROKEN, found.per_start * fleet.floor, np.inf), found.runs)
+
+
+def shared(fleet: Fleet, local: frozenset[str], starts: Sequence[Array], *, budget: int, seed: int, spread: float = 0.2) -> Design:
+    """Search the shared design with the least swap loss.
+
+    Parameters
+    ----------
+    fleet : Fleet
+        With J* of all variants.
+    local : frozenset of str
+    starts : sequence of ndarray (n_variant, n_number)
+        Designs to start from; what they have in the way of base numbers is averaged.
+    budget : int
+        Candidates; each is run on all variants.
+    seed : int
+    spread : float
+        First step of the search, in parts of the box.
+    """
+    division = Division(fleet.space, fleet.variants, local)
+    found = _thorough(_objective(fleet, division), np.array([division.gathered(points) for points in starts]), budget, seed, spread)
+    points = division.spread(found.point[None])[:, 0]
+    return _design(fleet, local, points, np.where(found.per_start < BROKEN, found.per_start, np.inf), found.runs)
+
+
+def _thorough(objective: Callable[[Array], Array], starts: Array, budget: int, seed: int, spread: float = 0.2) -> Found:
+    """Search from all starts, then again and again around the best, in smaller steps and larger generations, until the budget is spent."""
+    found = search(objective, starts, budget=max(int((1.0 - POLISH) * budget), 1), seed=seed, spread=spread, population=POPULATION)
+    ranked = np.argsort(found.per_start, kind="stable")[:POLISHED]
+    around, size = found.points[ranked], POPULATION
+    while budget - found.runs > len(around) * (size + 1):
+        left = budget - found.runs
+        more = search(objective, around, budget=left, seed=seed + 1000 * size, spread=min(spread, SMALL), population=size)
+        around, size = more.point[None], 2 * size
+        found = replace(found, point=more.point, value=more.value, runs=found.runs + more.runs)
+    return found
+
+
+def evaluated(fleet: Fleet, local: frozenset[str], points: Array) -> Design:
+    """Return a design as it is, one point a variant."""
+    return _design(fleet, local, points, np.zeros(0), 0)
+
+
+def _design(fleet: Fleet, local: frozenset[str], points: Array, per_start: Array, runs: int) -> Design:
+    values, broken = fleet.values(points[:, None, :])
+    return Design(local, points, np.where(broken[:, 0] > 0.0, np.inf, values[:, 0]), per_start, runs)
+
+
+def _objective(fleet: Fleet, division: Division) -> Callable[[Array], Array]:
+    best = fleet.best.copy()  # J* as it is known now: a target that moves would rank candidates of one generation by different rules
+
+    def objective(rows: Array) -> Array:
+        values, broken = fleet.values(division.spread(rows))
+        lost = losses(np.where(np.isfinite(values), values, 0.0).T, best, fleet.floor)
+        whole = (lost.max(axis=1) + EVENNESS * lost.mean(axis=1)) / (1.0 + EVENNESS)
+        return np.where((broken > 0.0).any(axis=0), BROKEN * (1.0 + broken.sum(axis=0)), whole)
+
+    return objective

@@ -1,0 +1,133 @@
+"""All variants under candidates of a controller, run in lanes; it remembers the best that was ever found for each variant."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, field
+
+import numpy as np
+from numpy.typing import NDArray
+
+from contourlab.errors import ParameterError
+from contourlab.feed import Reference
+from contourlab.loop import Controller
+from contourlab.studies.space import Evaluator, Space
+from contourlab.studies.space.guards import Guard, Guards, holds
+from contourlab.studies.swap.variants import Variant
+
+__all__ = ["OBJECTIVES", "Fleet"]
+
+Array = NDArray[np.float64]
+OBJECTIVES = {"contour_error_integral": ("m*s", 2e-6), "contour_error_rms": ("m", 1e-6), "contour_error_max": ("m", 1e-6)}
+"""Figures that can be made small: their unit, and J_tol. The integral's is a mean of 1 um over a lap of 2 s."""
+BROKEN = 1e6
+"""Losses that count for a design that breaks a guard, or whose run failed: above any that keeps them."""
+
+
+@dataclass(eq=False)
+class Fleet:
+    """Variants of a machine, and what a controller of theirs is worth.
+
+    Attributes
+    ----------
+    variants : tuple of Variant
+    controller : Controller
+    reference : Reference
+    space : Space
+        Numbers of the controller that are moved.
+    objective : str
+        Of `OBJECTIVES`.
+    floor : float [SI]
+        J_tol.
+    guards : Guards
+    moving : bool
+        As of `contourlab.studies.space.Evaluator`, as are `seed` and `threads`.
+    best : ndarray (n_variant,)
+        J* so far; infinite where nothing has held yet.
+    best_points : ndarray (n_variant, n_number)
+    """
+
+    variants: tuple[Variant, ...]
+    controller: Controller
+    reference: Reference
+    space: Space
+    objective: str = "contour_error_integral"
+    floor: float = 2e-6
+    guards: Guards = field(default_factory=Guards)
+    moving: bool = False
+    seed: int = 0
+    threads: int | None = None
+    progress: Callable[[int], None] | None = None
+    best: Array = field(init=False)
+    best_points: Array = field(init=False)
+
+    def __post_init__(self) -> None:
+        if self.objective not in OBJECTIVES:
+            raise ParameterError("objective", repr(self.objective), "one of " + ", ".join(OBJECTIVES))
+        if not self.floor > 0.0:
+            raise ParameterError("floor", f"{self.floor:g}", "> 0", OBJECTIVES[self.objective][0])
+        outside = [name for name in self.space.names if not name.startswith("controller.")]
+        if outside:
+            raise ParameterError("parameters", outside[0], "a number of the controller: the machine's own are what the variants differ in")
+        self.evaluators = tuple(
+            Evaluator(v.machine, self.controller, self.reference, moving=self.moving, seed=self.seed, threads=self.threads)
+            for v in self.variants
+        )
+        self.keepers = tuple(Guard(v.machine, self.controller, self.guards) for v in self.variants)
+        self.best = np.full(self.n_variant, np.inf)
+        self.best_points = np.tile(self.space.start, (self.n_variant, 1))
+
+    @property
+    def n_variant(self) -> int:
+        """How many variants there are."""
+        return len(self.variants)
+
+    @property
+    def runs(self) -> int:
+        """Runs that were made so far."""
+        return sum(evaluator.runs for evaluator in self.evaluators)
+
+    def values(self, points: Array, only: Sequence[int] | None = None) -> tuple[Array, Array]:
+        """Return J and by how much a guard is broken (0 where none is) of points for each variant.
+
+        Parameters
+        ----------
+        points : ndarray (n_variant, n, n_number)
+            Of the variants in `only`, or of all.
+        only : sequence of int, optional
+
+        Returns
+        -------
+        values, broken : ndarray (n_variant, n)
+            J is infinite where the run failed.
+        """
+        which = range(self.n_variant) if only is None else only
+        known: dict[tuple[object, ...], Array] = {}
+        values, broken = [], []
+        for mine, i in zip(points, which, strict=True):
+            columns = self.space.columns(mine)
+            excess = np.broadcast_to(self.keepers[i].excess(columns, known), len(mine))
+            figures = self.evaluators[i](columns)
+            found = np.where(np.isfinite(figures[self.objective]), figures[self.objective], np.inf)
+            limited = np.nan_to_num(self.keepers[i].limited(figures), nan=1.0)
+            good = holds(excess, limited) & np.isfinite(found)
+            self._remember(i, mine, np.where(good, found, np.inf))
+            values.append(found)
+            broken.append(np.where(good, 0.0, np.clip(excess, 0.0, 10.0) + np.maximum(limited, 0.0) + 10.0 * ~np.isfinite(found) + 1e-9))
+            if self.progress is not None:
+                self.progress(self.runs)
+        return np.array(values), np.array(broken)
+
+    def _remember(self, i: int, points: Array, values: Array) -> None:
+        at = int(np.argmin(values))
+        if values[at] < self.best[i]:
+            self.best[i], self.best_points[i] = values[at], points[at]
+
+    def own(self, i: int) -> Callable[[Array], Array]:
+        """Return what is made small to find J* of a variant: J over J_tol, of points (n, n_number)."""
+
+        def objective(points: Array) -> Array:
+            values, broken = self.values(points[None], (i,))
+            return np.where(broken[0] > 0.0, BROKEN * (1.0 + broken[0]), values[0] / self.floor)
+
+        return objective

@@ -1,0 +1,106 @@
+"""The machines that come of exchanging axes."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from itertools import product
+
+from contourlab.errors import ParameterError
+from contourlab.loop import Axis, Machine, parameter_names
+from contourlab.loop.machine import AXIS_SLOTS, Controller
+
+__all__ = ["Variant", "local_candidates", "variants_of"]
+
+
+@dataclass(frozen=True)
+class Variant:
+    """A machine with some of its axes exchanged.
+
+    Attributes
+    ----------
+    name : str
+        What is in place of which axis, as ``"1 = axis2"``.
+    machine : Machine
+    modules : tuple of (str, str)
+        For each axis that is swapped, what stands there.
+    """
+
+    name: str
+    machine: Machine
+    modules: tuple[tuple[str, str], ...] = ()
+
+    def module(self, name: str) -> str:
+        """Return what a number by its dotted name moves with: the module of its axis, or nothing where that is not swapped."""
+        return next((called for axis, called in self.modules if name.startswith(f"controller.axes.{axis}.")), "")
+
+
+def variants_of(machine: Machine, controller: Controller, swaps: Mapping[str, Sequence[tuple[str, Axis]]]) -> tuple[Variant, ...]:
+    """Return every combination of axes, the machine's own first.
+
+    Parameters
+    ----------
+    machine : Machine
+    controller : Controller
+        What all of them run under.
+    swaps : mapping of str to sequence of (str, Axis)
+        For each axis that is swapped the others that take its place, by what they are called.
+
+    Raises
+    ------
+    ParameterError
+        If the machine has no such axis, nothing takes its place, two are called the same, or one has a drive of another unit.
+    """
+    if not swaps:
+        raise ParameterError("axis", "none", f"at least one axis to swap, of {', '.join(machine.axis_names)}")
+    choices: list[list[tuple[str, str, Axis | None]]] = []
+    for name, others in swaps.items():
+        if name not in machine.axis_names:
+            raise ParameterError("axis", repr(name), f"one of {', '.join(machine.axis_names)}, the axes of {machine.name}")
+        if not others:
+            raise ParameterError("with", "nothing", f"at least one axis to take the place of {name}")
+        own = machine.axis(name)
+        kept = [(called, other) for called, other in others if not _alike(own, other)]
+        calls = [called for called, _ in kept]
+        if len(set(calls)) != len(calls):
+            raise ParameterError("with", ", ".join(calls), "axes that differ in their names")
+        for called, other in kept:
+            _check_fits(own, other, called)
+        same = next((called for called, other in others if _alike(own, other)), "as it is")
+        choices.append([(name, same, None), *((name, called, other) for called, other in kept)])
+        if not kept:
+            # A copy of the axis is a variant too: what it loses is nothing, and that is worth saying.
+            choices[-1] += [(name, f"{called} again", other) for called, other in others]
+    found = []
+    for picked in product(*choices):
+        made = machine
+        for name, _, other in picked:
+            made = made if other is None else made.swapped(name, other)
+        modules = tuple((name, called) for name, called, _ in picked)
+        found.append(Variant(", ".join(f"{name} = {called}" for name, called in modules), made, modules))
+    for variant in found:
+        parameter_names(variant.machine, controller)
+    return tuple(found)
+
+
+def local_candidates(machine: Machine, controller: Controller, swapped: Sequence[str]) -> tuple[str, ...]:
+    """Return the dotted names that belong to the swapped axes; all others are base in any case."""
+    heads = tuple(f"controller.axes.{name}." for name in swapped)
+    return tuple(name for name in parameter_names(machine, controller) if name.startswith(heads))
+
+
+def _alike(one: Axis, other: Axis) -> bool:
+    """Tell whether two axes are the same module."""
+    slots = (*AXIS_SLOTS, "substeps", "stage_mass", "limits")
+    return all(getattr(one, slot) == getattr(other, slot) for slot in slots)
+
+
+def _check_fits(own: Axis, other: Axis, called: str) -> None:
+    units, wanted = (other.plant.command_unit, other.plant.force_unit), (own.plant.command_unit, own.plant.force_unit)
+    if units[0] != wanted[0]:
+        raise ParameterError(
+            "with", called, f"an axis whose drive takes its command in {wanted[0]}, as that of {own.name} does: this one takes {units[0]}"
+        )
+    if other.plant.two_sided != own.plant.two_sided:
+        shown = "one with a motor and a load side" if own.plant.two_sided else "one without a motor side of its own"
+        raise ParameterError("with", called, f"{shown}, as {own.name} is")

@@ -1,0 +1,77 @@
+"""The verdict on a swap, in words."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+
+import numpy as np
+
+from contourlab.studies.swap.fleet import OBJECTIVES
+from contourlab.studies.swap.study import Choice, SwapStudy
+
+__all__ = ["on_bounds", "search_words", "verdict"]
+
+NEAR = 0.005
+"""So close to a bound, in parts of the box, a number counts as being on it."""
+
+
+def verdict(study: SwapStudy) -> str:
+    """Return the verdict in one sentence."""
+    limit, base, best = f"{100.0 * study.settings.full:g} %", study.base, study.recommended
+    if study.full:
+        return f"full modularity: one controller serves all variants, swap loss {_percent(base.loss)} with nothing local (limit {limit})"
+    if best is None:
+        least = min(study.choices, key=lambda choice: choice.loss)
+        found = f"the least is {_percent(least.loss)}, with {least.name} local" if least.effort else _percent(least.loss)
+        return f"not modular: no choice of local numbers that was tried brings the swap loss under {limit}; {found}"
+    how = "all sets of that size were tried" if study.settings.exhaustive else "found by growing one set, not by trying all"
+    several = "s" if best.effort > 1 else ""
+    return (
+        f"modular with {best.effort} local number{several}: {_listed(study, best)}; swap loss {_percent(best.loss)} in place of "
+        f"{_percent(base.loss)} with nothing local (limit {limit}; {how})"
+    )
+
+
+def _listed(study: SwapStudy, choice: Choice) -> str:
+    return ", ".join(number.short for number in study.fleet.space.numbers if number.name in choice.design.local)
+
+
+def search_words(study: SwapStudy) -> Iterator[str]:
+    """Yield what has to be known of the searches: definition, bounds, budget, spread."""
+    fleet, settings = study.fleet, study.settings
+    scale, shown = 1e6, {"m*s": "um s", "m": "um"}[OBJECTIVES[fleet.objective][0]]
+    yield (
+        f"swap loss = max over variants of (J - J*)/max(J*, J_tol), J = {fleet.objective.replace('_', ' ')}, J_tol = {fleet.floor * scale:g} "
+        f"{shown}; J* = best value of any search of this run"
+    )
+    guards = fleet.guards
+    yield (
+        f"guards on every axis: gain margin {20.0 * math.log10(guards.gain_margin):.3g} dB, phase margin "
+        f"{math.degrees(guards.phase_margin):.3g} deg, drives at their limit in at most {100.0 * guards.limited_share:g} % of the samples"
+    )
+    for name, why in {name: why for keeper in fleet.keepers for name, why in keeper.unknown.items()}.items():
+        yield f"margins of axis {name} were not looked at: {why}"
+    yield (
+        f"{fleet.runs} runs; {settings.budget} candidates a search from {len(study.owns[0].per_start)} starts, seed {settings.seed}; shared "
+        "designs make the largest loss small, and among equals the mean"
+    )
+    for variant, own in zip(fleet.variants, study.owns, strict=True):
+        good = own.per_start[np.isfinite(own.per_start)] * scale
+        span = f"{good.min():.3g} to {good.max():.3g} {shown}" if good.size else "nothing"
+        yield f"{variant.name}: its starts came to {span}, then {own.value * scale:.3g} {shown} around the best of them"
+
+
+def on_bounds(study: SwapStudy, choice: Choice) -> list[str]:
+    """Return the numbers of a design that stand on a bound, where a wider one might do better."""
+    found = []
+    for j, number in enumerate(study.fleet.space.numbers):
+        places = choice.design.points[:, j]
+        for edge, bound in ((0.0, number.low), (1.0, number.high)):
+            if (np.abs(places - edge) < NEAR).any():
+                found.append(f"{number.short} at {number.shown(bound):.4g} {number.display or number.unit}".rstrip())
+    return found
+
+
+def _percent(loss: float) -> str:
+    return f"{100.0 * loss:.3g} %" if math.isfinite(loss) else "without bound (no design keeps the guards on all variants)"
