@@ -139,11 +139,11 @@ def _probed(schedule: Schedule, lanes: slice) -> tuple[Array, Array]:
 
 def _moving(a: Array, b: Array, c: Array) -> NDArray[np.int64]:
     """Return which entries are part of the loop: those that are read, and that something moves, in any variant."""
-    moved = np.array([*(a != np.eye(a.shape[1])).any(axis=0)])
-    entered, read = (b != 0.0).any(axis=(0, 2)), c.any(axis=0)
+    moved = np.asarray((a != np.eye(a.shape[1])).any(axis=0))
+    entered, read = np.asarray((b != 0.0).any(axis=(0, 2))), c.any(axis=0)
     kept = np.flatnonzero((moved.any(axis=1) | entered) & (moved.any(axis=0) | read))
     while True:
-        part = (a[:, kept][:, :, kept] != 0.0).any(axis=0)
+        part = np.asarray((a[:, kept][:, :, kept] != 0.0).any(axis=0))
         lives = (part.any(axis=1) | entered[kept]) & (part.any(axis=0) | read[kept])
         if lives.all():
             return kept
@@ -152,4 +152,4 @@ def _moving(a: Array, b: Array, c: Array) -> NDArray[np.int64]:
 
 def unstable_by(loops: LaneLoops, factors: Sequence[complex]) -> Array:
     """Return by how much (n_variant,) the largest pole lies outside the unit circle over some factors; negative where all hold."""
-    return np.max([loops.radius(factor) for factor in factors], axis=0) - 1.0
+    return np.asarray(np.max([loops.radius(factor) for factor in factors], axis=0) - 1.0)

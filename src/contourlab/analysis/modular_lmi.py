@@ -51,7 +51,9 @@ def lmi_design(
     ----------
     Ghaffari & Ulsoy, AIM 2016, for the idea; the inequality is the usual one of the linear quadratic problem with a common Lyapunov matrix.
     """
-    import cvxpy
+    import cvxpy as solver_of
+
+    cvxpy: Any = solver_of  # its functions are not typed
 
     weights = weights or LqWeights()
     n, best = len(GAINS), np.array([optimum(axis, weights)[1] for axis in axes])

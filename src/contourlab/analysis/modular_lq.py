@@ -148,7 +148,7 @@ def direct_design(axes: Sequence[LinearAxis], local: Sequence[str] = (), weights
     size = np.abs(np.mean([k for k, _ in known], axis=0))
 
     def gains(z: Array) -> Array:
-        return assembled(z, mask, len(axes)) * size
+        return np.asarray(assembled(z, mask, len(axes)) * size)
 
     def total(z: Array) -> float:
         terms = [cost(axis, k, weights) / best - 1.0 for axis, k, (_, best) in zip(axes, gains(z), known, strict=True)]

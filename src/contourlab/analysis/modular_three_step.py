@@ -1,4 +1,4 @@
-"""The 3-step method: optimal centralised controllers, their allocation to base and local ones over frequency, verification in closed loop."""
+"""The 3-step method: optimal centralised controllers, allocated to base and local ones over frequency, verified in closed loop."""
 
 from __future__ import annotations
 
@@ -78,9 +78,7 @@ def lead(frequency: Array, time_constant: float, fast: float) -> Complex:
     return np.asarray((time_constant * s + 1.0) / (fast * s + 1.0))
 
 
-def series_allocation(
-    controllers: Complex, local: Callable[[float], Complex], bounds: tuple[float, float]
-) -> tuple[Complex, Array, float]:
+def series_allocation(controllers: Complex, local: Callable[[float], Complex], bounds: tuple[float, float]) -> tuple[Complex, Array, float]:
     """Divide controllers into a base one and local ones of one parameter in series, K_i = K_base L(p_i): step 2 for swapped lags.
 
     Parameters
@@ -113,7 +111,7 @@ def series_allocation(
         return np.array([k / local(float(p)) for k, p in zip(controllers, np.exp(np.clip(z, low, high)), strict=True)])
 
     def log_of(rest: Complex) -> Complex:
-        return np.log(np.abs(rest)) + 1j * np.unwrap(np.angle(rest), axis=1)
+        return np.asarray(np.log(np.abs(rest)) + 1j * np.unwrap(np.angle(rest), axis=1))
 
     def spread(z: Array) -> float:
         known = log_of(left(z))

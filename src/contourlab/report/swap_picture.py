@@ -1,4 +1,4 @@
-"""A swap in two matrices: what each variant loses under each choice of local numbers, and what designs are worth on each other's machines."""
+"""A swap in two matrices: what each variant loses by choice of local numbers, and what numbers found for one are worth on another."""
 
 from __future__ import annotations
 

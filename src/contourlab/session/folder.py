@@ -17,7 +17,8 @@ __all__ = ["staged"]
 
 KEPT = "learned/*.nc"
 """What is no report but a product: each replaces an older one of its own name only."""
-OURS = ("report.html", "signals/*.nc", "switches/*.csv", KEPT, "controllers/*.toml", "plots/*.png", "plots/*.svg", "plots/*.pdf", "summary.json")
+_PLOTS = ("plots/*.png", "plots/*.svg", "plots/*.pdf")
+OURS = ("report.html", "signals/*.nc", "switches/*.csv", KEPT, "controllers/*.toml", *_PLOTS, "summary.json")
 """What a run writes; the summary comes last, so that where it is the rest is complete."""
 
 

@@ -68,7 +68,11 @@ def _coverage(study: SwapStudy, over: Coverage) -> Iterator[str]:
         f"{number.short} {number.shown(number.low):g} to {number.shown(number.high):g} {number.display or number.unit}".rstrip()
         for number in over.region.numbers
     )
-    good = f"J up to {over.tolerance * _MICRO:g} {_unit(study)}" if over.tolerance is not None else f"a loss under {100.0 * study.settings.full:g} %"
+    good = (
+        f"J up to {over.tolerance * _MICRO:g} {_unit(study)}"
+        if over.tolerance is not None
+        else f"a loss under {100.0 * study.settings.full:g} %"
+    )
     yield f"coverage of {span}: {100.0 * over.share:.3g} % ({100.0 * low:.3g} to {100.0 * high:.3g} % with 95 % confidence)"
     held = int(np.isfinite(over.values).sum())
     searched = "" if over.tolerance is not None else "; J* from a search at each of them"
@@ -90,7 +94,10 @@ def _linear(found: LinearSwap) -> Iterator[str]:
 def _columns(rows: Sequence[tuple[str, ...]]) -> list[str]:
     """Return rows with their columns under one another: names to the left, figures to the right."""
     widths = [max(len(row[i]) for row in rows) for i in range(len(rows[0]))]
-    return ["  ".join(cell.ljust(w) if i == 0 else cell.rjust(w) for i, (cell, w) in enumerate(zip(row, widths, strict=True))).rstrip() for row in rows]
+    return [
+        "  ".join(cell.ljust(w) if i == 0 else cell.rjust(w) for i, (cell, w) in enumerate(zip(row, widths, strict=True))).rstrip()
+        for row in rows
+    ]
 
 
 def _number(value: float) -> str:
@@ -98,7 +105,7 @@ def _number(value: float) -> str:
 
 
 def _percent(loss: float) -> str:
-    return f"{100.0 * loss:.3g}" if math.isfinite(loss) else "-"
+    return "-" if not math.isfinite(loss) else f"{100.0 * loss:.0f}" if loss >= 1.0 else f"{100.0 * loss:.3g}"
 
 
 def _unit(study: SwapStudy) -> str:
@@ -109,7 +116,8 @@ def summary_of(study: SwapStudy, over: Coverage | None, linear: Sequence[LinearS
     """Return everything as JSON has it, in SI."""
     fleet, best, settings = study.fleet, study.recommended, study.settings
     numbers = {
-        number.name: {"low": number.low, "high": number.high, "unit": number.unit, "scenario": number.value} for number in fleet.space.numbers
+        number.name: {"low": number.low, "high": number.high, "unit": number.unit, "scenario": number.value}
+        for number in fleet.space.numbers
     }
     return {
         "verdict": verdict(study),
@@ -182,7 +190,7 @@ def matrices(study: SwapStudy) -> list[LossMatrix]:
     def cells(values: Array) -> tuple[Array, tuple[tuple[str, ...], ...]]:
         lost = losses(np.where(np.isfinite(values), values, np.nan), fleet.best, fleet.floor)
         texts = [
-            [f"{100.0 * x:.3g} %  ({v * _MICRO:.3g} {unit})" if math.isfinite(x) else "breaks a guard" for x, v in zip(*pair, strict=True)]
+            [f"{_percent(x)} %  ({v * _MICRO:.3g} {unit})" if math.isfinite(x) else "breaks a guard" for x, v in zip(*pair, strict=True)]
             for pair in zip(lost, values, strict=True)
         ]
         return lost, tuple(map(tuple, texts))
@@ -191,7 +199,9 @@ def matrices(study: SwapStudy) -> list[LossMatrix]:
     rows = tuple(_broken_up(choice.name if choice.effort else "nothing") for choice in shown)
     first = LossMatrix("local numbers, and the swap loss of each variant", rows, names, *cells(np.array([c.design.values for c in shown])))
     crossed = np.vstack([study.crossed, study.given.design.values])
-    second = LossMatrix("numbers found for one, run on the other", (*(f"for {n}" for n in names), "the scenario's own"), names, *cells(crossed))
+    second = LossMatrix(
+        "numbers found for one, run on the other", (*(f"for {n}" for n in names), "the scenario's own"), names, *cells(crossed)
+    )
     return [first, second]
 
 

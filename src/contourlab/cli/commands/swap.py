@@ -30,12 +30,16 @@ def swap(
     width: Annotated[float, typer.Option(help="Bounds are this factor either side where none are given.")] = 4.0,
     local: Annotated[
         list[str] | None,
-        typer.Option(help="Local numbers to look at, with commas between, in place of searching a set; may be given again.", show_default=False),
+        typer.Option(
+            help="Local numbers to look at, with commas between, in place of searching a set; may be given again.", show_default=False
+        ),
     ] = None,
     exhaustive: Annotated[bool, typer.Option("--exhaustive", help="Try all sets of local numbers by size, not one that grows.")] = False,
     budget: Annotated[int, typer.Option(help="Candidates of each search.")] = 8000,
     seed: Annotated[int, typer.Option(help="The same seed gives the same study.")] = 0,
-    threads: Annotated[int | None, typer.Option(help="One for each processor by default; results do not hang on it.", show_default=False)] = None,
+    threads: Annotated[
+        int | None, typer.Option(help="One for each processor by default; results do not hang on it.", show_default=False)
+    ] = None,
     gain_margin: Annotated[float, typer.Option(help="Gain margin that a design has to keep on every axis [dB].")] = 6.0,
     phase_margin: Annotated[float, typer.Option(help="Phase margin likewise [deg].")] = 30.0,
     region: Annotated[
@@ -82,7 +86,5 @@ def swap(
         plugins=tuple(plugin or ()),
     )
     swaps = [(name, [one.strip() for one in text.split(",")]) for name, text in zip(axis, others, strict=True)]
-    outcome = swap_scenario(
-        file, swaps, out, options, scheme=scheme, plots=tuple(plots or ("png",)), progress=wants_progress(as_json)
-    )
+    outcome = swap_scenario(file, swaps, out, options, scheme=scheme, plots=tuple(plots or ("png",)), progress=wants_progress(as_json))
     return conclude(outcome, as_json)

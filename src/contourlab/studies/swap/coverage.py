@@ -110,9 +110,7 @@ def coverage(
 def _values(fleet: Fleet, point: Array, region: Space, points: Array) -> Array:
     """Return J at points of the region, infinite where a guard is broken; all of it in lanes but the margins, which the plants decide."""
     variant = fleet.variants[0]
-    evaluator = Evaluator(
-        variant.machine, fleet.controller, fleet.reference, moving=fleet.moving, seed=fleet.seed, threads=fleet.threads
-    )
+    evaluator = Evaluator(variant.machine, fleet.controller, fleet.reference, moving=fleet.moving, seed=fleet.seed, threads=fleet.threads)
     base = {name: np.full(len(points), value) for name, value in fleet.space.values(point).items()}
     figures = evaluator(base | region.columns(points))
     excess = np.empty(len(points))

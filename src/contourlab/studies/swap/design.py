@@ -17,13 +17,14 @@ from contourlab.studies.swap.loss import losses
 __all__ = ["Design", "Own", "best_of_its_own", "evaluated", "shared", "starts_around"]
 
 Array = NDArray[np.float64]
+Objective = Callable[[Array], Array]
 POPULATION = 16
-"""Candidates of a generation and start, to begin with. What the count of an encoder does to the figure makes it rough at the end: each time a
-search comes to rest the next one has generations twice as large (restarts of Auger & Hansen, CEC 2005)."""
+"""Candidates of a generation and start, to begin with. The count of an encoder makes figures rough at the end: each time a search comes to
+rest, the next one has generations twice as large (restarts of Auger & Hansen, CEC 2005)."""
 POLISH, POLISHED, SMALL = 0.6, 2, 0.05
 """Part of a budget that goes into searching on around so many of the best starts, and the first step of that in parts of the box."""
 EVENNESS = 0.01
-"""Weight of the mean loss beside the largest one: of two designs that are equal for the worst variant the better one for the others counts."""
+"""Weight of the mean loss beside the largest one: of two designs that are equal for the worst variant, the others decide."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -95,7 +96,9 @@ def best_of_its_own(fleet: Fleet, i: int, *, budget: int, seed: int, starts: Arr
         raise ParameterError(
             "guards", fleet.variants[i].name, "kept by some design within the bounds: ask for smaller margins, or give wider bounds"
         )
-    return Own(found.point, found.value * fleet.floor, np.where(found.per_start < BROKEN, found.per_start * fleet.floor, np.inf), found.runs)
+    return Own(
+        found.point, found.value * fleet.floor, np.where(found.per_start < BROKEN, found.per_start * fleet.floor, np.inf), found.runs
+    )
 
 
 def shared(fleet: Fleet, local: frozenset[str], starts: Sequence[Array], *, budget: int, seed: int, spread: float = 0.2) -> Design:
@@ -115,21 +118,33 @@ def shared(fleet: Fleet, local: frozenset[str], starts: Sequence[Array], *, budg
         First step of the search, in parts of the box.
     """
     division = Division(fleet.space, fleet.variants, local)
-    found = _thorough(_objective(fleet, division), np.array([division.gathered(points) for points in starts]), budget, seed, spread)
+    objective, rows = _objective(fleet, division), np.array([division.gathered(points) for points in starts])
+    # What fewer local numbers came to stands first: half of the budget goes on from there, as more freedom seldom leads far away.
+    near = _polished(objective, rows[:1], budget // 2, seed + 7, spread) if local else None
+    found = _thorough(objective, rows, budget - (near.runs if near is not None else 0), seed, spread)
+    if near is not None:
+        best = near if near.value < found.value else found
+        found = replace(found, point=best.point, value=best.value, runs=found.runs + near.runs)
     points = division.spread(found.point[None])[:, 0]
     return _design(fleet, local, points, np.where(found.per_start < BROKEN, found.per_start, np.inf), found.runs)
 
 
-def _thorough(objective: Callable[[Array], Array], starts: Array, budget: int, seed: int, spread: float = 0.2) -> Found:
-    """Search from all starts, then again and again around the best, in smaller steps and larger generations, until the budget is spent."""
+def _thorough(objective: Objective, starts: Array, budget: int, seed: int, spread: float = 0.2) -> Found:
+    """Search from all starts, then again and again around the best of what they came to."""
     found = search(objective, starts, budget=max(int((1.0 - POLISH) * budget), 1), seed=seed, spread=spread, population=POPULATION)
     ranked = np.argsort(found.per_start, kind="stable")[:POLISHED]
-    around, size = found.points[ranked], POPULATION
-    while budget - found.runs > len(around) * (size + 1):
-        left = budget - found.runs
-        more = search(objective, around, budget=left, seed=seed + 1000 * size, spread=min(spread, SMALL), population=size)
-        around, size = more.point[None], 2 * size
-        found = replace(found, point=more.point, value=more.value, runs=found.runs + more.runs)
+    more = _polished(objective, found.points[ranked], budget - found.runs, seed, spread)
+    return found if more is None else replace(found, point=more.point, value=more.value, runs=found.runs + more.runs)
+
+
+def _polished(objective: Objective, starts: Array, budget: int, seed: int, spread: float = 0.2) -> Found | None:
+    """Search on around some points in small steps, with ever larger generations, until the budget is spent; None where it is too small."""
+    found, size = None, POPULATION
+    while budget > len(starts) * (size + 1):
+        more = search(objective, starts, budget=budget, seed=seed + 1000 * size, spread=min(spread, SMALL), population=size)
+        budget -= more.runs
+        starts, size = more.point[None], 2 * size
+        found = more if found is None else replace(more, runs=found.runs + more.runs)
     return found
 
 
@@ -143,13 +158,13 @@ def _design(fleet: Fleet, local: frozenset[str], points: Array, per_start: Array
     return Design(local, points, np.where(broken[:, 0] > 0.0, np.inf, values[:, 0]), per_start, runs)
 
 
-def _objective(fleet: Fleet, division: Division) -> Callable[[Array], Array]:
+def _objective(fleet: Fleet, division: Division) -> Objective:
     best = fleet.best.copy()  # J* as it is known now: a target that moves would rank candidates of one generation by different rules
 
     def objective(rows: Array) -> Array:
         values, broken = fleet.values(division.spread(rows))
         lost = losses(np.where(np.isfinite(values), values, 0.0).T, best, fleet.floor)
         whole = (lost.max(axis=1) + EVENNESS * lost.mean(axis=1)) / (1.0 + EVENNESS)
-        return np.where((broken > 0.0).any(axis=0), BROKEN * (1.0 + broken.sum(axis=0)), whole)
+        return np.asarray(np.where((broken > 0.0).any(axis=0), BROKEN * (1.0 + broken.sum(axis=0)), whole))
 
     return objective

@@ -128,6 +128,6 @@ class Fleet:
 
         def objective(points: Array) -> Array:
             values, broken = self.values(points[None], (i,))
-            return np.where(broken[0] > 0.0, BROKEN * (1.0 + broken[0]), values[0] / self.floor)
+            return np.asarray(np.where(broken[0] > 0.0, BROKEN * (1.0 + broken[0]), values[0] / self.floor))
 
         return objective

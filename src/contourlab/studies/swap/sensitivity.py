@@ -1,4 +1,4 @@
-"""Which numbers are likely to have to move with the axis: how much each matters, and how far its best value goes from variant to variant."""
+"""Which numbers are likely to have to move with the axis: how much each matters, and how far its best value moves between variants."""
 
 from __future__ import annotations
 

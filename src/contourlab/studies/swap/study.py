@@ -34,6 +34,8 @@ class SwapSettings:
         Largest swap loss that counts as full modularity.
     exhaustive : bool
         Whether all sets of local numbers are tried in the order of their size, in place of growing one.
+    largest : int, optional
+        Size up to which a set grows; by default until only one number is left.
     local : tuple of frozenset of str, or None
         Sets of local numbers to look at in place of searching for one.
     """
@@ -42,6 +44,7 @@ class SwapSettings:
     seed: int = 0
     full: float = FULL
     exhaustive: bool = False
+    largest: int | None = None
     local: tuple[frozenset[str], ...] | None = None
 
 
@@ -245,10 +248,11 @@ def _growing(going: _Search, order: list[str]) -> Iterator[frozenset[str]]:
     """Yield sets to try: single numbers, then groups of the structure, then the best so far with one number more, each in its rank."""
     groups = groups_of(going.fleet, tuple(order))
     held: frozenset[str] = frozenset()
-    while len(held) < len(order) - 1:
+    largest = going.settings.largest
+    while len(held) < (len(order) - 1 if largest is None else min(largest, len(order) - 1)):
         size = len(held) + 1
         yield from (held | {name} for name in order if name not in held)
-        yield from (names for names in groups.values() if len(names) == size + 1)
+        if largest is None or size < largest:
+            yield from (names for names in groups.values() if len(names) == size + 1)
         tried = [design for _, design in going.designs if len(design.local) == size]
         held = min(tried, key=going.loss).local
-

@@ -74,8 +74,8 @@ def variants_of(machine: Machine, controller: Controller, swaps: Mapping[str, Se
     found = []
     for picked in product(*choices):
         made = machine
-        for name, _, other in picked:
-            made = made if other is None else made.swapped(name, other)
+        for name, _, module in picked:
+            made = made if module is None else made.swapped(name, module)
         modules = tuple((name, called) for name, called, _ in picked)
         found.append(Variant(", ".join(f"{name} = {called}" for name, called in modules), made, modules))
     for variant in found:

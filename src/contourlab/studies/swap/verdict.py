@@ -42,8 +42,8 @@ def search_words(study: SwapStudy) -> Iterator[str]:
     fleet, settings = study.fleet, study.settings
     scale, shown = 1e6, {"m*s": "um s", "m": "um"}[OBJECTIVES[fleet.objective][0]]
     yield (
-        f"swap loss = max over variants of (J - J*)/max(J*, J_tol), J = {fleet.objective.replace('_', ' ')}, J_tol = {fleet.floor * scale:g} "
-        f"{shown}; J* = best value of any search of this run"
+        f"swap loss = max over variants of (J - J*)/max(J*, J_tol), J = {fleet.objective.replace('_', ' ')}, "
+        f"J_tol = {fleet.floor * scale:g} {shown}; J* = best value of any search of this run"
     )
     guards = fleet.guards
     yield (
@@ -53,13 +53,16 @@ def search_words(study: SwapStudy) -> Iterator[str]:
     for name, why in {name: why for keeper in fleet.keepers for name, why in keeper.unknown.items()}.items():
         yield f"margins of axis {name} were not looked at: {why}"
     yield (
-        f"{fleet.runs} runs; {settings.budget} candidates a search from {len(study.owns[0].per_start)} starts, seed {settings.seed}; shared "
-        "designs make the largest loss small, and among equals the mean"
+        f"{fleet.runs} runs; {settings.budget} candidates a search (half for a set of local numbers) from {len(study.owns[0].per_start)} "
+        f"starts, seed {settings.seed}; shared designs make the largest loss small, and among equals the mean"
     )
     for variant, own in zip(fleet.variants, study.owns, strict=True):
         good = own.per_start[np.isfinite(own.per_start)] * scale
         span = f"{good.min():.3g} to {good.max():.3g} {shown}" if good.size else "nothing"
         yield f"{variant.name}: its starts came to {span}, then {own.value * scale:.3g} {shown} around the best of them"
+    each = study.base.design.per_start
+    came = ", ".join(f"{100.0 * loss:.3g}" if math.isfinite(loss) else "none that holds" for loss in each)
+    yield f"nothing local: its starts came to losses of {came} %, then {_percent(study.base.loss)}"
 
 
 def on_bounds(study: SwapStudy, choice: Choice) -> list[str]:

@@ -1,0 +1,105 @@
+"""``contourlab swap`` as typed."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+import pytest
+
+from contourlab.cli.main import main
+from contourlab.scenario.load import load_controller, load_machine
+
+SCENARIO = """\
+name = "circle"
+machine = "stage.toml"
+[controller.axes."*".controller]
+kind = "position"
+velocity_gain = "0.06 full_scale*s/mm"
+position_gain = "3 full_scale/mm"
+integral_gain = "10 1/s"
+model_gain = "1050 mm/s^2/full_scale"
+[contour]
+name = "circle"
+radius = "10 mm"
+[feed]
+law = "uniform"
+frequency = "1 Hz"
+laps = 2
+[run]
+start = "moving"
+"""
+STAGE = """\
+[machine]
+name = "stage"
+servo_period = "1 ms"
+axes = ["x", "y"]
+[axes]
+x.file = "plain.toml"
+y.file = "plain.toml"
+"""
+PLAIN = '[plant]\nkind = "rigid-axis"\ngain = "1000 mm/s^2/full_scale"\n[drive]\nkind = "saturation"\nlimit = "1 full_scale"\n'
+WORDS = ["--parameter", "model_gain=300 mm/s^2/full_scale..4000 mm/s^2/full_scale", "--budget", "400"]
+
+
+@pytest.fixture
+def typed(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    monkeypatch.chdir(tmp_path)
+    files = {"circle.toml": SCENARIO, "stage.toml": STAGE, "plain.toml": PLAIN, "strong.toml": PLAIN.replace("1000", "2000")}
+    files["ampere.toml"] = '[plant]\nkind = "mass-damper"\nmass = "1 kg"\ndamping = "1 N*s/m"\nforce_constant = "1 N/A"\n'
+    for name, text in files.items():
+        (tmp_path / name).write_text(text)
+    return tmp_path
+
+
+def test_one_local_number_restores_what_a_stronger_axis_takes(typed: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["swap", "circle.toml", "--axis", "x", "--with", "strong.toml", *WORDS, "--linear", "direct"]) == 0
+    said = capsys.readouterr().out
+    assert "modular with 1 local number: x.model_gain" in said and "gain margin 6 dB" in said and "linear, axis x, raw drive" in said
+    results = typed / "results"
+    assert (results / "plots" / "swap.png").stat().st_size > 10_000
+    found = json.loads((results / "summary.json").read_text())
+    assert found["local"] == ["controller.axes.x.controller.model_gain"] and not found["full_modularity"] and found["restorable"]
+    assert set(found["variants"]) == {"x = as it is", "x = strong"}
+    # What was recommended can be read again, and says what moves with the axis.
+    files = sorted((results / "controllers").glob("*.toml"))
+    machine = load_machine(typed / "stage.toml")
+    gains = [load_controller(file, machine).axes["x"].controller.values()["model_gain"] for file in files]
+    assert gains[0] < 1.3 < 1.7 < gains[1]
+    assert all(load_controller(file, machine).axes["x"].local for file in files)
+
+
+def test_json_alone_and_exit_code_of_what_cannot_be_restored(typed: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    words = ["--parameter", "y.model_gain", "--width", "1.01", "--budget", "200", "--floor", "0.0001 um*s", "--plots", "svg"]
+    code = main(["swap", "circle.toml", "--axis", "x", "--with", "strong.toml", *words, "--json"])
+    found = json.loads(capsys.readouterr().out)
+    assert found["floor"] == pytest.approx(1e-10)
+    # Each variant is judged against its own best: with the numbers of x fixed, that is nothing worse than what is shared.
+    assert code == (0 if found["restorable"] else 1)
+    assert (typed / "results" / "plots" / "swap.svg").exists()
+
+
+@pytest.mark.parametrize(
+    ("words", "said"),
+    [
+        (["--axis", "z", "--with", "strong.toml"], "one of x, y"),
+        (["--axis", "x", "--with", "missing.toml"], "missing.toml"),
+        (["--axis", "x", "--with", "ampere.toml"], "takes its command in full_scale"),
+        (["--axis", "x", "--with", ""], "names of axis files"),
+        (["--axis", "x", "--axis", "y", "--with", "strong.toml"], "as many as --with"),
+        (["--axis", "x", "--with", "strong.toml", "--floor", "2 kg"], "2 um*s"),
+        (["--axis", "x", "--with", "strong.toml", "--objective", "beauty"], "contour_error_rms"),
+        (["--axis", "x", "--with", "strong.toml", "--local", "y.model_gain"], "a number of a swapped axis"),
+        (["--axis", "x", "--with", "strong.toml", "--region", "model_gain"], "numbers of the machine"),
+        (["--axis", "x", "--with", "strong.toml", "--linear", "magic"], "three-step"),
+        (["--axis", "x", "--with", "strong.toml", "--budget", "1"], "100 or more"),
+        (["--axis", "x", "--with", "strong.toml", "--parameter", "x.plant.gain"], "a number of the controller"),
+    ],
+)
+def test_what_cannot_be_asked_is_refused_before_anything_runs(
+    typed: Path, capsys: pytest.CaptureFixture[str], words: list[str], said: str
+) -> None:
+    assert main(["swap", "circle.toml", *words]) == 2
+    told = capsys.readouterr().err
+    assert said in told and "Traceback" not in told
+    assert not (typed / "results").exists()

@@ -1,0 +1,59 @@
+"""Margins of many loops at once, against the exact ones of each."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from contourlab.analysis.loop_lanes import lane_loops, margin_factors, unstable_by
+from contourlab.analysis.sampled_loop import sampled_loop
+from contourlab.components.drive.delayed_saturation import DelayedSaturation
+from contourlab.studies.reproduce.ghaffari_setup import TABLE_3, Reading, controller, machine
+from contourlab.studies.space import Space
+from contourlab.studies.space.guards import Guard, Guards
+from contourlab.studies.swap.numbers import controller_with
+
+N = 40
+
+
+def candidates(delay: float = 0.0) -> tuple:
+    reading = Reading()
+    stage, made = machine(2, reading), controller(2, TABLE_3, reading)
+    if delay:
+        axes = tuple(replace(a, drive=DelayedSaturation(delay=delay)) if a.name == "2" else a for a in stage.axes)
+        stage = replace(stage, axes=axes)
+    space = Space.chosen(stage, made)
+    points = np.random.default_rng(3).uniform(0.1, 0.8, (N, len(space.numbers)))
+    return stage, made, space.columns(points)
+
+
+@pytest.mark.parametrize("delay", [0.0, 2e-3])
+def test_lanes_agree_with_the_margins_of_each_loop(delay: float) -> None:
+    stage, made, columns = candidates(delay)
+    mine = {name: values for name, values in columns.items() if ".axes.2." in name}
+    loops = lane_loops(stage.axis("2"), made.axes["2"], stage.servo_period, 0.0, mine)
+    guards = Guards(1.5, math.radians(25.0))
+    kept = unstable_by(loops, margin_factors(guards.gain_margin, guards.phase_margin)) < 0.0
+    radius = loops.radius(1.0)
+    for i in range(N):
+        one = controller_with(made, {name: float(values[i]) for name, values in mine.items()})
+        exact = sampled_loop(stage.axis("2"), one.axes["2"], stage.servo_period)
+        assert radius[i] == pytest.approx(np.abs(exact.poles).max(), abs=1e-6)
+        assert kept[i] == guards.met(exact.margins())
+    assert 0 < kept.sum() < N
+
+
+def test_a_guard_asks_all_axes_and_remembers() -> None:
+    stage, made, columns = candidates()
+    guard, known = Guard(stage, made, Guards(1.5, math.radians(25.0))), {}
+    excess = guard.excess(columns, known)
+    assert not guard.unknown and len(known) == 2
+    assert np.array_equal(guard.excess(columns, known), excess)
+    assert np.array_equal(guard.excess({name: values[5:6] for name, values in columns.items()}), excess[5:6])
+    for i in range(0, N, 8):
+        one = controller_with(made, {name: float(values[i]) for name, values in columns.items()})
+        met = [guard.guards.met(sampled_loop(axis, one.axes[axis.name], stage.servo_period).margins()) for axis in stage.axes]
+        assert all(met) == (excess[i] < 0.0)

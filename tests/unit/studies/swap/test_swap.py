@@ -1,0 +1,190 @@
+"""Swapping: what a loss is, and cases whose answer is known."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from contourlab.components.controller.position import PositionController
+from contourlab.components.friction.none import NoFriction
+from contourlab.components.plant.mass_damper import MassDamper
+from contourlab.components.plant.rigid_axis import RigidAxis
+from contourlab.errors import ParameterError
+from contourlab.feed import uniform
+from contourlab.geometry import contour
+from contourlab.loop import Axis, AxisController, Controller, Limits, Machine
+from contourlab.studies.space import Space
+from contourlab.studies.space.guards import Guards
+from contourlab.studies.swap.coverage import coverage
+from contourlab.studies.swap.design import evaluated
+from contourlab.studies.swap.division import Division
+from contourlab.studies.swap.fleet import Fleet
+from contourlab.studies.swap.loss import losses, swap_loss
+from contourlab.studies.swap.numbers import controller_with, machine_with
+from contourlab.studies.swap.study import SwapSettings, SwapStudy, swap_study
+from contourlab.studies.swap.variants import Variant, variants_of
+from contourlab.studies.swap.verdict import verdict
+
+GAINS = {"velocity_gain": 60.0, "position_gain": 3000.0, "integral_gain": 10.0}
+AHEAD = "controller.axes.x.controller.model_gain"
+
+
+def rigid(name: str, gain: float) -> Axis:
+    """Return an axis without damping, friction or counting: a double integrator."""
+    return Axis(name, RigidAxis(gain=gain, damping=0.0), friction=NoFriction(), limits=Limits(velocity=1.0))
+
+
+def stage(gain: float = 1.0) -> tuple[Machine, Controller]:
+    machine = Machine("stage", (rigid("x", gain), rigid("y", 1.0)), 1e-3)
+    return machine, Controller({n: AxisController(PositionController(**GAINS, model_gain=1.05, model_damping=0.0)) for n in ("x", "y")})
+
+
+def fleet_of(others: list[tuple[str, Axis]], texts: tuple[str, ...] = ("model_gain=0.3 m/s^2/full_scale..4 m/s^2/full_scale",)) -> Fleet:
+    machine, controller = stage()
+    variants = variants_of(machine, controller, {"x": others})
+    circle = uniform(contour("circle", radius=0.01), 1.0, 2, 1e-3)
+    return Fleet(variants, controller, circle, Space.chosen(machine, controller, texts), moving=True, guards=Guards(1.0, 0.0, 1.0))
+
+
+def studied(others: list[tuple[str, Axis]], **settings: object) -> SwapStudy:
+    fleet = fleet_of(others)
+    candidates = tuple(name for name in fleet.space.names if fleet.variants[0].module(name))
+    return swap_study(fleet, candidates, SwapSettings(budget=700, **settings))  # type: ignore[arg-type]
+
+
+def test_loss_is_counted_from_the_larger_of_best_and_floor() -> None:
+    assert losses([3e-6, 12e-6], [1e-6, 10e-6], 2e-6) == pytest.approx([1.0, 0.2])
+    assert swap_loss([3e-6, 12e-6], [1e-6, 10e-6], 2e-6) == pytest.approx(1.0)
+    assert swap_loss([1e-6], [1e-6], 2e-6) == 0.0
+
+
+def test_a_copy_of_the_axis_loses_nothing() -> None:
+    study = studied([("copy", rigid("other", 1.0))])
+    assert [variant.name for variant in study.fleet.variants] == ["x = copy", "x = copy again"]
+    assert study.full and study.base.loss < 1e-3
+    assert study.recommended is not None and study.recommended.effort == 0
+    assert "full modularity" in verdict(study)
+
+
+@pytest.fixture(scope="module")
+def unequal() -> SwapStudy:
+    return studied([("strong", rigid("other", 2.0))])
+
+
+def test_axes_that_differ_in_gain_want_one_local_number(unequal: SwapStudy) -> None:
+    # A rigid frictionless axis under eq (15) follows exactly when a' is its own gain, whatever its other gains are: so one local number.
+    study = unequal
+    assert not study.full and study.base.loss > 1.0
+    assert study.recommended is not None
+    assert study.recommended.design.local == {AHEAD}
+    assert study.recommended.loss < 0.03 and "1 local number: x.model_gain" in verdict(study)
+    number = next(n for n in study.fleet.space.numbers if n.name == AHEAD)
+    j = study.fleet.space.names.index(AHEAD)
+    # The held command moves the best a' off the gain of the plant by what half a servo period is of the loop's time.
+    assert number.physical(study.recommended.design.points[:, j]) == pytest.approx([1.0, 2.0], rel=0.05)
+
+
+def test_best_value_counts_every_search(unequal: SwapStudy) -> None:
+    assert (unequal.fleet.best <= [own.value for own in unequal.owns]).all()
+    for choice in unequal.choices:
+        assert (choice.losses >= 0.0).all()
+
+
+def test_more_local_numbers_never_lose_more(unequal: SwapStudy) -> None:
+    for less in unequal.choices:
+        for more in unequal.choices:
+            if less.design.local <= more.design.local:
+                assert more.loss <= less.loss
+
+
+def test_diagonal_of_the_crossed_designs_is_the_best(unequal: SwapStudy) -> None:
+    assert np.diag(unequal.crossed) == pytest.approx(unequal.fleet.best, rel=1e-12)
+
+
+def test_same_study_on_any_number_of_threads() -> None:
+    found = []
+    for threads in (1, 2):
+        fleet = replace(fleet_of([("strong", rigid("other", 2.0))]), threads=threads)
+        study = swap_study(fleet, (AHEAD,), SwapSettings(budget=300))
+        found.append([choice.design.values.tolist() for choice in study.choices])
+    assert found[0] == found[1]
+
+
+def test_chosen_sets_are_looked_at_in_place_of_a_search() -> None:
+    study = studied([("strong", rigid("other", 2.0))], local=(frozenset({AHEAD}),))
+    assert [choice.effort for choice in study.choices] == [0, 1] and not study.ranking
+
+
+def test_guards_count() -> None:
+    fleet = fleet_of([("strong", rigid("other", 2.0))])
+    strict = replace(fleet, guards=Guards(100.0, 0.0, 1.0))
+    start = np.tile(fleet.space.start, (2, 1))
+    assert np.isfinite(evaluated(fleet, frozenset(), start).values).all()
+    assert not np.isfinite(evaluated(strict, frozenset(), start).values).any()
+    with pytest.raises(ParameterError, match="smaller margins"):
+        swap_study(strict, (), SwapSettings(budget=100))
+
+
+def test_coverage_of_a_region_of_gains() -> None:
+    fleet = fleet_of([("strong", rigid("other", 2.0))])
+    machine, controller = stage()
+    region = Space.chosen(machine, controller, ["axes.x.plant.gain=0.5 m/s^2/full_scale..2 m/s^2/full_scale"])
+    at = fleet.space.points({AHEAD: 1.0, "controller.axes.y.controller.model_gain": 1.0})[0]
+    good = fleet.values(np.tile(at, (2, 1))[:, None])[0][0, 0]
+    over = coverage(fleet, at, region, full=0.03, tolerance=20.0 * good)
+    gains = region.columns(over.points)["axes.x.plant.gain"]
+    # Gains are covered on either side of the one that the feedforward has, without a hole.
+    inside = np.sort(gains)[over.values[np.argsort(gains)] <= over.tolerance]
+    assert 0.0 < over.share < 1.0 and inside.min() < 1.0 < inside.max()
+    assert over.covered == ((gains >= inside.min()) & (gains <= inside.max())).sum()
+    low, high = over.bounds
+    assert low < over.share < high
+    searched = coverage(fleet, at, region, full=0.03, places=2, budget=200)
+    assert len(searched.best) == 2 and (searched.best <= searched.values).all()
+
+
+def test_modules_keep_their_local_numbers_in_any_company() -> None:
+    machine, controller = stage()
+    variants = variants_of(machine, controller, {"x": [("b", rigid("o", 2.0))], "y": [("c", rigid("o", 3.0))]})
+    assert [v.name for v in variants] == ["x = as it is, y = as it is", "x = as it is, y = c", "x = b, y = as it is", "x = b, y = c"]
+    space = Space.chosen(machine, controller, ["model_gain=0.3 m/s^2/full_scale..4 m/s^2/full_scale"])
+    division = Division(space, variants, frozenset({AHEAD}))
+    assert division.size == 3
+    points = division.spread(np.arange(3.0)[None])[:, 0]
+    j = space.names.index(AHEAD)
+    assert points[0, j] == points[1, j] != points[2, j] == points[3, j]
+    assert len(set(points[:, 1 - j])) == 1
+    assert division.gathered(points).tolist() == [0.0, 1.0, 2.0]
+
+
+def test_a_number_of_another_axis_cannot_be_local() -> None:
+    fleet = fleet_of([("strong", rigid("other", 2.0))])
+    with pytest.raises(ParameterError, match="those of other axes are base"):
+        Division(fleet.space, fleet.variants, frozenset({"controller.axes.y.controller.model_gain"}))
+
+
+@pytest.mark.parametrize(
+    ("swaps", "said"),
+    [
+        ({}, "at least one axis to swap"),
+        ({"z": [("b", rigid("o", 2.0))]}, "one of x, y"),
+        ({"x": []}, "take the place of x"),
+        ({"x": [("b", rigid("o", 2.0)), ("b", rigid("o", 3.0))]}, "differ in their names"),
+        ({"x": [("b", Axis("o", MassDamper(mass=1.0, damping=1.0, force_constant=1.0)))]}, "takes its command in full_scale"),
+    ],
+)
+def test_what_cannot_be_swapped_is_refused(swaps: dict[str, list[tuple[str, Axis]]], said: str) -> None:
+    machine, controller = stage()
+    with pytest.raises(ParameterError, match=said):
+        variants_of(machine, controller, swaps)
+
+
+def test_numbers_are_put_in_their_places() -> None:
+    machine, controller = stage()
+    made = controller_with(controller, {AHEAD: 2.0}, [AHEAD])
+    assert made.axes["x"].controller.values()["model_gain"] == 2.0 and made.axes["x"].local == ("controller.model_gain",)
+    assert made.axes["y"].controller.values()["model_gain"] == 1.05 and made.axes["y"].local == ()
+    assert machine_with(machine, {"axes.x.plant.gain": 3.0}).axis("x").plant.values()["gain"] == 3.0
+    assert isinstance(Variant("a", machine), Variant)
