@@ -93,8 +93,7 @@ def _matrix(place: Axes, one: LossMatrix, limit: float) -> Any:
     at = np.log(limit / low) / np.log(high / low)
     # Blue-green up to the limit, from there over yellow to vermilion: told apart by colour-blind readers too.
     colours = [(0.0, "#8fd3bd"), (at, "#cdeee2"), (at, "#fdf3cf"), (0.5 + 0.5 * at, "#f4b266"), (1.0, "#d9663a")]
-    scale = LinearSegmentedColormap.from_list("loss", colours)
-    scale.set_bad("#c9ced4")
+    scale = LinearSegmentedColormap.from_list("loss", colours).with_extremes(bad="#c9ced4")
     values = np.ma.masked_invalid(np.where(np.isfinite(one.losses), np.clip(one.losses, low, high), np.nan))
     shown = place.imshow(values, cmap=scale, norm=LogNorm(low, high), aspect="auto")
     place.set_title(one.title, loc="left", fontsize=8.5, color=INK)

@@ -18,7 +18,7 @@ __all__ = ["staged"]
 KEPT = "learned/*.nc"
 """What is no report but a product: each replaces an older one of its own name only."""
 _PLOTS = ("plots/*.png", "plots/*.svg", "plots/*.pdf")
-OURS = ("report.html", "signals/*.nc", "switches/*.csv", KEPT, "controllers/*.toml", *_PLOTS, "summary.json")
+OURS = ("report.html", "signals/*.nc", "switches/*.csv", KEPT, "controllers/*.toml", *_PLOTS, "swap.json", "summary.json")
 """What a run writes; the summary comes last, so that where it is the rest is complete."""
 
 

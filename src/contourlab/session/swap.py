@@ -257,7 +257,7 @@ def _written(
             write_text_atomic(folder / "controllers" / f"{names[variant.name]}.toml", head + dump(made, variant.machine))
             lines.append(f"controller for {variant.name}: {out / 'controllers' / f'{names[variant.name]}.toml'}")
     summary = summary_of(study, over, linear)
-    write_text_atomic(folder / "summary.json", json.dumps(_strict(summary), indent=2, allow_nan=False) + "\n")
+    write_text_atomic(folder / "swap.json", json.dumps(_strict(summary), indent=2, allow_nan=False) + "\n")
     return RunOutcome(best is not None, summary, "\n".join(lines))
 
 

@@ -87,7 +87,7 @@ class Fleet:
         """Runs that were made so far."""
         return sum(evaluator.runs for evaluator in self.evaluators)
 
-    def values(self, points: Array, only: Sequence[int] | None = None) -> tuple[Array, Array]:
+    def values(self, points: Array, only: Sequence[int] | None = None, *, whole: bool = False) -> tuple[Array, Array]:
         """Return J and by how much a guard is broken (0 where none is) of points for each variant.
 
         Parameters
@@ -95,28 +95,36 @@ class Fleet:
         points : ndarray (n_variant, n, n_number)
             Of the variants in `only`, or of all.
         only : sequence of int, optional
+        whole : bool
+            Whether points that break a margin are run, too: a search has no use for their J.
 
         Returns
         -------
         values, broken : ndarray (n_variant, n)
-            J is infinite where the run failed.
+            J is infinite where the run failed, or was not made.
         """
         which = range(self.n_variant) if only is None else only
         known: dict[tuple[object, ...], Array] = {}
-        values, broken = [], []
-        for mine, i in zip(points, which, strict=True):
-            columns = self.space.columns(mine)
-            excess = np.broadcast_to(self.keepers[i].excess(columns, known), len(mine))
-            figures = self.evaluators[i](columns)
-            found = np.where(np.isfinite(figures[self.objective]), figures[self.objective], np.inf)
-            limited = np.nan_to_num(self.keepers[i].limited(figures), nan=1.0)
-            good = holds(excess, limited) & np.isfinite(found)
-            self._remember(i, mine, np.where(good, found, np.inf))
-            values.append(found)
-            broken.append(np.where(good, 0.0, np.clip(excess, 0.0, 10.0) + np.maximum(limited, 0.0) + 10.0 * ~np.isfinite(found) + 1e-9))
-            if self.progress is not None:
-                self.progress(self.runs)
-        return np.array(values), np.array(broken)
+        both = [self._values_of(i, mine, known, whole) for mine, i in zip(points, which, strict=True)]
+        return np.array([values for values, _ in both]), np.array([broken for _, broken in both])
+
+    def _values_of(self, i: int, points: Array, known: dict[tuple[object, ...], Array], whole: bool) -> tuple[Array, Array]:
+        columns = self.space.columns(points)
+        excess = np.broadcast_to(self.keepers[i].excess(columns, known), len(points))
+        run = np.full(len(points), True) if whole else excess < 0.0
+        values, limited = np.full(len(points), np.inf), np.zeros(len(points))
+        if run.any():
+            figures = self.evaluators[i]({name: column[run] for name, column in columns.items()})
+            found = figures[self.objective]
+            values[run] = np.where(np.isfinite(found), found, np.inf)
+            limited[run] = np.nan_to_num(self.keepers[i].limited(figures), nan=1.0)
+        good = holds(excess, limited) & np.isfinite(values)
+        self._remember(i, points, np.where(good, values, np.inf))
+        if self.progress is not None:
+            self.progress(self.runs)
+        # What runs away is worse than what breaks a margin, and that than a drive at its limit.
+        failed = 10.0 * (run & ~np.isfinite(values))
+        return values, np.where(good, 0.0, np.clip(excess, 0.0, 10.0) + np.maximum(limited, 0.0) + failed + 1e-9)
 
     def _remember(self, i: int, points: Array, values: Array) -> None:
         at = int(np.argmin(values))

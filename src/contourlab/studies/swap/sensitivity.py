@@ -55,7 +55,7 @@ def ranked(fleet: Fleet, names: tuple[str, ...]) -> list[Ranked]:
         at = space.values(point)
         changed = [{**at, name: at[name] * factor} for name in names for factor in (1.0 - STEP, 1.0 + STEP)]
         rows.append(np.vstack([point, *(space.points(one) for one in changed)]))
-    values, _ = fleet.values(np.array(rows))
+    values, _ = fleet.values(np.array(rows), whole=True)
     centre = values[:, :1]
     moved = np.abs(values[:, 1:] - centre).reshape(fleet.n_variant, len(names), 2).mean(axis=2)
     moved = np.where(np.isfinite(moved), moved, 0.0)

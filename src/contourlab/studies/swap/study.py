@@ -205,7 +205,7 @@ def swap_study(fleet: Fleet, candidates: tuple[str, ...], settings: SwapSettings
     """
     going = _Search(fleet, settings, stage)
     start = np.tile(fleet.space.start, (fleet.n_variant, 1))
-    values, broken = fleet.values(start[:, None])
+    values, broken = fleet.values(start[:, None], whole=True)
     owns = going.own()
     base = going.look("none", ())
     order: tuple[Ranked, ...] = ()

@@ -132,7 +132,7 @@ def test_coverage_of_a_region_of_gains() -> None:
     machine, controller = stage()
     region = Space.chosen(machine, controller, ["axes.x.plant.gain=0.5 m/s^2/full_scale..2 m/s^2/full_scale"])
     at = fleet.space.points({AHEAD: 1.0, "controller.axes.y.controller.model_gain": 1.0})[0]
-    good = fleet.values(np.tile(at, (2, 1))[:, None])[0][0, 0]
+    good = fleet.values(np.tile(at, (2, 1))[:, None], whole=True)[0][0, 0]
     over = coverage(fleet, at, region, full=0.03, tolerance=20.0 * good)
     gains = region.columns(over.points)["axes.x.plant.gain"]
     # Gains are covered on either side of the one that the feedforward has, without a hole.
