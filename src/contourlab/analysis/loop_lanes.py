@@ -140,7 +140,8 @@ def _probed(schedule: Schedule, lanes: slice) -> tuple[Array, Array]:
 def _moving(a: Array, b: Array, c: Array) -> NDArray[np.int64]:
     """Return which entries are part of the loop: those that are read, and that something moves, in any variant."""
     moved = np.asarray((a != np.eye(a.shape[1])).any(axis=0))
-    entered, read = np.asarray((b != 0.0).any(axis=(0, 2))), c.any(axis=0)
+    entered: NDArray[np.bool_] = np.asarray((b != 0.0).any(axis=(0, 2)))
+    read: NDArray[np.bool_] = np.asarray(c.any(axis=0))
     kept = np.flatnonzero((moved.any(axis=1) | entered) & (moved.any(axis=0) | read))
     while True:
         part = np.asarray((a[:, kept][:, :, kept] != 0.0).any(axis=0))

@@ -135,7 +135,7 @@ def _prepared(
         if name not in machine.axis_names:
             raise ParameterError("--axis", repr(name), f"one of {', '.join(machine.axis_names)}, the axes of {machine.name}")
     loaded = {name: [(_called(other), _axis(other, name, options.plugins)) for other in others] for name, others in swaps}
-    variants = variants_of(machine, controller, loaded)
+    variants = variants_of(machine, loaded)
     unit, default = OBJECTIVES.get(options.objective, ("", 0.0))
     if not unit:
         raise ParameterError("--objective", repr(options.objective), "one of " + ", ".join(OBJECTIVES))

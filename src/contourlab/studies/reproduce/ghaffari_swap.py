@@ -26,7 +26,7 @@ def swap_of(observer: bool, settings: SwapSettings | None = None) -> SwapStudy:
     """Return the study of axis 1 against axis 2 on the paper's circle, from Table III."""
     reading = Reading(observer=observer)
     stage, made = machine(1, reading), controller(1, TABLE_3, reading)
-    variants = variants_of(stage, made, {"1": [("axis2", replace(axis(2, reading), name="1"))]})
+    variants = variants_of(stage, {"1": [("axis2", replace(axis(2, reading), name="1"))]})
     circle = uniform(contour("circle", radius=0.02), 0.5, 2, reading.servo_period)
     fleet = Fleet(variants, made, circle, Space.chosen(stage, made))
     candidates = tuple(name for name in fleet.space.names if variants[0].module(name))

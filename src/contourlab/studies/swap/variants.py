@@ -7,10 +7,10 @@ from dataclasses import dataclass
 from itertools import product
 
 from contourlab.errors import ParameterError
-from contourlab.loop import Axis, Machine, parameter_names
-from contourlab.loop.machine import AXIS_SLOTS, Controller
+from contourlab.loop import Axis, Machine
+from contourlab.loop.machine import AXIS_SLOTS
 
-__all__ = ["Variant", "local_candidates", "variants_of"]
+__all__ = ["Variant", "variants_of"]
 
 
 @dataclass(frozen=True)
@@ -35,14 +35,12 @@ class Variant:
         return next((called for axis, called in self.modules if name.startswith(f"controller.axes.{axis}.")), "")
 
 
-def variants_of(machine: Machine, controller: Controller, swaps: Mapping[str, Sequence[tuple[str, Axis]]]) -> tuple[Variant, ...]:
+def variants_of(machine: Machine, swaps: Mapping[str, Sequence[tuple[str, Axis]]]) -> tuple[Variant, ...]:
     """Return every combination of axes, the machine's own first.
 
     Parameters
     ----------
     machine : Machine
-    controller : Controller
-        What all of them run under.
     swaps : mapping of str to sequence of (str, Axis)
         For each axis that is swapped the others that take its place, by what they are called.
 
@@ -53,24 +51,7 @@ def variants_of(machine: Machine, controller: Controller, swaps: Mapping[str, Se
     """
     if not swaps:
         raise ParameterError("axis", "none", f"at least one axis to swap, of {', '.join(machine.axis_names)}")
-    choices: list[list[tuple[str, str, Axis | None]]] = []
-    for name, others in swaps.items():
-        if name not in machine.axis_names:
-            raise ParameterError("axis", repr(name), f"one of {', '.join(machine.axis_names)}, the axes of {machine.name}")
-        if not others:
-            raise ParameterError("with", "nothing", f"at least one axis to take the place of {name}")
-        own = machine.axis(name)
-        kept = [(called, other) for called, other in others if not _alike(own, other)]
-        calls = [called for called, _ in kept]
-        if len(set(calls)) != len(calls):
-            raise ParameterError("with", ", ".join(calls), "axes that differ in their names")
-        for called, other in kept:
-            _check_fits(own, other, called)
-        same = next((called for called, other in others if _alike(own, other)), "as it is")
-        choices.append([(name, same, None), *((name, called, other) for called, other in kept)])
-        if not kept:
-            # A copy of the axis is a variant too: what it loses is nothing, and that is worth saying.
-            choices[-1] += [(name, f"{called} again", other) for called, other in others]
+    choices = [_choices(machine, name, others) for name, others in swaps.items()]
     found = []
     for picked in product(*choices):
         made = machine
@@ -78,15 +59,26 @@ def variants_of(machine: Machine, controller: Controller, swaps: Mapping[str, Se
             made = made if module is None else made.swapped(name, module)
         modules = tuple((name, called) for name, called, _ in picked)
         found.append(Variant(", ".join(f"{name} = {called}" for name, called in modules), made, modules))
-    for variant in found:
-        parameter_names(variant.machine, controller)
     return tuple(found)
 
 
-def local_candidates(machine: Machine, controller: Controller, swapped: Sequence[str]) -> tuple[str, ...]:
-    """Return the dotted names that belong to the swapped axes; all others are base in any case."""
-    heads = tuple(f"controller.axes.{name}." for name in swapped)
-    return tuple(name for name in parameter_names(machine, controller) if name.startswith(heads))
+def _choices(machine: Machine, name: str, others: Sequence[tuple[str, Axis]]) -> list[tuple[str, str, Axis | None]]:
+    """Return what may stand in the place of an axis: itself first, by the name of the file that has it, if one does."""
+    if name not in machine.axis_names:
+        raise ParameterError("axis", repr(name), f"one of {', '.join(machine.axis_names)}, the axes of {machine.name}")
+    if not others:
+        raise ParameterError("with", "nothing", f"at least one axis to take the place of {name}")
+    own = machine.axis(name)
+    same = next((called for called, other in others if _alike(own, other)), "as it is")
+    kept = [(called, other) for called, other in others if not _alike(own, other)]
+    # Where there is nothing but copies of the axis, one is a variant too: what it loses is nothing, and that is worth saying.
+    kept = kept or [(f"{called} again", other) for called, other in others]
+    calls = [called for called, _ in kept]
+    if len({same, *calls}) != len(calls) + 1:
+        raise ParameterError("with", ", ".join([same, *calls]), "axes that differ in their names")
+    for called, other in kept:
+        _check_fits(own, other, called)
+    return [(name, same, None), *((name, called, other) for called, other in kept)]
 
 
 def _alike(one: Axis, other: Axis) -> bool:

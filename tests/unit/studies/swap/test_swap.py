@@ -43,7 +43,7 @@ def stage(gain: float = 1.0) -> tuple[Machine, Controller]:
 
 def fleet_of(others: list[tuple[str, Axis]], texts: tuple[str, ...] = ("model_gain=0.3 m/s^2/full_scale..4 m/s^2/full_scale",)) -> Fleet:
     machine, controller = stage()
-    variants = variants_of(machine, controller, {"x": others})
+    variants = variants_of(machine, {"x": others})
     circle = uniform(contour("circle", radius=0.01), 1.0, 2, 1e-3)
     return Fleet(variants, controller, circle, Space.chosen(machine, controller, texts), moving=True, guards=Guards(1.0, 0.0, 1.0))
 
@@ -147,7 +147,7 @@ def test_coverage_of_a_region_of_gains() -> None:
 
 def test_modules_keep_their_local_numbers_in_any_company() -> None:
     machine, controller = stage()
-    variants = variants_of(machine, controller, {"x": [("b", rigid("o", 2.0))], "y": [("c", rigid("o", 3.0))]})
+    variants = variants_of(machine, {"x": [("b", rigid("o", 2.0))], "y": [("c", rigid("o", 3.0))]})
     assert [v.name for v in variants] == ["x = as it is, y = as it is", "x = as it is, y = c", "x = b, y = as it is", "x = b, y = c"]
     space = Space.chosen(machine, controller, ["model_gain=0.3 m/s^2/full_scale..4 m/s^2/full_scale"])
     division = Division(space, variants, frozenset({AHEAD}))
@@ -176,9 +176,9 @@ def test_a_number_of_another_axis_cannot_be_local() -> None:
     ],
 )
 def test_what_cannot_be_swapped_is_refused(swaps: dict[str, list[tuple[str, Axis]]], said: str) -> None:
-    machine, controller = stage()
+    machine, _ = stage()
     with pytest.raises(ParameterError, match=said):
-        variants_of(machine, controller, swaps)
+        variants_of(machine, swaps)
 
 
 def test_numbers_are_put_in_their_places() -> None:
