@@ -113,6 +113,7 @@ def _probed(schedule: Schedule, lanes: slice) -> tuple[Array, Array]:
     sizes = [len(part) for part in parts]
     n, n_input = sum(sizes), rows(schedule.externals)
     borders = np.cumsum([0, *sizes])
+    rings = [ring for ring in group.rings if len(ring)]
 
     def after(state: int, entered: int) -> Array:
         for part in parts:
@@ -125,7 +126,7 @@ def _probed(schedule: Schedule, lanes: slice) -> tuple[Array, Array]:
             given[0, entered] = 1.0
         group.tick = 0
         group.run(given, [])
-        for ring in group.rings:
+        for ring in rings:
             ring[:] = np.roll(ring, -1, axis=0)
         return np.concatenate(parts)
 

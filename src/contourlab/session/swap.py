@@ -227,7 +227,7 @@ def _told(stages: Stages, fleet: Fleet, settings: SwapSettings) -> Any:
 
     def begin(words: str) -> None:
         at["runs"] = fleet.runs
-        at["of"] = settings.budget * (1 if words.startswith("best of") else fleet.n_variant)
+        at["of"] = settings.budget * (1 if words.startswith("best of") else 2 * fleet.n_variant)
         stages.begin(words)
 
     fleet.progress = lambda runs: stages.advance(min(runs - at["runs"], at["of"]), at["of"])

@@ -17,8 +17,13 @@ from contourlab.studies.swap.verdict import verdict
 __all__ = ["swap_of", "swap_rows"]
 
 CASE = "A3-A1 against A3-A2"
-BUDGET, LARGEST = 4000, 2
-"""Candidates a search, and the largest set of local numbers that is grown: what fits into a reproduction."""
+BUDGET = 4000
+"""Candidates a search: what fits into a reproduction."""
+LOCAL = {
+    True: (("velocity_gain",), ("velocity_gain", "position_gain")),
+    False: (("model_gain",), ("model_gain", "model_damping")),
+}
+"""Sets that `contourlab swap` came to when it let them grow among all numbers of axis 1, with the observer and without; looked at again."""
 _MICRO = 1e6
 
 
@@ -30,7 +35,9 @@ def swap_of(observer: bool, settings: SwapSettings | None = None) -> SwapStudy:
     circle = uniform(contour("circle", radius=0.02), 0.5, 2, reading.servo_period)
     fleet = Fleet(variants, made, circle, Space.chosen(stage, made))
     candidates = tuple(name for name in fleet.space.names if variants[0].module(name))
-    return swap_study(fleet, candidates, settings or SwapSettings(budget=BUDGET, largest=LARGEST))
+    head = "controller.axes.1.controller."
+    sets = (*(frozenset(head + name for name in names) for names in LOCAL[observer]), frozenset(candidates))
+    return swap_study(fleet, candidates, settings or SwapSettings(budget=BUDGET, local=sets))
 
 
 def swap_rows() -> list[Row]:

@@ -25,7 +25,11 @@ def verdict(study: SwapStudy) -> str:
         least = min(study.choices, key=lambda choice: choice.loss)
         found = f"the least is {_percent(least.loss)}, with {least.name} local" if least.effort else _percent(least.loss)
         return f"not modular: no choice of local numbers that was tried brings the swap loss under {limit}; {found}"
-    how = "all sets of that size were tried" if study.settings.exhaustive else "found by growing one set, not by trying all"
+    how = "found by growing one set, not by trying all"
+    if study.settings.exhaustive:
+        how = "all smaller sets were tried"
+    elif study.settings.local is not None:
+        how = "of the sets that were asked for"
     several = "s" if best.effort > 1 else ""
     return (
         f"modular with {best.effort} local number{several}: {_listed(study, best)}; swap loss {_percent(best.loss)} in place of "
@@ -53,8 +57,8 @@ def search_words(study: SwapStudy) -> Iterator[str]:
     for name, why in {name: why for keeper in fleet.keepers for name, why in keeper.unknown.items()}.items():
         yield f"margins of axis {name} were not looked at: {why}"
     yield (
-        f"{fleet.runs} runs; {settings.budget} candidates a search (half for a set of local numbers) from {len(study.owns[0].per_start)} "
-        f"starts, seed {settings.seed}; shared designs make the largest loss small, and among equals the mean"
+        f"{fleet.runs} runs; {settings.budget} candidates a search (twice for the shared design, half for a set that grows) from "
+        f"{len(study.owns[0].per_start)} starts, seed {settings.seed}; shared designs make the largest loss small, then the mean"
     )
     for variant, own in zip(fleet.variants, study.owns, strict=True):
         good = own.per_start[np.isfinite(own.per_start)] * scale
