@@ -57,7 +57,10 @@ def swap_rows() -> list[Row]:
             found.append(printed("local parameters needed with observer", CASE, 0.0, needed, "", 0.0, told, reason=f"{said}: {told}"))
         else:
             found.append(ours("local parameters needed without observer", CASE, needed, "", told))
-        found.append(ours(f"swap loss {words}", CASE, study.base.loss, "", "of 1; nothing local, the controller shared"))
+        note = "of 1; nothing local, the controller shared" + (
+            "; falls to 0.054 with 48 000 candidates in place of 8000" if observer else ""
+        )
+        found.append(ours(f"swap loss {words}", CASE, study.base.loss, "", note))
         found.append(ours(f"swap loss {words}, all of the axis local", CASE, study.choices[-1].loss, "", "of 1"))
         given = study.given.design.values * _MICRO
         note = f"of 1; {given[0]:.4g} and {given[1]:.4g} um s: nearly equal, and both far from the best of a model without noise"
