@@ -17,13 +17,8 @@ from contourlab.studies.swap.verdict import verdict
 __all__ = ["swap_of", "swap_rows"]
 
 CASE = "A3-A1 against A3-A2"
-BUDGET = 4000
-"""Candidates a search: what fits into a reproduction."""
-LOCAL = {
-    True: (("velocity_gain",), ("velocity_gain", "position_gain")),
-    False: (("model_gain",), ("model_gain", "model_damping")),
-}
-"""Sets that `contourlab swap` came to when it let them grow among all numbers of axis 1, with the observer and without; looked at again."""
+ALONE = (("model_gain",), ("model_gain", "model_damping"))
+"""Without the observer: sets that `contourlab swap` came to when it let them grow among all numbers of axis 1; looked at again here."""
 _MICRO = 1e6
 
 
@@ -36,8 +31,8 @@ def swap_of(observer: bool, settings: SwapSettings | None = None) -> SwapStudy:
     fleet = Fleet(variants, made, circle, Space.chosen(stage, made))
     candidates = tuple(name for name in fleet.space.names if variants[0].module(name))
     head = "controller.axes.1.controller."
-    sets = (*(frozenset(head + name for name in names) for names in LOCAL[observer]), frozenset(candidates))
-    return swap_study(fleet, candidates, settings or SwapSettings(budget=BUDGET, local=sets))
+    sets = None if observer else (*(frozenset(head + name for name in names) for names in ALONE), frozenset(candidates))
+    return swap_study(fleet, candidates, settings or SwapSettings(local=sets, largest=1))
 
 
 def swap_rows() -> list[Row]:
