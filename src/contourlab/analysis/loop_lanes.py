@@ -13,17 +13,13 @@ from collections.abc import Mapping, Sequence
 import numpy as np
 from numpy.typing import NDArray
 
-from contourlab.analysis.sampled_loop import INPUTS, opened_schedule
-from contourlab.engine.runner import make_group
-from contourlab.engine.schedule import Schedule
-from contourlab.engine.step import rows
+from contourlab.analysis.lane_maps import opened_lanes
+from contourlab.analysis.sampled_loop import INPUTS
 from contourlab.loop.machine import Axis, AxisController
-from contourlab.loop.simulate import jit_enabled
 
 __all__ = ["LaneLoops", "lane_loops", "margin_factors", "unstable_by"]
 
 Array = NDArray[np.float64]
-LANES = 32
 
 
 class LaneLoops:
@@ -85,17 +81,15 @@ def lane_loops(
     axis, controller, servo_period, carried_mass
         As of `contourlab.analysis.sampled_loop.sampled_loop`.
     overrides : mapping of str to ndarray (n_variant,)
-        Numbers of this axis' controller, by their dotted names.
+        Values [SI] by dotted names; those that have no part in the loop of this axis are passed over.
 
     Raises
     ------
     ComponentError
-        If a delay is too long. That the steps are linear is for `sampled_loop` to see: ask it once beforehand.
+        If a step is not linear, or a delay is longer than its analysis takes.
     """
-    schedule = opened_schedule(axis, controller, servo_period, carried_mass, overrides)
-    n = len(next(iter(overrides.values())))
-    parts = [_probed(schedule, slice(first, min(first + LANES, n))) for first in range(0, n, LANES)]
-    a, b = (np.concatenate([part[i] for part in parts])[:n] for i in (0, 1))
+    _, _, schedule, a, b = opened_lanes(axis, controller, servo_period, overrides, carried_mass)
+    b = b[:, :, [schedule.row(signal) for signal in INPUTS[:2]]]
     c = np.zeros((2, a.shape[1]))
     base = a.shape[1] - schedule.n_row
     c[0, base + schedule.row(f"{axis.name}.controller.command")] = 1.0
@@ -104,38 +98,6 @@ def lane_loops(
     kept = _moving(a, b, c)
     # What is cut enters at the tick in which it leaves, so a command that nothing of the past moves still has to be kept.
     return LaneLoops(a[:, kept][:, :, kept], b[:, kept], np.broadcast_to(c[:, kept], (len(a), 2, kept.size)))
-
-
-def _probed(schedule: Schedule, lanes: slice) -> tuple[Array, Array]:
-    """Return A (width, n, n) and B (width, n, 2) of a group of lanes, by one tick from each unit."""
-    group = make_group(schedule, LANES, lanes, jit_enabled())
-    parts = [*group.state, *group.rings, group.signals]
-    sizes = [len(part) for part in parts]
-    n, n_input = sum(sizes), rows(schedule.externals)
-    borders = np.cumsum([0, *sizes])
-    rings = [ring for ring in group.rings if len(ring)]
-
-    def after(state: int, entered: int) -> Array:
-        for part in parts:
-            part[:] = 0.0
-        if state >= 0:
-            k = int(np.searchsorted(borders, state, side="right")) - 1
-            parts[k][state - borders[k]] = 1.0
-        given = np.zeros((1, n_input))
-        if entered >= 0:
-            given[0, entered] = 1.0
-        group.tick = 0
-        group.run(given, [])
-        for ring in rings:
-            ring[:] = np.roll(ring, -1, axis=0)
-        return np.concatenate(parts)
-
-    rest = after(-1, -1)
-    # What is fed is written afresh at every tick: those rows leave nothing behind.
-    fed = range(n - len(group.signals), n - len(group.signals) + n_input)
-    a = np.stack([np.zeros_like(rest) if i in fed else after(i, -1) - rest for i in range(n)], axis=1)
-    b = np.stack([after(-1, schedule.row(signal)) - rest for signal in INPUTS[:2]], axis=1)
-    return np.moveaxis(a, 2, 0), np.moveaxis(b, 2, 0)
 
 
 def _moving(a: Array, b: Array, c: Array) -> NDArray[np.int64]:

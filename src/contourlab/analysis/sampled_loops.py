@@ -11,16 +11,11 @@ from collections.abc import Mapping
 import numpy as np
 from numpy.typing import NDArray
 
+from contourlab.analysis.lane_maps import opened_lanes
 from contourlab.analysis.margins import Margins
-from contourlab.analysis.sampled_loop import SampledLoop, bare_axis, loop_of, opened_schedule
+from contourlab.analysis.sampled_loop import SampledLoop, loop_of
 from contourlab.analysis.tick_map import TickMap
-from contourlab.engine.runner import make_group
-from contourlab.engine.schedule import Schedule
-from contourlab.engine.step import rows
-from contourlab.errors import ComponentError
-from contourlab.loop.batch import LANES
-from contourlab.loop.machine import Axis, AxisController, parameter_names
-from contourlab.loop.simulate import jit_enabled
+from contourlab.loop.machine import Axis, AxisController
 
 __all__ = ["rough_margins", "sampled_loops"]
 
@@ -46,55 +41,8 @@ def sampled_loops(
     ComponentError
         If a component is not linear, or a delay is longer than its analysis takes.
     """
-    n = len(next(iter(columns.values())))
-    machine, made = bare_axis(axis, controller, servo_period, carried_mass)
-    known = parameter_names(machine, made)
-    # The estimator of a coupling sees all axes; the loop of one axis has none.
-    mine = {name: np.asarray(values, dtype=float) for name, values in columns.items() if name in known}
-    schedule = opened_schedule(machine, made, mine)
-    found: list[SampledLoop] = []
-    for first in range(0, n, LANES):
-        a, b = _maps(schedule, first)
-        found += [loop_of(machine, made, TickMap(a[..., i], b[..., i], schedule)) for i in range(min(LANES, n - first))]
-    return found
-
-
-def _maps(schedule: Schedule, first: int) -> tuple[Array, Array]:
-    """Return A (n, n, lane) and B (n, n_external, lane) of a group of variants."""
-    group = make_group(schedule, LANES, slice(first, first + LANES), jit_enabled())
-    parts = [*group.state, *group.rings, group.signals]
-    n_input, size = rows(schedule.externals), sum(len(part) for part in parts)
-
-    def after(state: Array, inputs: Array) -> Array:
-        start = 0
-        for part in parts:
-            part[:] = state[start : start + len(part), None]
-            start += len(part)
-        group.tick = 0
-        group.run(inputs[None, :], [])
-        for ring in group.rings:
-            ring[:] = np.roll(ring, -1, axis=0)
-        return np.concatenate(parts)
-
-    at_rest = after(np.zeros(size), np.zeros(n_input))
-
-    def probe(state: Array, inputs: Array) -> Array:
-        return after(state, inputs) - at_rest
-
-    none, nothing = np.zeros(n_input), np.zeros(size)
-    a = np.stack([probe(unit, none) for unit in np.eye(size)], axis=1)
-    b = np.stack([probe(nothing, unit) for unit in np.eye(n_input)], axis=1)
-    _check_linear(probe, a, b)
-    return a, b
-
-
-def _check_linear(probe: object, a: Array, b: Array) -> None:
-    rng = np.random.default_rng(1)
-    x, u = rng.normal(size=a.shape[1]), rng.normal(size=b.shape[1])
-    told = np.einsum("ijl,j->il", a, x) + np.einsum("ijl,j->il", b, u)
-    scale = np.einsum("ijl,j->il", np.abs(a), np.abs(x)) + np.einsum("ijl,j->il", np.abs(b), np.abs(u))
-    if not (np.abs(probe(x, u) - told) <= 1e-9 * scale).all():  # type: ignore[operator]
-        raise ComponentError("a part of the loop is not linear, so it has no frequency response")
+    machine, made, schedule, a, b = opened_lanes(axis, controller, servo_period, columns, carried_mass)
+    return [loop_of(machine, made, TickMap(mine, entered, schedule)) for mine, entered in zip(a, b, strict=True)]
 
 
 def rough_margins(loop: SampledLoop) -> Margins:

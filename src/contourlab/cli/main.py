@@ -32,8 +32,8 @@ from contourlab.cli.commands.refine import refine
 from contourlab.cli.commands.reproduce import reproduce
 from contourlab.cli.commands.run import run as run_command
 from contourlab.cli.commands.sensitivity import sensitivity
-from contourlab.cli.commands.tune import tune
 from contourlab.cli.commands.swap import swap
+from contourlab.cli.commands.tune import tune
 from contourlab.cli.output import say, silence
 from contourlab.errors import ContourlabError
 

@@ -16,7 +16,7 @@ from contourlab.session.folder import staged
 from contourlab.session.run import RunOutcome, check_plots, file_names
 from contourlab.session.stages import Stages, shown
 from contourlab.studies.space import Space
-from contourlab.studies.space.guards import Guards
+from contourlab.studies.space.bounds import Bounds
 from contourlab.studies.swap.coverage import Coverage, coverage
 from contourlab.studies.swap.fleet import OBJECTIVES, Fleet
 from contourlab.studies.swap.linear import METHODS, LinearSwap, linear_swap
@@ -146,7 +146,7 @@ def _prepared(
         Space.chosen(machine, controller, options.parameters, options.width),
         objective=options.objective,
         floor=_quantity("--floor", options.floor, unit, default),
-        guards=_guards(options),
+        bounds=Bounds(options.gain_margin, options.phase_margin),
         moving=case.moving,
         seed=case.seed,
         threads=options.threads,
@@ -169,10 +169,6 @@ def _methods(methods: Sequence[str]) -> None:
     for method in methods:
         if method not in METHODS:
             raise ParameterError("--linear", repr(method), "one of " + ", ".join(METHODS))
-
-
-def _guards(options: SwapOptions) -> Guards:
-    return Guards(10.0 ** (options.gain_margin / 20.0), math.radians(options.phase_margin))
 
 
 def _axis(file: str, name: str, plugins: Sequence[str | Path]) -> Axis:

@@ -129,9 +129,9 @@ def summary_of(study: SwapStudy, over: Coverage | None, linear: Sequence[LinearS
         "objective": fleet.objective,
         "floor": fleet.floor,
         "guards": {
-            "gain_margin": fleet.guards.gain_margin,
-            "phase_margin": fleet.guards.phase_margin,
-            "limited_share": fleet.guards.limited_share,
+            "gain_margin": fleet.bounds.gain_margin,
+            "phase_margin": fleet.bounds.phase_margin,
+            "limited_share": fleet.bounds.limited_share,
         },
         "search": {"budget": settings.budget, "seed": settings.seed, "runs": fleet.runs, "exhaustive": settings.exhaustive},
         "bounds": numbers,

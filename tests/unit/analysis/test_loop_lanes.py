@@ -13,10 +13,12 @@ from contourlab.analysis.sampled_loop import sampled_loop
 from contourlab.components.drive.delayed_saturation import DelayedSaturation
 from contourlab.studies.reproduce.ghaffari_setup import TABLE_3, Reading, controller, machine
 from contourlab.studies.space import Space
-from contourlab.studies.space.guards import Guard, Guards
+from contourlab.studies.space.bounds import Bounds
+from contourlab.studies.swap.guard import Guard
 from contourlab.studies.swap.numbers import controller_with
 
 N = 40
+GAIN = 20.0 * math.log10(1.5)
 
 
 def candidates(delay: float = 0.0) -> tuple:
@@ -35,25 +37,25 @@ def test_lanes_agree_with_the_margins_of_each_loop(delay: float) -> None:
     stage, made, columns = candidates(delay)
     mine = {name: values for name, values in columns.items() if ".axes.2." in name}
     loops = lane_loops(stage.axis("2"), made.axes["2"], stage.servo_period, 0.0, mine)
-    guards = Guards(1.5, math.radians(25.0))
-    kept = unstable_by(loops, margin_factors(guards.gain_margin, guards.phase_margin)) < 0.0
+    bounds = Bounds(GAIN, 25.0)
+    kept = unstable_by(loops, margin_factors(1.5, math.radians(25.0))) < 0.0
     radius = loops.radius(1.0)
     for i in range(N):
         one = controller_with(made, {name: float(values[i]) for name, values in mine.items()})
         exact = sampled_loop(stage.axis("2"), one.axes["2"], stage.servo_period)
         assert radius[i] == pytest.approx(np.abs(exact.poles).max(), abs=1e-6)
-        assert kept[i] == guards.met(exact.margins())
+        assert kept[i] == (not bounds.broken(exact.margins()))
     assert 0 < kept.sum() < N
 
 
 def test_a_guard_asks_all_axes_and_remembers() -> None:
     stage, made, columns = candidates()
-    guard, known = Guard(stage, made, Guards(1.5, math.radians(25.0))), {}
+    guard, known = Guard(stage, made, Bounds(GAIN, 25.0)), {}
     excess = guard.excess(columns, known)
     assert not guard.unknown and len(known) == 2
     assert np.array_equal(guard.excess(columns, known), excess)
     assert np.array_equal(guard.excess({name: values[5:6] for name, values in columns.items()}), excess[5:6])
     for i in range(0, N, 8):
         one = controller_with(made, {name: float(values[i]) for name, values in columns.items()})
-        met = [guard.guards.met(sampled_loop(axis, one.axes[axis.name], stage.servo_period).margins()) for axis in stage.axes]
+        met = [not guard.bounds.broken(sampled_loop(axis, one.axes[axis.name], stage.servo_period).margins()) for axis in stage.axes]
         assert all(met) == (excess[i] < 0.0)

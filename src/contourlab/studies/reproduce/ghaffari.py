@@ -12,8 +12,8 @@ from contourlab.studies.reproduce.ghaffari_linear import linear_rows
 from contourlab.studies.reproduce.ghaffari_observer import observer_rows
 from contourlab.studies.reproduce.ghaffari_runs import run_rows
 from contourlab.studies.reproduce.ghaffari_sensitivity import sensitivity_rows
-from contourlab.studies.reproduce.rows import Row
 from contourlab.studies.reproduce.ghaffari_swap import swap_rows
+from contourlab.studies.reproduce.rows import Row
 
 __all__ = ["reproduce"]
 
@@ -25,11 +25,10 @@ PARTS: tuple[Callable[[], list[Row]], ...] = (
     run_rows,
     sensitivity_rows,
     calibration_rows,
+    swap_rows,
 )
 
 
 def reproduce() -> list[dict[str, Any]]:
     """Return every figure of the paper beside ours: rows with the keys of `contourlab.studies.reproduce.rows.Row.as_dict`."""
     return [row.as_dict() for part in PARTS for row in part()]
-    parts = (linear_rows, observer_rows, bench_rows, identified_rows, run_rows, swap_rows)
-    return [found.as_dict() for rows_of in parts for found in rows_of()]

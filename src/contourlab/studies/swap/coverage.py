@@ -10,9 +10,9 @@ from numpy.typing import NDArray
 
 from contourlab.errors import ParameterError
 from contourlab.studies.space import Evaluator, Space
-from contourlab.studies.space.guards import Guard, holds
 from contourlab.studies.swap.design import best_of_its_own
 from contourlab.studies.swap.fleet import Fleet
+from contourlab.studies.swap.guard import Guard, holds
 from contourlab.studies.swap.loss import losses
 from contourlab.studies.swap.numbers import machine_with
 from contourlab.studies.swap.variants import Variant
@@ -115,7 +115,7 @@ def _values(fleet: Fleet, point: Array, region: Space, points: Array) -> Array:
     figures = evaluator(base | region.columns(points))
     excess = np.empty(len(points))
     for k, at in enumerate(points):
-        guard = Guard(machine_with(variant.machine, region.values(at)), fleet.controller, fleet.guards)
+        guard = Guard(machine_with(variant.machine, region.values(at)), fleet.controller, fleet.bounds)
         excess[k] = guard.excess({name: column[:1] for name, column in base.items()})[0]
     limited = np.nan_to_num(fleet.keepers[0].limited(figures), nan=1.0)
     found = np.where(np.isfinite(figures[fleet.objective]), figures[fleet.objective], math.inf)

@@ -12,7 +12,8 @@ from contourlab.errors import ParameterError
 from contourlab.feed import Reference
 from contourlab.loop import Controller
 from contourlab.studies.space import Evaluator, Space
-from contourlab.studies.space.guards import Guard, Guards, holds
+from contourlab.studies.space.bounds import Bounds
+from contourlab.studies.swap.guard import Guard, holds
 from contourlab.studies.swap.variants import Variant
 
 __all__ = ["OBJECTIVES", "Fleet"]
@@ -39,7 +40,7 @@ class Fleet:
         Of `OBJECTIVES`.
     floor : float [SI]
         J_tol.
-    guards : Guards
+    bounds : Bounds
     moving : bool
         As of `contourlab.studies.space.Evaluator`, as are `seed` and `threads`.
     best : ndarray (n_variant,)
@@ -53,7 +54,7 @@ class Fleet:
     space: Space
     objective: str = "contour_error_integral"
     floor: float = 2e-6
-    guards: Guards = field(default_factory=Guards)
+    bounds: Bounds = field(default_factory=Bounds)
     moving: bool = False
     seed: int = 0
     threads: int | None = None
@@ -73,7 +74,7 @@ class Fleet:
             Evaluator(v.machine, self.controller, self.reference, moving=self.moving, seed=self.seed, threads=self.threads)
             for v in self.variants
         )
-        self.keepers = tuple(Guard(v.machine, self.controller, self.guards) for v in self.variants)
+        self.keepers = tuple(Guard(v.machine, self.controller, self.bounds) for v in self.variants)
         self.best = np.full(self.n_variant, np.inf)
         self.best_points = np.tile(self.space.start, (self.n_variant, 1))
 

@@ -1,9 +1,10 @@
 """Calibration: the paper's sequential procedure, a global search beside it, and what their answer means on a drive."""
 
+from contourlab.studies.space.bounds import Bounds
 from contourlab.studies.tune.checked import Checked, checked
 from contourlab.studies.tune.drive_terms import DriveTerms, drive_terms
 from contourlab.studies.tune.globally import Searched, globally
-from contourlab.studies.tune.guards import Bounds, Guards
+from contourlab.studies.tune.guards import Guards
 from contourlab.studies.tune.line import PLATEAUS, LineRule, Step, line_search
 from contourlab.studies.tune.linuxcnc import LinuxCNCGains, linuxcnc_gains, linuxcnc_law
 from contourlab.studies.tune.objective import FIGURES, Goal, Judged, Objective

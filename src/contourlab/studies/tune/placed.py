@@ -13,7 +13,7 @@ from contourlab.analysis.sampled_loops import rough_margins, sampled_loops
 from contourlab.components.contract import Component
 from contourlab.errors import ComponentError, ParameterError
 from contourlab.loop import Axis, AxisController, Controller, Machine
-from contourlab.studies.tune.guards import SLACK, Bounds
+from contourlab.studies.space.bounds import SLACK, Bounds
 
 __all__ = ["fastest", "model_of", "placed_gains"]
 

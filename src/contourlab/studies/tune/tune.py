@@ -12,10 +12,11 @@ from contourlab.errors import ParameterError
 from contourlab.feed import Reference
 from contourlab.loop import Controller, Machine, parameter_names
 from contourlab.studies.space import Evaluator, Number, Space, calibration_order
+from contourlab.studies.space.bounds import Bounds
 from contourlab.studies.tune.checked import Checked, checked
 from contourlab.studies.tune.drive_terms import DriveTerms, drive_terms
 from contourlab.studies.tune.globally import Searched, globally
-from contourlab.studies.tune.guards import Bounds, Guards
+from contourlab.studies.tune.guards import Guards
 from contourlab.studies.tune.line import LineRule, Step
 from contourlab.studies.tune.objective import Goal, Objective
 from contourlab.studies.tune.placed import fastest, placed_gains

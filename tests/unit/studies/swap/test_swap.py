@@ -16,7 +16,7 @@ from contourlab.feed import uniform
 from contourlab.geometry import contour
 from contourlab.loop import Axis, AxisController, Controller, Limits, Machine
 from contourlab.studies.space import Space
-from contourlab.studies.space.guards import Guards
+from contourlab.studies.space.bounds import Bounds
 from contourlab.studies.swap.coverage import coverage
 from contourlab.studies.swap.design import evaluated
 from contourlab.studies.swap.division import Division
@@ -45,7 +45,7 @@ def fleet_of(others: list[tuple[str, Axis]], texts: tuple[str, ...] = ("model_ga
     machine, controller = stage()
     variants = variants_of(machine, {"x": others})
     circle = uniform(contour("circle", radius=0.01), 1.0, 2, 1e-3)
-    return Fleet(variants, controller, circle, Space.chosen(machine, controller, texts), moving=True, guards=Guards(1.0, 0.0, 1.0))
+    return Fleet(variants, controller, circle, Space.chosen(machine, controller, texts), moving=True, bounds=Bounds(0.0, 0.0, 1.0))
 
 
 def studied(others: list[tuple[str, Axis]], **settings: object) -> SwapStudy:
@@ -119,7 +119,7 @@ def test_chosen_sets_are_looked_at_in_place_of_a_search() -> None:
 
 def test_guards_count() -> None:
     fleet = fleet_of([("strong", rigid("other", 2.0))])
-    strict = replace(fleet, guards=Guards(100.0, 0.0, 1.0))
+    strict = replace(fleet, bounds=Bounds(40.0, 0.0, 1.0))
     start = np.tile(fleet.space.start, (2, 1))
     assert np.isfinite(evaluated(fleet, frozenset(), start).values).all()
     assert not np.isfinite(evaluated(strict, frozenset(), start).values).any()

@@ -10,45 +10,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 from contourlab.analysis.loop_lanes import lane_loops, margin_factors, unstable_by
-from contourlab.analysis.margins import Margins
 from contourlab.analysis.sampled_loop import sampled_loop
-from contourlab.errors import ComponentError, ParameterError
+from contourlab.errors import ComponentError
 from contourlab.loop import Controller, Machine
+from contourlab.studies.space.bounds import Bounds
 
-__all__ = ["Guard", "Guards", "holds"]
+__all__ = ["Guard", "holds"]
 
 Array = NDArray[np.float64]
-
-
-@dataclass(frozen=True)
-class Guards:
-    """What is asked of a design.
-
-    Attributes
-    ----------
-    gain_margin : float, >= 1
-        Factor on the command of every axis under which its loop still holds.
-    phase_margin : float [rad], 0 to pi
-        Angle, either way.
-    limited_share : float, 0 to 1
-        Part of the counted samples in which a drive may be at its limit.
-    """
-
-    gain_margin: float = 2.0
-    phase_margin: float = math.pi / 6.0
-    limited_share: float = 0.0
-
-    def __post_init__(self) -> None:
-        if not (self.gain_margin >= 1.0 and math.isfinite(self.gain_margin)):
-            raise ParameterError("gain_margin", f"{self.gain_margin:g}", "a factor >= 1, that is 0 dB or more")
-        if not 0.0 <= self.phase_margin < math.pi:
-            raise ParameterError("phase_margin", f"{math.degrees(self.phase_margin):g} deg", "0 to 180 deg")
-        if not 0.0 <= self.limited_share <= 1.0:
-            raise ParameterError("limited_share", f"{self.limited_share:g}", "0 to 1")
-
-    def met(self, margins: Margins) -> bool:
-        """Tell whether exact margins are enough."""
-        return margins.stable and margins.gain >= self.gain_margin and abs(margins.phase) >= self.phase_margin
 
 
 @dataclass(eq=False)
@@ -63,7 +32,7 @@ class Guard:
 
     machine: Machine
     controller: Controller
-    guards: Guards = field(default_factory=Guards)
+    bounds: Bounds = field(default_factory=Bounds)
     unknown: dict[str, str] = field(init=False, default_factory=dict)
 
     def __post_init__(self) -> None:
@@ -89,14 +58,12 @@ class Guard:
         """
         n = len(next(iter(columns.values())))
         worst = np.full(n, -math.inf)
-        factors = margin_factors(self.guards.gain_margin, self.guards.phase_margin)
+        factors = margin_factors(10.0 ** (self.bounds.gain_margin / 20.0), math.radians(self.bounds.phase_margin))
         for axis in self.machine.axes:
             head = f"controller.axes.{axis.name}."
             mine = {name: np.asarray(values, dtype=float) for name, values in columns.items() if name.startswith(head)}
             if axis.name in self.unknown:
                 continue
-            if not mine:
-                mine = {f"{head}none": np.zeros(1)}
             carried = self.machine.carried_mass(axis.name)
             key = (id(axis), carried, *((name, values.tobytes()) for name, values in mine.items()))
             found = None if known is None else known.get(key)
@@ -111,7 +78,7 @@ class Guard:
     def limited(self, figures: Mapping[str, Array]) -> Array:
         """Return by how much each design (n,) has drives at their limits for longer than it may: above 0 where it does."""
         share = figures.get("limited_share")
-        return np.asarray(share - self.guards.limited_share) if share is not None else np.zeros(1)
+        return np.asarray(share - self.bounds.limited_share) if share is not None else np.zeros(1)
 
 
 def holds(excess: Array, limited: Array) -> NDArray[np.bool_]:
