@@ -32,7 +32,7 @@ SIGNALS = {
 }
 """Signals that a column can be, with their unit; an empty one is what the column has."""
 TIME = "time"
-_TARGET = re.compile(r"(?P<signal>[a-z_]+)(?:\.(?P<axis>[A-Za-z]\w*))?\Z")
+_TARGET = re.compile(r"(?P<signal>[a-z_]+)(?:\.(?P<axis>\w+))?\Z")
 # Word by word, so that "Encoder Feedback X" is told from "excitation".
 _REFERENCE = {"ref", "refcommand", "reference", "setpoint", "soll", "sollposition", "desired", "target", "cmd", "demand", "commanded"}
 _POSITION = {"encoder", "feedback", "fb", "position", "pos", "actual", "act", "ist", "istposition", "measured", "enc"}
