@@ -2,10 +2,14 @@
 
 import os
 import signal
+import subprocess
+import sys
 from pathlib import Path
 
 import pytest
 from hypothesis import settings
+
+from once import once
 
 os.environ.setdefault("MPLBACKEND", "Agg")
 # A shell starts what runs in its background deaf to Ctrl-C, and whatever is started from there too; tests send it.
@@ -37,3 +41,18 @@ def shared() -> Path:
     if not folder.is_dir():
         pytest.skip("the shared reference data are not beside the repository")
     return folder
+
+
+@pytest.fixture(scope="session")
+def reproduction(tmp_path_factory: pytest.TempPathFactory, worker_id: str) -> tuple[int, str, str]:
+    """Exit code, output and error of ``contourlab reproduce ghaffari --json``: it takes a minute, so it is run once for all tests."""
+
+    def run() -> list[object]:
+        place = tmp_path_factory.mktemp("ghaffari")
+        words = [sys.executable, "-m", "contourlab", "reproduce", "ghaffari", "--json"]
+        done = subprocess.run(words, cwd=place, capture_output=True, encoding="utf-8", timeout=900)
+        assert not any(place.iterdir()), "the reproduction leaves nothing behind"
+        return [done.returncode, done.stdout, done.stderr]
+
+    code, out, err = once(tmp_path_factory, worker_id, "ghaffari", run)
+    return code, out, err

@@ -1,20 +1,19 @@
-"""What the golden tests share: the reproduction is computed once."""
+"""What the golden tests share."""
 
 from __future__ import annotations
 
+import json
 from typing import Any
 
 import pytest
-
-from contourlab.studies.reproduce.ghaffari import reproduce
 
 Rows = dict[tuple[str, str], dict[str, Any]]
 
 
 @pytest.fixture(scope="session")
-def rows() -> Rows:
-    """Every row of the reproduction of Ghaffari & Ulsoy by name and case."""
-    found = reproduce()
+def rows(reproduction: tuple[int, str, str]) -> Rows:
+    """Every row of the reproduction of Ghaffari & Ulsoy by name and case, as ``--json`` prints them."""
+    found = json.loads(reproduction[1])
     by_name = {(row["name"], row["case"]): row for row in found}
     assert len(by_name) == len(found), "two rows share name and case"
     return by_name

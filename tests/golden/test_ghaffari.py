@@ -195,7 +195,8 @@ def test_the_figures_that_differ_are_these_and_say_why(rows: Rows) -> None:
     fits = (("fitted", "Table II"), ("identified", "Table II, eq 18"))
     identified = {(f"{how} {symbol}", f"axis {n}, {case}") for how, case in fits for symbol in ("a'", "b'") for n in (1, 2, 3)}
     minima = {key for key in rows if key[0].startswith("minimum over ")}
-    assert len(minima) == 12 and differing["printed"] == identified | minima
+    verdict = ("local parameters needed with observer", "A3-A1 against A3-A2")
+    assert len(minima) == 12 and differing["printed"] - {verdict} == identified | minima
     assert differing["derived"] == {
         ("difference between configurations", "A3-A2 beyond A3-A1"),
         *(("attenuation of disturbance, sampled", f"axis {n}, {table}") for table, n in EACH),
@@ -212,7 +213,7 @@ def test_the_figures_that_differ_are_these_and_say_why(rows: Rows) -> None:
 
 
 def test_all_that_the_paper_prints_is_there(rows: Rows) -> None:
-    """Nine gains, twice six of the identification, three stictions, two comparisons, two fits an axis, two integrals, eight spikes; and of
-    Table III the twelve numbers of observers and feedforward, as minima of Fig 6, and all seven of each axis, as calibrated."""
+    """Nine gains, twice six of the identification, three stictions, two comparisons, two fits an axis, two integrals, eight spikes; of
+    Table III the twelve numbers of observers and feedforward, as minima of Fig 6, and all seven of each axis, as calibrated; the swap."""
     printed = [key for key, row in rows.items() if row["source"] == "printed"]
-    assert len(printed) == 9 + 2 * 6 + 3 + 2 + 2 * 3 + 2 + 8 + 12 + 21
+    assert len(printed) == 9 + 2 * 6 + 3 + 2 + 2 * 3 + 2 + 8 + 12 + 21 + 1

@@ -7,10 +7,12 @@ import os
 from pathlib import Path
 
 import pytest
-from typed_commands import Finished, Run, contents, invoke
+from typed_commands import Run, contents
 
 import contourlab as package
+from contourlab.cli.main import main
 from contourlab.components.contract import FAMILIES
+from contourlab.studies.reproduce import ghaffari
 
 ANSWERS = """\
 name = "Bench mill"
@@ -161,17 +163,11 @@ def test_answers_that_end_early_are_2_and_write_nothing(contourlab: Run, tmp_pat
     assert not any(tmp_path.iterdir())
 
 
-@pytest.fixture(scope="module")
-def ghaffari(tmp_path_factory: pytest.TempPathFactory) -> Finished:
-    """What `contourlab reproduce ghaffari --json` says."""
-    folder = tmp_path_factory.mktemp("ghaffari")
-    return Finished(folder, invoke(folder, "reproduce", "ghaffari", "--json"))
-
-
-def test_the_papers_integrals_come_out_by_name(ghaffari: Finished) -> None:
+def test_the_papers_integrals_come_out_by_name(reproduction: tuple[int, str, str]) -> None:
     """Fig 9 of Ghaffari & Ulsoy: 18.37 and 18.46 um s, within 3 % of each other under one controller."""
-    assert (ghaffari.said.code, ghaffari.said.err) == (0, "")
-    rows = json.loads(ghaffari.said.out)
+    code, out, err = reproduction
+    assert (code, err) == (0, "")
+    rows = json.loads(out)
     keys = {"name", "case", "paper", "here", "unit", "tolerance", "pass", "note", "source", "verdict"}
     assert all(set(row) == keys for row in rows)
     found = {row["name"]: row for row in rows if row["name"] in ("contour error integral A3-A1", "contour error integral A3-A2")}
@@ -182,13 +178,16 @@ def test_the_papers_integrals_come_out_by_name(ghaffari: Finished) -> None:
     for row in rows:
         if row["pass"] is not None:
             assert row["pass"] == (abs(row["here"] - row["paper"]) <= row["tolerance"])
-    assert not any(ghaffari.folder.iterdir())
 
 
-def test_the_last_line_counts_printed_derived_and_differing_figures_apart(contourlab: Run, ghaffari: Finished) -> None:
-    rows = json.loads(ghaffari.said.out)
-    said = contourlab("reproduce", "ghaffari")
-    assert (said.code, said.err) == (0, "")
+def test_the_last_line_counts_printed_derived_and_differing_figures_apart(
+    reproduction: tuple[int, str, str], monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    rows = json.loads(reproduction[1])
+    monkeypatch.setattr(ghaffari, "reproduce", lambda: rows)
+    assert main(["reproduce", "ghaffari"]) == 0
+    said = capsys.readouterr()
+    assert said.err == ""
     parts = []
     for source, words in (("printed", "printed in the paper"), ("derived", "derived from its equations")):
         verdicts = [row["verdict"] for row in rows if row["source"] == source]

@@ -21,8 +21,10 @@ Objective = Callable[[Array], Array]
 POPULATION = 16
 """Candidates of a generation and start, to begin with. The count of an encoder makes figures rough at the end: each time a search comes to
 rest, the next one has generations twice as large (restarts of Auger & Hansen, CEC 2005)."""
-POLISH, POLISHED, SMALL = 0.6, 2, 0.05
-"""Part of a budget that goes into searching on around so many of the best starts, and the first step of that in parts of the box."""
+POLISH, POLISHED, STEPS = 0.6, 2, (0.05, 0.01)
+"""Part of a budget that goes into searching on around so many of the best starts, and its first steps in parts of the box: the last one is
+taken as long as the budget lasts. Where gains make up for each other the best designs lie along narrow, bent valleys, past which longer
+steps go."""
 EVENNESS = 0.01
 """Weight of the mean loss beside the largest one: of two designs that are equal for the worst variant, the others decide."""
 
@@ -139,11 +141,12 @@ def _thorough(objective: Objective, starts: Array, budget: int, seed: int, sprea
 
 def _polished(objective: Objective, starts: Array, budget: int, seed: int, spread: float = 0.2) -> Found | None:
     """Search on around some points in small steps, with ever larger generations, until the budget is spent; None where it is too small."""
-    found, size = None, POPULATION
+    found, size, turn = None, POPULATION, 0
     while budget > len(starts) * (size + 1):
-        more = search(objective, starts, budget=budget, seed=seed + 1000 * size, spread=min(spread, SMALL), population=size)
+        step = min(spread, STEPS[min(turn, len(STEPS) - 1)])
+        more = search(objective, starts, budget=budget, seed=seed + 1000 * size, spread=step, population=size)
         budget -= more.runs
-        starts, size = more.point[None], 2 * size
+        starts, size, turn = more.point[None], 2 * size, turn + 1
         found = more if found is None else replace(more, runs=found.runs + more.runs)
     return found
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass, field, replace
 from itertools import combinations
 
@@ -43,6 +43,8 @@ class SwapSettings:
         Size up to which a set grows; by default until only one number is left.
     local : tuple of frozenset of str, or None
         Sets of local numbers to look at in place of searching for one.
+    known : tuple of mapping of str to float
+        Designs from elsewhere that every search starts from too: values [SI] by dotted names; what is not given stays as it is.
     """
 
     budget: int = 8000
@@ -51,6 +53,7 @@ class SwapSettings:
     exhaustive: bool = False
     largest: int | None = None
     local: tuple[frozenset[str], ...] | None = None
+    known: tuple[Mapping[str, float], ...] = ()
 
 
 @dataclass(frozen=True, eq=False)
@@ -137,12 +140,18 @@ class _Search:
     stage: Stage
     designs: list[tuple[str, Design]] = field(default_factory=list)
 
+    @property
+    def known(self) -> Array:
+        """Designs from elsewhere (n, n_number)."""
+        space = self.fleet.space
+        return np.vstack([np.empty((0, len(space.numbers))), *(space.points(values) for values in self.settings.known)])
+
     def own(self) -> tuple[Own, ...]:
         fleet, settings = self.fleet, self.settings
         found = []
         for i, variant in enumerate(fleet.variants):
             self.stage(f"best of {variant.name}")
-            starts = starts_around(fleet.space.start, STARTS, settings.seed)
+            starts = np.vstack([self.known, starts_around(fleet.space.start, STARTS, settings.seed)])[:STARTS]
             found.append(best_of_its_own(fleet, i, budget=settings.budget, seed=settings.seed + i, starts=starts))
         return tuple(found)
 
@@ -152,7 +161,7 @@ class _Search:
         fewer = [design for _, design in self.designs if design.local <= local and design.holds]
         fewer.sort(key=lambda design: swap_loss(design.values, fleet.best, fleet.floor))
         mine = np.array([name in local for name in fleet.space.names])
-        found = [design.points for design in fewer[:1]] or [np.tile(fleet.space.start, (n, 1))]
+        found = [design.points for design in fewer[:1]] or [np.tile(point, (n, 1)) for point in (*self.known, fleet.space.start)]
         found += [np.where(mine, fleet.best_points, point) for point in fleet.best_points[: STARTS - 1]]
         if len(found) < STARTS:
             found.append(fleet.best_points)  # base numbers: the average of the variants' own
@@ -223,6 +232,8 @@ def swap_study(fleet: Fleet, candidates: tuple[str, ...], settings: SwapSettings
     going = _Search(fleet, settings, stage)
     start = np.tile(fleet.space.start, (fleet.n_variant, 1))
     values, broken = fleet.values(start[:, None], whole=True)
+    for point in going.known:
+        fleet.values(np.tile(point, (fleet.n_variant, 1))[:, None])
     owns = going.own()
     base = going.look("none", (), share=BASE)
     order: tuple[Ranked, ...] = ()

@@ -1,0 +1,57 @@
+"""What is worked out once for all processes of a test run."""
+
+from __future__ import annotations
+
+import json
+import time
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+PATIENCE = 1200.0
+"""Seconds after which a process that waits for another one gives up."""
+
+
+def once(factory: pytest.TempPathFactory, worker: str, name: str, make: Callable[[], Any]) -> Any:
+    """Return what `make` gives, as JSON holds it: made by the first process that asks, read by the others.
+
+    Parameters
+    ----------
+    factory : pytest.TempPathFactory
+    worker : str
+        Name of this process, ``"master"`` where there is one alone.
+    name : str
+        Of what is made.
+    make : callable
+    """
+    base = factory.getbasetemp()
+    folder = base if worker == "master" else base.parent
+    result, claim = folder / f"{name}.json", folder / f"{name}.claimed"
+    try:
+        claim.mkdir()
+    except FileExistsError:
+        return _awaited(result)
+    try:
+        told: dict[str, Any] = {"made": make()}
+    except BaseException as error:
+        told = {"failed": f"{type(error).__name__}: {error}"}
+        raise
+    finally:
+        part = result.with_suffix(".part")
+        part.write_text(json.dumps(told), encoding="utf-8")
+        part.replace(result)
+    return json.loads(result.read_text(encoding="utf-8"))["made"]
+
+
+def _awaited(result: Path) -> Any:
+    end = time.monotonic() + PATIENCE
+    while not result.is_file():
+        if time.monotonic() > end:
+            pytest.fail(f"{result.name} was not made by another process within {PATIENCE:g} s")
+        time.sleep(0.2)
+    told = json.loads(result.read_text(encoding="utf-8"))
+    if "failed" in told:
+        pytest.fail(f"{result.name} failed in another process: {told['failed']}")
+    return told["made"]
