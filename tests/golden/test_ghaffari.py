@@ -196,7 +196,7 @@ def test_the_figures_that_differ_are_these_and_say_why(rows: Rows) -> None:
     identified = {(f"{how} {symbol}", f"axis {n}, {case}") for how, case in fits for symbol in ("a'", "b'") for n in (1, 2, 3)}
     minima = {key for key in rows if key[0].startswith("minimum over ")}
     verdict = ("local parameters needed with observer", "A3-A1 against A3-A2")
-    assert len(minima) == 12 and differing["printed"] - {verdict} == identified | minima
+    assert len(minima) == 12 and differing["printed"] == identified | minima | {verdict}
     assert differing["derived"] == {
         ("difference between configurations", "A3-A2 beyond A3-A1"),
         *(("attenuation of disturbance, sampled", f"axis {n}, {table}") for table, n in EACH),
@@ -217,3 +217,12 @@ def test_all_that_the_paper_prints_is_there(rows: Rows) -> None:
     Table III the twelve numbers of observers and feedforward, as minima of Fig 6, and all seven of each axis, as calibrated; the swap."""
     printed = [key for key, row in rows.items() if row["source"] == "printed"]
     assert len(printed) == 9 + 2 * 6 + 3 + 2 + 2 * 3 + 2 + 8 + 12 + 21 + 1
+
+
+def test_the_verdict_on_the_swap(rows: Rows) -> None:
+    """The observer takes most of what a swap loses, and with one number of the axis local the rest is within the limit."""
+    case = "A3-A1 against A3-A2"
+    loss = {words: rows[f"swap loss {words}", case]["here"] for words in ("with observer", "without observer")}
+    assert 0.03 < loss["with observer"] < 0.06 and 0.2 < loss["without observer"] < 0.25
+    needed = {words: rows[f"local parameters needed {words}", case]["here"] for words in loss}
+    assert needed == {"with observer": 1.0, "without observer": 2.0}

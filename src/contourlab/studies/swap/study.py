@@ -24,6 +24,7 @@ ALL = "all of the axis"
 AGAIN = 0.1
 """First step of the second search of the shared design."""
 Stage = Callable[[str], None]
+Known = tuple[Mapping[str, float], ...]
 
 
 @dataclass(frozen=True)
@@ -43,8 +44,9 @@ class SwapSettings:
         Size up to which a set grows; by default until only one number is left.
     local : tuple of frozenset of str, or None
         Sets of local numbers to look at in place of searching for one.
-    known : tuple of mapping of str to float
-        Designs from elsewhere that every search starts from too: values [SI] by dotted names; what is not given stays as it is.
+    known : tuple of Known
+        Designs from elsewhere that every search starts from too: for each variant its values [SI] by dotted names, or once for all; what is
+        not given stays as it is.
     """
 
     budget: int = 8000
@@ -53,7 +55,7 @@ class SwapSettings:
     exhaustive: bool = False
     largest: int | None = None
     local: tuple[frozenset[str], ...] | None = None
-    known: tuple[Mapping[str, float], ...] = ()
+    known: tuple[Known, ...] = ()
 
 
 @dataclass(frozen=True, eq=False)
@@ -142,16 +144,17 @@ class _Search:
 
     @property
     def known(self) -> Array:
-        """Designs from elsewhere (n, n_number)."""
-        space = self.fleet.space
-        return np.vstack([np.empty((0, len(space.numbers))), *(space.points(values) for values in self.settings.known)])
+        """Designs from elsewhere (n, n_variant, n_number)."""
+        space, n = self.fleet.space, self.fleet.n_variant
+        found = [np.vstack([space.points(values) for values in design]) for design in self.settings.known]
+        return np.array([np.broadcast_to(points, (n, len(space.numbers))) for points in found]).reshape(-1, n, len(space.numbers))
 
     def own(self) -> tuple[Own, ...]:
         fleet, settings = self.fleet, self.settings
         found = []
         for i, variant in enumerate(fleet.variants):
             self.stage(f"best of {variant.name}")
-            starts = np.vstack([self.known, starts_around(fleet.space.start, STARTS, settings.seed)])[:STARTS]
+            starts = np.vstack([self.known[:, i], starts_around(fleet.space.start, STARTS, settings.seed)])[:STARTS]
             found.append(best_of_its_own(fleet, i, budget=settings.budget, seed=settings.seed + i, starts=starts))
         return tuple(found)
 
@@ -161,7 +164,9 @@ class _Search:
         fewer = [design for _, design in self.designs if design.local <= local and design.holds]
         fewer.sort(key=lambda design: swap_loss(design.values, fleet.best, fleet.floor))
         mine = np.array([name in local for name in fleet.space.names])
-        found = [design.points for design in fewer[:1]] or [np.tile(point, (n, 1)) for point in (*self.known, fleet.space.start)]
+        found = [design.points for design in fewer[:1]] or [*self.known, np.tile(fleet.space.start, (n, 1))]
+        if local:
+            found += list(self.known)
         found += [np.where(mine, fleet.best_points, point) for point in fleet.best_points[: STARTS - 1]]
         if len(found) < STARTS:
             found.append(fleet.best_points)  # base numbers: the average of the variants' own
@@ -232,8 +237,8 @@ def swap_study(fleet: Fleet, candidates: tuple[str, ...], settings: SwapSettings
     going = _Search(fleet, settings, stage)
     start = np.tile(fleet.space.start, (fleet.n_variant, 1))
     values, broken = fleet.values(start[:, None], whole=True)
-    for point in going.known:
-        fleet.values(np.tile(point, (fleet.n_variant, 1))[:, None])
+    for points in going.known:
+        fleet.values(points[:, None])
     owns = going.own()
     base = going.look("none", (), share=BASE)
     order: tuple[Ranked, ...] = ()
