@@ -143,3 +143,33 @@ def test_a_folder_that_cannot_be_made_is_told_ahead_of_the_work(scene: Path, tmp
     assert "Traceback" not in capsys.readouterr().err
     with staged(tmp_path):
         pass
+
+
+def test_numbers_that_were_refined_together_say_so(scene: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    out = tmp_path / "machine.toml"
+    assert main(words(scene, "--out", str(out), "--json")) == 0
+    found = json.loads(capsys.readouterr().out)
+    names = list(found["parameters"])
+    for axis in load_machine(out).axes:
+        ((one, other, value),) = axis.correlations
+        i, j = (names.index(f"axes.{axis.name}.{name}") for name in (one, other))
+        assert {one, other} == {"plant.damping", "friction.coulomb"}
+        assert value == pytest.approx(found["correlation"][i][j], abs=1e-4) and value < -0.3
+
+
+def test_correlations_of_the_file_before_are_kept_only_where_both_numbers_are(
+    scene: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    head = 'mass = {value = "50 kg", source = "fitted", deviation = "1 kg"}'
+    pairs = '[["plant.mass", "friction.coulomb", 0.5], ["plant.mass", "plant.damping", 0.2]]'
+    text = (scene / "guess.toml").read_text().replace('mass = "50 kg"', head).replace('[axes."*"]', f'[axes."*"]\ncorrelations = {pairs}')
+    text = text.replace('coulomb = "20.0 N"', 'coulomb = {value = "20 N", source = "fitted", deviation = "2 N"}')
+    text = text.replace('damping = "500.0 N*s/m"', 'damping = {value = "500 N*s/m", source = "fitted", deviation = "5 N*s/m"}')
+    (tmp_path / "guess.toml").write_text(text)
+    (tmp_path / "guess-circle.toml").write_text((scene / "guess-circle.toml").read_text())
+    out = tmp_path / "machine.toml"
+    typed = [
+        str(tmp_path / "guess-circle.toml") if word == str(scene / "guess-circle.toml") else word for word in words(scene, names=NAMES[1:])
+    ]
+    assert main([*typed, "--out", str(out)]) == 0
+    assert all(axis.correlations == (("plant.mass", "plant.damping", 0.2),) for axis in load_machine(out).axes)

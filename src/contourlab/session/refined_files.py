@@ -4,8 +4,10 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
+from itertools import combinations
 from typing import Any
 
+from contourlab.loop import Axis
 from contourlab.scenario.dump import controller_table, machine_tables
 from contourlab.scenario.toml_text import Noted, toml
 from contourlab.studies.refine import Refined
@@ -27,6 +29,8 @@ def machine_text(found: Refined, sources: Sequence[str]) -> str:
     """
     tables = machine_tables(found.runs[0].machine)
     _note(found, sources, {"axes": tables["axes"]}, "axes.")
+    for axis in found.runs[0].machine.axes:
+        _correlate(found, axis, tables["axes"])
     return _head(found, sources) + toml(tables)
 
 
@@ -52,6 +56,24 @@ def _head(found: Refined, sources: Sequence[str]) -> str:
         lines.append(f"{one.run}, {one.signal} of {one.axis}: {100.0 * one.explained:.5g} % of the variance explained, fit {one.fit:.4g} %")
     lines += list(found.remarks)
     return "".join(f"# {line}\n" for line in lines) + "\n"
+
+
+def _correlate(found: Refined, axis: Axis, tables: dict[str, Any]) -> None:
+    """Put the correlations of an axis' refined numbers into its table; those with numbers that were refined anew are no longer so."""
+    head = f"axes.{axis.name}."
+    anew = {one.name.removeprefix(head) for one in found.sought if 0 in one.runs and one.name.startswith(head)}
+    free = [i for i, bound in enumerate(found.at_bound.tolist()) if not bound]  # rows of what is known
+    told = {
+        found.sought[i].name.removeprefix(head): row
+        for row, i in enumerate(free)
+        if found.sought[i].name.startswith(head) and 0 in found.sought[i].runs and math.isfinite(found.deviations[i])
+    }
+    kept = [list(one) for one in axis.correlations if not anew & set(one[:2])]
+    for (one, i), (other, j) in combinations(told.items(), 2):
+        value = round(float(found.knowledge.correlation[i, j]), 4)
+        kept += [[one, other, value]] if value else []
+    rest = {key: value for key, value in tables[axis.name].items() if key != "correlations"}
+    tables[axis.name] = ({"correlations": Noted(kept, "of what was fitted together")} if kept else {}) | rest
 
 
 def _note(found: Refined, sources: Sequence[str], tables: dict[str, Any], head: str, run: int = 0) -> None:
