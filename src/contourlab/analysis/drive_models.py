@@ -13,7 +13,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from itertools import product
 
 import numpy as np
@@ -276,6 +276,8 @@ def _fitted(points: _Points, model: Callable[[Parameters, Complex], Complex], fr
         return held_response(lambda s: model(x, s), points.frequency, points.period)
 
     found = fit_output(lambda x: points.row(response(x)), points.measured, free)
+    # Points over frequency are no record in time, and often few: their colour may not make a deviation smaller than white ones do.
+    found = replace(found, robust_deviations=np.maximum(found.deviations, found.robust_deviations))
     predicted = response(dict(zip(found.names, found.values.tolist(), strict=True)))
     fit = fit_percent(points.speed(points.response), points.speed(predicted))
     said, usable = [], True

@@ -72,6 +72,7 @@ class FrictionCurve:
         Fc, Fv, offset; by direction Fc+, Fv+, Fc-, Fv-; with Stribeck drop (the level at rest less F_c, by direction drop+ and drop-) and
         vs [m/s].
     values, deviations : ndarray (p,)
+    correlation : ndarray (p, p)
     scatter : float
         Between runs, beyond the deviations of the points.
     fit : float [percent]
@@ -84,6 +85,7 @@ class FrictionCurve:
     names: tuple[str, ...]
     values: Array
     deviations: Array
+    correlation: Array
     scatter: float
     fit: float
     criterion: float
@@ -208,7 +210,9 @@ def _fitted(model: FrictionModel, v: Array, u: Array, s: Array, both: bool) -> F
     # Maximum likelihood tells the scatter too small by the parameters that were fitted.
     lost = math.sqrt(v.size / max(v.size - count, 1)) if tau > 0.0 else 1.0
     deviations = lost * np.sqrt(np.maximum(np.diag(covariance), 0.0))
-    return FrictionCurve(model, tuple(names), x, deviations, tau, fit_percent(u, predicted), criterion, predicted)
+    size = np.sqrt(np.where(np.diag(covariance) > 0.0, np.diag(covariance), 1.0))
+    correlation = covariance / np.outer(size, size)
+    return FrictionCurve(model, tuple(names), x, deviations, correlation, tau, fit_percent(u, predicted), criterion, predicted)
 
 
 def _stribeck_velocity(model: FrictionModel, v: Array, u: Array, s: Array, both: bool) -> float:

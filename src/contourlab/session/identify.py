@@ -61,7 +61,7 @@ def identify_log(
         write_text_atomic(Path(out), axis_file(found))
         text += f"\naxis file: {out}"
     elif out is not None:
-        why = "the figures cannot be used as they stand" if not found.usable else f"model {found.model} makes no axis file"
+        why = "the figures cannot be used as they stand" if not found.usable else f"there is nothing for an axis file (model {found.model})"
         text += f"\n{out} is not written: {why}"
     return Identification(found.usable, plain(_summary(found)), text)
 

@@ -23,6 +23,9 @@ def identify(
     gain: Annotated[
         str | None, typer.Option(help='Force per command, as "35 N/V", where the log has no force.', show_default=False)
     ] = None,
+    full_scale: Annotated[
+        str | None, typer.Option(help='Full scale of the command, as "10 V", where its force is not known.', show_default=False)
+    ] = None,
     column: ColumnTexts = None,
     columns: ColumnFile = None,
     format: LogFormat = None,  # noqa: A002
@@ -49,6 +52,7 @@ def identify(
         choices=tuple(LogChoice(file, tuple(column or ()), columns, format, period) for file in log),
         axis=axis,
         gain=gain,
+        full_scale=full_scale,
         cutoff=cutoff,
         decimation=decimation,
         validation=validation,

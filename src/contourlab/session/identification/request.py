@@ -26,6 +26,8 @@ class Request:
     axis : str or None
     gain : str or None
         Force per command, as ``"35.15 N/V"``.
+    full_scale : str or None
+        Full scale of the command, as ``"10 V"``.
     cutoff : str
     decimation : int
     validation : str, Path or None
@@ -43,6 +45,7 @@ class Request:
     choices: tuple[LogChoice, ...]
     axis: str | None = None
     gain: str | None = None
+    full_scale: str | None = None
     cutoff: str = "100 Hz"
     decimation: int = 10
     validation: str | Path | None = None
@@ -56,13 +59,41 @@ class Request:
         """Return all logs, read."""
         found = [open_log(choice) for choice in self.choices]
         for log in found:
+            self._check_unit(log)
             self.notes.extend(note for note in log.notes if note not in self.notes)
         return found
 
     def records(self) -> list[AxisRecord]:
         """Return the axis' signals of all logs."""
-        gain = self.force_gain()
-        return [axis_record(log, self.axis, gain) for log in self.logs()]
+        if self.gain is not None and self.full_scale is not None:
+            raise ParameterError("--full-scale", f"{self.full_scale} beside --gain", "one of the two: newtons, or parts of full scale")
+        gain, full = self.force_gain(), self._full_scale()
+        return [axis_record(log, self.axis, gain, full) for log in self.logs()]
+
+    def _full_scale(self) -> float | None:
+        if self.full_scale is None:
+            return None
+        try:
+            number, unit = split(self.full_scale)
+            value = number * to_si(f"1 {unit}", unit)
+        except UnitError as error:
+            raise ParameterError("--full-scale", repr(self.full_scale), 'a command, such as "10 V"') from error
+        if not 0.0 < value < 1e12:
+            raise ParameterError("--full-scale", self.full_scale, "> 0")
+        return value
+
+    def _check_unit(self, log: Log) -> None:
+        """Refuse a gain, or a full scale, per another unit than that of the log's command."""
+        logged = log.result.signals["command"].unit if "command" in log.result else ""
+        for option, text in (("--gain", self.gain), ("--full-scale", self.full_scale)):
+            if text is None or not logged:
+                continue
+            try:
+                unit = split(text)[1]
+                to_si(f"1 {(unit.partition('/')[2] if option == '--gain' else unit).strip()}", logged)
+            except UnitError as error:
+                wanted = f'per {logged}, as "35 N/{logged}"' if option == "--gain" else f'in {logged}, as "10 {logged}"'
+                raise ParameterError(option, text, f"{wanted}: the command of {log.record.file.name} is in {logged}") from error
 
     def record(self) -> AxisRecord:
         """Return the axis' signals of the only log.

@@ -20,6 +20,8 @@ def study(request: Request) -> Finding:
     """Identify mass, friction and offset of an axis."""
     cutoff = positive("--cutoff", request.cutoff, "Hz", 'a frequency, such as "100 Hz"')
     settings = InverseDynamicsSettings(FRICTION[request.model], cutoff=cutoff, decimation=request.decimation)
+    if request.full_scale is not None:
+        raise ParameterError("--full-scale", request.full_scale, f"left out: model {request.model} takes forces, by --gain")
     if len(request.choices) > 1:
         raise ParameterError("LOG", f"{len(request.choices)} logs", f"one: model {request.model} takes a single run and --validation")
     log = request.logs()[0]

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Callable, Mapping, Sequence
 
 import numpy as np
 
@@ -19,7 +19,19 @@ from contourlab.analysis.drive_models import (
 )
 from contourlab.analysis.frequency_response import MeasuredResponse
 from contourlab.components.origin import Origin
-from contourlab.studies.identification.finding import Figure, Finding, Graph, Picture, Row, Tables, assumed, fitted, reached
+from contourlab.studies.identification.finding import (
+    Carried,
+    Figure,
+    Finding,
+    Graph,
+    Picture,
+    Row,
+    Tables,
+    assumed,
+    carried,
+    fitted,
+    reached,
+)
 from contourlab.studies.identification.frequency import bode_graphs, measured_response, response_points
 from contourlab.studies.identification.signals import AxisRecord, measured_tables
 
@@ -46,8 +58,9 @@ def identify_linear_motor(records: Sequence[AxisRecord]) -> Finding:
     """
     found = measured_response(records)
     fit = fit_linear_motor(found)
-    tables = {**_motor_tables(records, fit), **measured_tables(records[0])} if fit.usable else {}
-    return _finding("linear-motor", records, found, fit, tables, ())
+    worth = _motor_worth(records, fit)
+    tables = {**_motor_tables(records, fit, worth.deviations), **measured_tables(records[0])} if fit.usable else {}
+    return _finding("linear-motor", records, found, fit, tables, (), worth=worth)
 
 
 def identify_two_inertia(records: Sequence[AxisRecord], side: str = "motor", lead: float | None = None) -> Finding:
@@ -70,6 +83,7 @@ def identify_two_inertia(records: Sequence[AxisRecord], side: str = "motor", lea
     fit = fit_two_inertia(found, side)
     values = dict(zip(fit.found.names, fit.found.values.tolist(), strict=True))
     lines, tables, remarks = [], {}, []
+    worth = Carried({}, ())
     if side == "motor":
         resonance, antiresonance = resonances(values)
         lines.append(f"resonance {resonance:.4g} Hz, antiresonance {antiresonance:.4g} Hz")
@@ -78,8 +92,9 @@ def identify_two_inertia(records: Sequence[AxisRecord], side: str = "motor", lea
         elif lead is None or records[0].unit != "N":
             remarks.append("an axis file of two inertias takes --lead, and --gain where the log has no force")
         else:
-            tables = {**_inertia_tables(records, fit, lead), **measured_tables(records[0])}
-    return _finding("two-inertia", records, found, fit, tables, tuple(lines), tuple(remarks))
+            worth = _inertia_worth(fit, lead)
+            tables = {**_inertia_tables(records, fit, lead, worth.deviations), **measured_tables(records[0])}
+    return _finding("two-inertia", records, found, fit, tables, tuple(lines), tuple(remarks), worth)
 
 
 def _finding(
@@ -90,6 +105,7 @@ def _finding(
     tables: Tables,
     lines: tuple[str, ...],
     remarks: tuple[str, ...] = (),
+    worth: Carried | None = None,
 ) -> Finding:
     unit = records[0].unit
     force = unit or "command"
@@ -112,6 +128,7 @@ def _finding(
         _pictures(records[0].axis, model, found, fit, unit),
         (found.method, f"fitted to {fit.frequency.size} points, {fit.frequency[0]:.4g} to {fit.frequency[-1]:.4g} Hz", *lines),
         {"method": found.method, "condition_number": fit.found.condition_number, "points": response_points(found, unit)},
+        worth.correlations if worth is not None and tables else (),
     )
 
 
@@ -134,6 +151,38 @@ def _told(records: Sequence[AxisRecord], deviation: float, note: str = "") -> Or
     return fitted(f"{records[0].source}{more}", deviation, note or "frequency response")
 
 
+def _worth(fit: DriveFit, numbers: Callable[[Mapping[str, float]], Mapping[str, float]]) -> Carried:
+    found = fit.found
+    return carried(numbers, found.names, found.values, found.robust_deviations, found.correlation)
+
+
+def _motor_worth(records: Sequence[AxisRecord], fit: DriveFit) -> Carried:
+    """Return what the numbers of the axis file of a linear motor are worth."""
+    force, scale = records[0].unit == "N", _full_scale(records)
+
+    def numbers(x: Mapping[str, float]) -> dict[str, float]:
+        own = {"plant.gain": scale / x["M"], "plant.damping": x["B"] / x["M"]}
+        return ({"plant.mass": x["M"], "plant.damping": x["B"]} if force else own) | {"drive.delay": x["delay"]}
+
+    return _worth(fit, numbers)
+
+
+PLANT = {
+    "motor_inertia": ("motor_mass", "kg*m^2"),
+    "load_inertia": ("load_mass", "kg*m^2"),
+    "stiffness": ("stiffness", "N*m/rad"),
+    "shaft_damping": ("shaft_damping", "N*m*s/rad"),
+    "motor_damping": ("damping", "N*m*s/rad"),
+}
+"""Numbers of a plant of two inertias: what each is found as, and its unit."""
+
+
+def _inertia_worth(fit: DriveFit, lead: float) -> Carried:
+    """Return what the numbers of the axis file of two inertias are worth."""
+    turn = lead / (2.0 * math.pi)
+    return _worth(fit, lambda x: {f"plant.{name}": turn**2 * x[key] for name, (key, _) in PLANT.items()} | {"drive.delay": x["delay"]})
+
+
 def _drive(records: Sequence[AxisRecord], fit: DriveFit, limit: Row) -> _Table:
     if fit["delay"] <= 0.0:
         return {"kind": ("saturation", "", None), "limit": limit}
@@ -145,42 +194,39 @@ def _largest(records: Sequence[AxisRecord]) -> float:
     return max(float(np.abs(record.driven()).max()) for record in records)
 
 
-def _motor_tables(records: Sequence[AxisRecord], fit: DriveFit) -> Tables:
+def _full_scale(records: Sequence[AxisRecord]) -> float:
+    """Return what counts as one of the command, where it is no force: itself, or the largest in the logs."""
+    return 1.0 if records[0].unit in ("", "full_scale") else _largest(records)
+
+
+def _motor_tables(records: Sequence[AxisRecord], fit: DriveFit, deviations: Mapping[str, float]) -> Tables:
     mass, damping, largest, unit = fit["M"], fit["B"], _largest(records), records[0].unit
-    spread, loss = fit.found.deviation("M"), fit.found.deviation("B")
     if unit == "N":
         plant: _Table = {
             "kind": ("mass-damper", "", None),
-            "mass": (mass, "kg", _told(records, spread)),
-            "damping": (damping, "N*s/m", _told(records, loss)),
+            "mass": (mass, "kg", _told(records, deviations["plant.mass"])),
+            "damping": (damping, "N*s/m", _told(records, deviations["plant.damping"])),
             "force_constant": (1.0, "N/A", assumed("the command is counted as newtons")),
         }
         return {"plant": plant, "drive": _drive(records, fit, (largest, "A", reached(records[0].source, DRIVE)))}
-    scale = 1.0 if unit in ("", "full_scale") else largest
+    scale = _full_scale(records)
     own = "" if scale == 1.0 else f"full scale is assumed to be the largest command in the logs, {largest:.4g} {unit}"
     plant = {
         "kind": ("rigid-axis", "", None),
-        "gain": (scale / mass, "m/s^2/full_scale", _told(records, scale * spread / mass**2, own)),
-        "damping": (damping / mass, "1/s", _told(records, float(np.hypot(loss, damping / mass * spread)) / mass)),
+        "gain": (scale / mass, "m/s^2/full_scale", _told(records, deviations["plant.gain"], own)),
+        "damping": (damping / mass, "1/s", _told(records, deviations["plant.damping"])),
     }
     return {"plant": plant, "drive": _drive(records, fit, (1.0, "full_scale", assumed("full scale")))}
 
 
-def _inertia_tables(records: Sequence[AxisRecord], fit: DriveFit, lead: float) -> Tables:
+def _inertia_tables(records: Sequence[AxisRecord], fit: DriveFit, lead: float, deviations: Mapping[str, float]) -> Tables:
     turn = lead / (2.0 * math.pi)
-
-    def row(name: str, unit: str) -> Row:
-        return fit[name] * turn**2, unit, _told(records, fit.found.deviation(name) * turn**2)
-
+    rows = {name: (fit[key] * turn**2, unit, _told(records, deviations[f"plant.{name}"])) for name, (key, unit) in PLANT.items()}
     limit = (_largest(records) * turn, "N*m", reached(records[0].source, DRIVE))
     plant: _Table = {
         "kind": ("two-inertia", "", None),
         "lead": (lead, "m", assumed("as given")),
-        "motor_inertia": row("motor_mass", "kg*m^2"),
-        "load_inertia": row("load_mass", "kg*m^2"),
-        "stiffness": row("stiffness", "N*m/rad"),
-        "shaft_damping": row("shaft_damping", "N*m*s/rad"),
-        "motor_damping": row("damping", "N*m*s/rad"),
+        **rows,
         "torque_gain": (1.0, "", assumed("the command is counted as torque, force times lead over 2 pi")),
     }
     return {"plant": plant, "drive": _drive(records, fit, limit)}

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
+from itertools import combinations
 from typing import Any
 
 import numpy as np
@@ -11,7 +12,7 @@ from numpy.typing import NDArray
 
 from contourlab.components.origin import Origin
 
-__all__ = ["Figure", "Finding", "Graph", "Picture", "Row", "Tables", "assumed", "bars", "fitted", "reached"]
+__all__ = ["Carried", "Figure", "Finding", "Graph", "Picture", "Row", "Tables", "assumed", "bars", "carried", "fitted", "reached"]
 
 Array = NDArray[np.float64]
 Row = tuple[float | str, str, Origin | None]
@@ -102,6 +103,52 @@ class Finding:
     lines: tuple[str, ...] = ()
     more: Mapping[str, Any] = field(default_factory=dict)
     correlations: tuple[tuple[str, str, float], ...] = ()
+
+
+@dataclass(frozen=True, eq=False)
+class Carried:
+    """What the numbers of an axis file are worth, by their names there: deviations, and correlations two by two."""
+
+    deviations: Mapping[str, float]
+    correlations: tuple[tuple[str, str, float], ...]
+
+
+def carried(
+    numbers: Callable[[Mapping[str, float]], Mapping[str, float]],
+    names: Sequence[str],
+    values: Array,
+    deviations: Array,
+    correlation: Array,
+) -> Carried:
+    """Carry what is known of the parameters of a fit to the numbers of an axis file.
+
+    Parameters
+    ----------
+    numbers : callable
+        From the parameters by name to the numbers by theirs, such as ``"plant.mass"``.
+    names : sequence of str
+        Of the parameters.
+    values, deviations : ndarray (p,)
+        A parameter without a deviation, as one at its bound, adds nothing.
+    correlation : ndarray (p, p)
+
+    Notes
+    -----
+    First order: S = D C D', with D the effect of one deviation of each parameter on the numbers.
+    """
+    columns, small = [], 1e-3
+    for i, deviation in enumerate(deviations.tolist()):
+        step = np.zeros(values.size)
+        step[i] = small * deviation
+        up, down = (numbers(dict(zip(names, (values + way * step).tolist(), strict=True))) for way in (1.0, -1.0))
+        columns.append([(up[name] - down[name]) / (2.0 * small) for name in up])
+    effect = np.array(columns).T
+    covariance = effect @ correlation @ effect.T
+    sizes = np.sqrt(np.maximum(np.diag(covariance), 0.0))
+    of = list(numbers(dict(zip(names, values.tolist(), strict=True))))
+    known = [i for i, size in enumerate(sizes.tolist()) if 0.0 < size < float("inf")]
+    pairs = ((of[i], of[j], round(float(covariance[i, j] / (sizes[i] * sizes[j])), 4)) for i, j in combinations(known, 2))
+    return Carried(dict(zip(of, sizes.tolist(), strict=True)), tuple(pair for pair in pairs if pair[2]))
 
 
 def fitted(log: str, deviation: float | None = None, note: str = "") -> Origin:

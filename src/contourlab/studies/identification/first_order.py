@@ -2,13 +2,27 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+
 import numpy as np
 
 from contourlab.analysis.closed_first_order import identify_closed_loop
 from contourlab.analysis.first_order import FirstOrderFit, FirstOrderSettings, identify_first_order
 from contourlab.components.origin import Origin
 from contourlab.errors import ResultError
-from contourlab.studies.identification.finding import Figure, Finding, Graph, Picture, Row, Tables, assumed, fitted, reached
+from contourlab.studies.identification.finding import (
+    Carried,
+    Figure,
+    Finding,
+    Graph,
+    Picture,
+    Row,
+    Tables,
+    assumed,
+    carried,
+    fitted,
+    reached,
+)
 from contourlab.studies.identification.signals import AxisRecord, measured_tables
 
 __all__ = ["identify_behind_observer", "identify_open_loop"]
@@ -38,6 +52,7 @@ def identify_open_loop(record: AxisRecord, settings: FirstOrderSettings | None =
     figures = _figures(fit, units, {name: name for name in units})
     pictures = _pictures(fit, "velocity", f"Velocity of axis {record.axis}, {record.source}", ("velocity [mm/s]", "command"))
     lines = (f"velocity over {fit.smoothing} samples; steady {1e3 * fit['a'] / max(fit['b'], 1e-12):.4g} mm/s per {unit or 'command'}",)
+    worth = _worth(record, fit)
     return Finding(
         "first-order",
         record.axis,
@@ -46,10 +61,11 @@ def identify_open_loop(record: AxisRecord, settings: FirstOrderSettings | None =
         fit.found.fit,
         fit.usable,
         fit.remarks,
-        _tables(record, fit) if fit.usable else {},
+        _tables(record, fit, worth.deviations) if fit.usable else {},
         pictures,
         lines,
         {"condition_number": fit.found.condition_number, "smoothing": fit.smoothing},
+        worth.correlations if fit.usable else (),
     )
 
 
@@ -130,42 +146,63 @@ def _pictures(fit: FirstOrderFit, key: str, title: str, labels: tuple[str, str])
     )
 
 
-def _tables(record: AxisRecord, fit: FirstOrderFit) -> Tables:
+def _full_scale(record: AxisRecord) -> float:
+    """Return what counts as one of the command, where it is no force: itself, or the largest in the log."""
+    return 1.0 if record.unit in ("", FULL_SCALE) else float(np.abs(record.driven()).max())
+
+
+def _worth(record: AxisRecord, fit: FirstOrderFit) -> Carried:
+    """Return what the numbers of the axis file are worth."""
+
+    def numbers(x: Mapping[str, float]) -> dict[str, float]:
+        scale = 1.0 if record.unit == "N" else _full_scale(record)
+        plant = {"plant.gain": scale * x["a"], "plant.damping": x["b"]}
+        if record.unit == "N":
+            plant = {"plant.mass": 1.0 / x["a"], "plant.damping": x["b"] / x["a"]}
+        own = {"friction.coulomb": "friction", "disturbance.force": "offset"}
+        late = {"drive.delay": x["delay"]} if "delay" in x else {}
+        return plant | {name: x[key] / scale for name, key in own.items() if key in x} | late
+
+    found = fit.found
+    return carried(numbers, found.names, found.values, found.robust_deviations, found.correlation)
+
+
+def _tables(record: AxisRecord, fit: FirstOrderFit, deviations: Mapping[str, float]) -> Tables:
     """Return the axis: in newtons where the command is a force, else in parts of full scale."""
     a, b, friction, offset = fit["a"], fit["b"], fit["friction"], fit["offset"]
     largest = float(np.abs(record.driven()).max())
 
-    def told(name: str, scale: float, note: str = "") -> Origin:
-        if name not in fit.found.names:
+    def told(name: str, note: str = "") -> Origin:
+        if name not in deviations:
             return fitted(record.source, note="none is told from the log")
-        return fitted(record.source, scale * fit.found.deviation(name), note)
+        return fitted(record.source, deviations[name], note)
 
     if record.unit == "N":
         mass = 1.0 / a
         plant: dict[str, Row] = {
             "kind": ("mass-damper", "", None),
-            "mass": (mass, "kg", told("a", mass / a)),
-            "damping": (b * mass, "N*s/m", told("b", mass)),
+            "mass": (mass, "kg", told("plant.mass")),
+            "damping": (b * mass, "N*s/m", told("plant.damping")),
             "force_constant": (1.0, "N/A", assumed("the command is counted as newtons")),
         }
         scale, unit, drive = 1.0, "N", (largest, "A", reached(record.source, "the largest in the log, no limit of the drive"))
     else:
-        scale = 1.0 if record.unit in ("", FULL_SCALE) else largest
+        scale = _full_scale(record)
         own = "" if scale == 1.0 else f"full scale is assumed to be the largest command in the log, {largest:.4g} {record.unit}"
         plant = {
             "kind": ("rigid-axis", "", None),
-            "gain": (a * scale, f"m/s^2/{FULL_SCALE}", told("a", scale, own)),
-            "damping": (b, "1/s", told("b", 1.0)),
+            "gain": (a * scale, f"m/s^2/{FULL_SCALE}", told("plant.gain", own)),
+            "damping": (b, "1/s", told("plant.damping")),
         }
         unit, drive = FULL_SCALE, (1.0, FULL_SCALE, assumed("full scale"))
     tables: dict[str, dict[str, Row]] = {
         "plant": plant,
-        "friction": {"kind": ("coulomb", "", None), "coulomb": (friction / scale, unit, told("friction", 1.0 / scale))},
-        "disturbance": {"kind": ("constant", "", None), "force": (offset / scale, unit, told("offset", 1.0 / scale))},
+        "friction": {"kind": ("coulomb", "", None), "coulomb": (friction / scale, unit, told("friction.coulomb"))},
+        "disturbance": {"kind": ("constant", "", None), "force": (offset / scale, unit, told("disturbance.force"))},
         "drive": {"kind": ("saturation", "", None), "limit": drive},
         **measured_tables(record),
     }
     if fit["delay"] > 0.0:
-        delayed = (fit["delay"], "s", told("delay", 1.0))
+        delayed = (fit["delay"], "s", told("drive.delay"))
         tables["drive"] = {"kind": ("delayed-saturation", "", None), "limit": drive, "delay": delayed}
     return tables

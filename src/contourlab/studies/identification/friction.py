@@ -2,17 +2,15 @@
 
 from __future__ import annotations
 
-import math
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 
 import numpy as np
 
 from contourlab.analysis.constant_speed import Stretch, StretchSettings, constant_speed_stretches
 from contourlab.analysis.friction_curve import FrictionCurve, FrictionFit, fit_friction
-from contourlab.components.origin import Origin
 from contourlab.errors import ResultError
-from contourlab.studies.identification.finding import Figure, Finding, Graph, Picture, Row, Tables, bars, fitted
-from contourlab.studies.identification.signals import AxisRecord
+from contourlab.studies.identification.finding import Carried, Figure, Finding, Graph, Picture, Row, Tables, bars, carried, fitted
+from contourlab.studies.identification.signals import NO_PLANT, AxisRecord, fits_a_plant
 
 __all__ = ["identify_friction"]
 
@@ -47,7 +45,11 @@ def identify_friction(records: Sequence[AxisRecord], settings: StretchSettings |
     remarks = [*fit.remarks, *_by_log(records)]
     remarks += [f"no constant speed in {', '.join(silent)}"] if silent else []
     shown = _writable(fit)
-    if shown is not fit.chosen and shown is not None:
+    worth = Carried({}, ()) if shown is None else _worth(shown)
+    if shown is not None and not fits_a_plant(unit):
+        remarks.append(NO_PLANT.format(unit=unit))
+        shown = None
+    elif shown is not fit.chosen and shown is not None:
         remarks.append(
             f"an axis file's friction does not rise into its Coulomb level: it is given {shown.model.name}, fit {shown.fit:.4g} %"
         )
@@ -60,10 +62,11 @@ def identify_friction(records: Sequence[AxisRecord], settings: StretchSettings |
         curve.fit,
         fit.usable,
         tuple(remarks),
-        _tables(shown, unit, records) if shown is not None else {},
+        _tables(shown, unit, records, worth) if shown is not None else {},
         _pictures(curve, stretches, unit, records[0].axis),
         _lines(stretches, unit),
         _more(fit, stretches, unit),
+        worth.correlations if shown is not None else (),
     )
 
 
@@ -125,43 +128,45 @@ def _more(fit: FrictionFit, stretches: Sequence[Stretch], unit: str) -> dict[str
 
 def _writable(fit: FrictionFit) -> FrictionCurve | None:
     """Return the curve that a friction component can have: the chosen one, or without its Stribeck part where that is none."""
-    if not fit.chosen.model.stribeck or _mean(fit.chosen, "drop")[0] > 0.0:
+    if not fit.chosen.model.stribeck or _mean(_values(fit.chosen), "drop") > 0.0:
         return fit.chosen
     plain = [curve for curve in fit.tried if not curve.model.stribeck]
     return min(plain, key=lambda curve: curve.criterion) if plain else None
 
 
-def _mean(curve: FrictionCurve, name: str) -> tuple[float, float]:
-    """Return a parameter, over both directions where it has one each, and its deviation."""
-    if not curve.model.directed:
-        return curve[name], curve.deviation(name)
-    pair = (f"{name}+", f"{name}-")
-    return 0.5 * sum(curve[part] for part in pair), 0.5 * math.hypot(*(curve.deviation(part) for part in pair))
+def _mean(x: Mapping[str, float], name: str) -> float:
+    """Return a parameter, over both directions where it has one each; 0 for one that the curve lacks."""
+    return 0.5 * (x[f"{name}+"] + x[f"{name}-"]) if f"{name}+" in x else x.get(name, 0.0)
 
 
-def _tables(curve: FrictionCurve, unit: str, records: Sequence[AxisRecord]) -> Tables:
+def _numbers(x: Mapping[str, float]) -> dict[str, float]:
+    """Return the numbers of the axis file: a component has one friction for both directions, and what differs in level is an offset."""
+    found = {"friction.coulomb": max(_mean(x, "Fc"), 0.0), "friction.viscous": max(_mean(x, "Fv"), 0.0)}
+    if "vs" in x:
+        found |= {"friction.breakaway": _mean(x, "Fc") + _mean(x, "drop"), "friction.stribeck_velocity": x["vs"]}
+    offset = 0.5 * (x["Fc+"] - x["Fc-"]) if "Fc+" in x else x.get("offset", 0.0)
+    return {**found, "disturbance.force": -offset}
+
+
+def _values(curve: FrictionCurve) -> dict[str, float]:
+    return dict(zip(curve.names, curve.values.tolist(), strict=True))
+
+
+def _worth(curve: FrictionCurve) -> Carried:
+    """Return what the numbers of the axis file are worth."""
+    return carried(_numbers, curve.names, curve.values, curve.deviations, curve.correlation)
+
+
+def _tables(curve: FrictionCurve, unit: str, records: Sequence[AxisRecord], worth: Carried) -> Tables:
     source = records[0].source if len(records) == 1 else f"{records[0].source} and {len(records) - 1} more"
     shown = unit or "full_scale"
-
-    def told(deviation: float) -> Origin:
-        return fitted(source, deviation, "constant speeds")
-
-    coulomb, spread = _mean(curve, "Fc")
-    viscous, viscous_spread = _mean(curve, "Fv")
-    friction: dict[str, Row] = {
-        "kind": ("coulomb", "", None),
-        "coulomb": (max(coulomb, 0.0), shown, told(spread)),
-        "viscous": (max(viscous, 0.0), f"{shown}*s/m", told(viscous_spread)),
-    }
-    if curve.model.stribeck:
-        drop, drop_spread = _mean(curve, "drop")
-        friction["breakaway"] = (coulomb + drop, shown, told(float(np.hypot(spread, drop_spread))))
-        friction["stribeck_velocity"] = (curve["vs"], "m/s", told(curve.deviation("vs")))
-    offset = 0.5 * (curve["Fc+"] - curve["Fc-"]) if curve.model.directed else curve["offset"]
-    return {
-        "friction": friction,
-        "disturbance": {"kind": ("constant", "", None), "force": (-offset, shown, fitted(source, note="offset of the command"))},
-    }
+    units = {"friction.viscous": f"{shown}*s/m", "friction.stribeck_velocity": "m/s"}
+    tables: dict[str, dict[str, Row]] = {"friction": {"kind": ("coulomb", "", None)}, "disturbance": {"kind": ("constant", "", None)}}
+    for name, value in _numbers(_values(curve)).items():
+        table, _, key = name.partition(".")
+        note = "offset of the command" if table == "disturbance" else "constant speeds"
+        tables[table][key] = (value, units.get(name, shown), fitted(source, worth.deviations[name], note))
+    return tables
 
 
 def _pictures(curve: FrictionCurve, stretches: Sequence[Stretch], unit: str, axis: str) -> tuple[Picture, ...]:

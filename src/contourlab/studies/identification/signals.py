@@ -12,7 +12,7 @@ from contourlab.logs import Log
 from contourlab.result import Result
 from contourlab.studies.identification.finding import Row, reached
 
-__all__ = ["AxisRecord", "axis_record", "measured_tables"]
+__all__ = ["NO_PLANT", "AxisRecord", "axis_record", "fits_a_plant", "measured_tables"]
 
 Array = NDArray[np.float64]
 POSITIONS = ("position", "motor_position", "axis_position")
@@ -75,7 +75,16 @@ class AxisRecord:
         return self.reference
 
 
-def axis_record(log: Log, axis: str | None = None, gain: float | None = None) -> AxisRecord:
+NO_PLANT = "friction in {unit} fits no plant of an axis file: give --gain, or --full-scale, the same for every log of the axis"
+"""What is said where a friction is in the command's own unit."""
+
+
+def fits_a_plant(unit: str) -> bool:
+    """Tell whether forces in the unit of a command can stand in an axis file: newtons, or parts of full scale."""
+    return unit in ("", "N", "full_scale")
+
+
+def axis_record(log: Log, axis: str | None = None, gain: float | None = None, full_scale: float | None = None) -> AxisRecord:
     """Return the signals of an axis of a log.
 
     Parameters
@@ -84,6 +93,8 @@ def axis_record(log: Log, axis: str | None = None, gain: float | None = None) ->
     axis : str, optional
         By default the only one that the log has.
     gain : float [N per unit of command], optional
+    full_scale : float [unit of the command], optional
+        What counts as full scale of the command, which is told in parts of it then.
 
     Raises
     ------
@@ -108,6 +119,8 @@ def axis_record(log: Log, axis: str | None = None, gain: float | None = None) ->
     command, unit = of("command"), _unit(result, "command")
     if gain is not None and command is not None:
         command, unit = gain * command, "N"
+    elif full_scale is not None and command is not None:
+        command, unit = command / full_scale, "full_scale"
     elif gain is None and of("force") is not None:
         command, unit = of("force"), "N"
     return AxisRecord(log.record.file.name, axis, result.servo_period, position, command, unit, of("reference"), of("disturbance_estimate"))

@@ -10,7 +10,7 @@ import numpy as np
 from contourlab.analysis.stiction import Breakaway, breakaways
 from contourlab.errors import ResultError
 from contourlab.studies.identification.finding import Figure, Finding, Graph, Picture, Row, Tables, assumed, bars, fitted
-from contourlab.studies.identification.signals import AxisRecord
+from contourlab.studies.identification.signals import NO_PLANT, AxisRecord, fits_a_plant
 
 __all__ = ["identify_stiction"]
 
@@ -45,6 +45,8 @@ def identify_stiction(records: Sequence[AxisRecord]) -> Finding:
     figures = tuple(_figure(name, ones, unit) for name, ones in by_way.items() if ones)
     remarks += _remarks(by_way)
     fit = float(np.mean([one.fit for one in found]))
+    written = fits_a_plant(unit)
+    remarks += [] if written else [NO_PLANT.format(unit=unit)]
     return Finding(
         "stiction",
         records[0].axis,
@@ -53,7 +55,7 @@ def identify_stiction(records: Sequence[AxisRecord]) -> Finding:
         fit,
         True,
         tuple(remarks),
-        _tables(by_way, unit, records),
+        _tables(by_way, unit, records) if written else {},
         _pictures(by_way, unit, records),
         _lines(found, unit),
         {"ramps": [{"time": b.time, "level": b.level, "deviation": b.deviation, "rate": b.rate, "fit_percent": b.fit} for b in found]},
@@ -110,7 +112,7 @@ def _tables(by_way: dict[str, list[Breakaway]], unit: str, records: Sequence[Axi
     tables: dict[str, dict[str, Row]] = {"friction": friction}
     if len(ways) == 2:
         forward, backward = (float(_levels(ones).mean()) for ones in by_way.values())
-        half = fitted(records[0].source, note="half the difference of the two directions")
+        half = fitted(records[0].source, spread, "half the difference of the two directions")
         tables["disturbance"] = {"kind": ("constant", "", None), "force": (0.5 * (backward - forward), shown, half)}
     return tables
 
