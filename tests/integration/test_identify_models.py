@@ -130,6 +130,7 @@ def test_sines_of_the_measured_table(shared: Path, tmp_path: Path, capsys: pytes
     assert [point["frequency"] for point in found["points"]] == pytest.approx([4.0, 10.0, 30.0, 50.0, 70.0], rel=2e-3)
     assert any("sine_1Hz.mat: the axis stands still" in said for said in found["remarks"])
     assert any("sine_4Hz.mat: harmonics" in said for said in found["remarks"])
+    assert not any("turns round" in said for said in found["remarks"])
     assert found["parameters"]["M"]["value"] == pytest.approx(0.347, rel=0.02) and found["fit_percent"] > 95.0
     assert found["parameters"]["M"]["unit"] == "V*s^2/m" and any("give --gain for kilograms" in said for said in found["remarks"])
     assert load_axis(out).plant.values()["damping"] == pytest.approx(10.3, rel=0.05)
@@ -227,6 +228,7 @@ def test_the_file_of_an_axis_runs(
         words += ["--cutoff", "100 Hz"]
     found = found_by(words, capsys)
     assert driven(tmp_path, gain) < 0.2e-3
+    assert any("turns round in open.csv" in said for said in found["remarks"]) == (model == "linear-motor")
     axis = load_axis(out)
     assert axis.correlations and axis.plant.origins["damping"].deviation
     if "--gain" in more and model == "first-order":

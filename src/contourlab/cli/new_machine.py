@@ -14,6 +14,7 @@ from typing import Any
 
 from contourlab.cli import sizing
 from contourlab.cli.sizing import SizedAxis, rounded
+from contourlab.cli.sourced import designed, given, guessed
 from contourlab.errors import OutputError, ScenarioError, UnitError
 from contourlab.result import write_text_atomic
 from contourlab.scenario.dump import quantity
@@ -203,39 +204,44 @@ def _check(axis: SizedAxis, period: float) -> None:
 # --- files ---------------------------------------------------------------------------------------------------------------------------
 
 
+def _given(axis: SizedAxis, key: str, value: Any, note: str = "") -> Noted:
+    """Return the answer to a question with where it is from: a data sheet, or what the question proposes."""
+    proposed = any(q.key == key and q.default and read_answer(q, "") == axis.answers[key] for q in _PER_AXIS)
+    return guessed(value, note or "as proposed") if proposed else given(value, note)
+
+
 def _axis_tables(axis: SizedAxis) -> dict[str, Any]:
     viscous = f"guess: {sizing.DAMPING_SHARE:.0%} of the {axis.force(axis.rated_torque):.4g} N at rated torque, at top speed"
-    limit = rounded(axis.peak_torque / axis.torque_constant)
+    limit = quantity(rounded(axis.peak_torque / axis.torque_constant), "A")
+    peak = f"peak torque over torque constant: {axis.force(axis.peak_torque):.4g} N at the table"
+    sliding = f"guess: {sizing.FRICTION_SHARE:.0%} of the force at rated torque; measure it"
     tables: dict[str, Any] = {
         "plant": {
             "kind": "ball-screw",
-            "mass": Noted(quantity(axis.moved_mass, "kg"), "as given"),
-            "inertia": Noted(f"{from_si(axis.inertia, 'kg*cm^2'):.10g} kg*cm^2", "rotor, coupling and screw, as given"),
-            "lead": Noted(quantity(axis.lead, "m", "mm"), "as given"),
-            "torque_constant": Noted(quantity(axis.torque_constant, "N*m/A"), "as given"),
-            "efficiency": Noted(sizing.EFFICIENCY, "typical of a ball screw"),
-            "damping": Noted(quantity(axis.damping, "N*s/m"), viscous),
+            "mass": _given(axis, "moved_mass", quantity(axis.moved_mass, "kg")),
+            "inertia": _given(axis, "rotor_inertia", f"{from_si(axis.inertia, 'kg*cm^2'):.10g} kg*cm^2", "rotor, coupling and screw"),
+            "lead": _given(axis, "lead", quantity(axis.lead, "m", "mm")),
+            "torque_constant": _given(axis, "torque_constant", quantity(axis.torque_constant, "N*m/A")),
+            "efficiency": guessed(sizing.EFFICIENCY, "typical of a ball screw"),
+            "damping": guessed(quantity(axis.damping, "N*s/m"), viscous),
         },
         "friction": {
             "kind": "coulomb",
-            "coulomb": Noted(quantity(axis.friction, "N"), f"guess: {sizing.FRICTION_SHARE:.0%} of the force at rated torque; measure it"),
-            "breakaway": Noted(quantity(rounded(sizing.BREAKAWAY_RATIO * axis.friction), "N"), "guess: a quarter above sliding"),
-            "stribeck_velocity": Noted("2 mm/s", "typical of rail guides"),
+            "coulomb": guessed(quantity(axis.friction, "N"), sliding),
+            "breakaway": guessed(quantity(rounded(sizing.BREAKAWAY_RATIO * axis.friction), "N"), "guess: a quarter above sliding"),
+            "stribeck_velocity": guessed("2 mm/s", "typical of rail guides"),
         },
-        "drive": {
-            "kind": "saturation",
-            "limit": Noted(quantity(limit, "A"), f"peak torque over torque constant: {axis.force(axis.peak_torque):.4g} N at the table"),
-        },
-        "sensor": {"kind": "encoder", "resolution": Noted(quantity(axis.encoder_resolution, "m", "um"), "as given")},
+        "drive": {"kind": "saturation", "limit": _given(axis, "peak_torque", limit, peak)},
+        "sensor": {"kind": "encoder", "resolution": _given(axis, "encoder_resolution", quantity(axis.encoder_resolution, "m", "um"))},
         "limits": {
-            "velocity": quantity(axis.velocity, "m/s", "m/min"),
-            "acceleration": quantity(axis.acceleration, "m/s^2"),
-            "jerk": quantity(axis.jerk, "m/s^3"),
+            "velocity": _given(axis, "velocity", quantity(axis.velocity, "m/s", "m/min")),
+            "acceleration": _given(axis, "acceleration", quantity(axis.acceleration, "m/s^2")),
+            "jerk": _given(axis, "jerk", quantity(axis.jerk, "m/s^3")),
         },
     }
     if axis.weight:
         note = "weight of what hangs on the axis; its positive direction is up"
-        tables["disturbance"] = {"kind": "constant", "force": Noted(quantity(-axis.weight, "N"), note)}
+        tables["disturbance"] = {"kind": "constant", "force": _given(axis, "unbalanced_mass", quantity(-axis.weight, "N"), note)}
     return tables
 
 
@@ -262,8 +268,8 @@ def _controller_tables(axes: Sequence[SizedAxis]) -> dict[str, Any]:
                 "kind": "disturbance-observer",
                 "bandwidth": f"{rounded(observer):g} rad/s",
                 "filter_bandwidth": f"{rounded(sizing.FILTER_RATIO * observer):g} rad/s",
-                "model_gain": Noted(f"{gain:g} m/s^2/A", f"force per ampere over {axis.mass:.4g} kg"),
-                "model_damping": Noted(f"{decay:g} 1/s", f"damping over {axis.mass:.4g} kg"),
+                "model_gain": designed(f"{gain:g} m/s^2/A", f"force per ampere over {axis.mass:.4g} kg"),
+                "model_damping": designed(f"{decay:g} 1/s", f"damping over {axis.mass:.4g} kg"),
             },
             "controller": {"kind": "position", "gains": gains},
         }

@@ -62,7 +62,10 @@ def test_answers_in_a_file_make_a_machine_that_is_accepted(answers, tmp_path, ca
     made = read_all(out)
     assert made["machine.toml"]["machine"]["name"] == "Bench mill"
     assert made["machine.toml"]["axes"]["x"]["mounted_on"] == "y"
-    assert made["axis-y.toml"]["plant"]["lead"] == "5 mm"
+    assert made["axis-y.toml"]["plant"]["lead"] == {"value": "5 mm", "source": "datasheet", "from": "as given"}
+    assert made["axis-x.toml"]["plant"]["lead"] == {"value": "10 mm", "source": "assumed", "note": "as proposed"}
+    assert {made["axis-x.toml"]["friction"][name]["source"] for name in ("coulomb", "breakaway", "stribeck_velocity")} == {"assumed"}
+    assert made["controller.toml"]["controller"]["axes"]["x"]["observer"]["model_gain"]["source"] == "design"
     for name in made:
         assert str(out / name) in shown
     assert main(["run", str(out / "scenario.toml"), "--check"]) == 0

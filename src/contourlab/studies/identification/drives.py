@@ -40,6 +40,8 @@ __all__ = ["identify_linear_motor", "identify_two_inertia"]
 CURVE = 400
 """Points of a model's curve."""
 _Table = dict[str, Row]
+SMOOTHED, SLOW, RARELY = 0.005, 0.1, 0.05
+"""Time [s] over which speed is told, share of the largest from which it counts as motion, share of the samples that turning round is."""
 DRIVE = "the largest in the log, no limit of the drive"
 
 
@@ -114,6 +116,7 @@ def _finding(
     units |= {"delay": "s", "stiffness": f"{force}/m", "resonance": "Hz", "damping_ratio": ""}
     names, values = fit.found.names, fit.found.values.tolist()
     rows = zip(names, values, fit.found.deviations.tolist(), fit.found.robust_deviations.tolist(), strict=True)
+    remarks = (*remarks, *_turning(records, found))
     if unit != "N":
         remarks = (*remarks, f"no force per command is given: masses are in {mass}, as the command sees them; give --gain for kilograms")
     return Finding(
@@ -130,6 +133,25 @@ def _finding(
         {"method": found.method, "condition_number": fit.found.condition_number, "points": response_points(found, unit)},
         worth.correlations if worth is not None and tables else (),
     )
+
+
+def _turning(records: Sequence[AxisRecord], found: MeasuredResponse) -> list[str]:
+    """Remark on an axis that turns round where no harmonics tell what its friction does."""
+    if not np.isnan(found.distortion).all():
+        return []
+    turning = []
+    for record in records:
+        stride = max(1, round(SMOOTHED / record.period))
+        speed = np.diff(record.position[::stride])
+        moving = speed[np.abs(speed) > SLOW * np.abs(speed).max()]
+        if min(np.mean(moving > 0.0), np.mean(moving < 0.0)) > RARELY:
+            turning.append(record.source)
+    if not turning:
+        return []
+    words = (
+        "sliding friction, where there is any, counts as damping and is not in the deviations: let the excitation ride on a steady motion"
+    )
+    return [f"the axis turns round in {', '.join(turning)}: {words}, or take rigid or first-order"]
 
 
 def _pictures(axis: str, model: str, found: MeasuredResponse, fit: DriveFit, unit: str) -> tuple[Picture, ...]:
