@@ -173,3 +173,14 @@ def test_correlations_of_the_file_before_are_kept_only_where_both_numbers_are(
     ]
     assert main([*typed, "--out", str(out)]) == 0
     assert all(axis.correlations == (("plant.mass", "plant.damping", 0.2),) for axis in load_machine(out).axes)
+
+
+def test_a_log_in_a_wrong_unit_makes_no_machine(scene: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """Positions a thousand times too small: the only parameter ends at its bound, and nothing is known of it."""
+    lines = (scene / "log.csv").read_text().splitlines()
+    lines[0] = lines[0].replace("pos [mm]", "pos [um]")
+    (tmp_path / "log.csv").write_text("\n".join(lines))
+    out, given = tmp_path / "machine.toml", words(scene, "--out", str(tmp_path / "machine.toml"), "--json", names=["axes.x.plant.mass"])
+    assert main([str(tmp_path / "log.csv") if word == str(scene / "log.csv") else word for word in given]) == 1
+    found = json.loads(capsys.readouterr().out, parse_constant=pytest.fail)
+    assert found["parameters"]["axes.x.plant.mass"]["at_bound"] and not found["usable"] and not out.exists()

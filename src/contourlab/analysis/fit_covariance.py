@@ -73,6 +73,9 @@ def fit_covariance(jacobians: Sequence[Array], residuals: Sequence[Array], floor
     (1987); Politis & Romano, "Bias-corrected nonparametric spectral estimation", J. Time Series Analysis 16 (1995), for the window.
     """
     p = jacobians[0].shape[-1]
+    if p == 0:  # all parameters are at the bounds of their ranges
+        nothing, none = np.zeros(0), np.zeros((0, 0))
+        return FitCovariance(none, nothing, nothing, none, 0, np.zeros(0, dtype=bool))
     flat = np.concatenate([j.reshape(-1, p) for j in jacobians])
     left = np.concatenate([r.ravel() for r in residuals])
     normal = flat.T @ flat
