@@ -147,6 +147,8 @@ def test_every_shipped_file_is_listed_with_what_it_is(capsys: pytest.CaptureFixt
     assert set(found) == set(builtin_names())
     assert all(one["about"] for one in found.values())
     assert found["emps/axis"]["kind"] == "axis" and found["emps/axis"]["references"][0] == "DATA_EMPS.mat"
+    assert found["ubc/table"]["references"] == ["Gigahawk/mech467", "line_circle_lli.mat", "line_circle_pp.mat"]
+    assert found["gecer-ulu/stage"]["references"] == ["Gecer Ulu, Ulu & Cakmakci"]
     assert found["ghaffari/a3a1"]["axes"] == ["1", "3"] and found["ghaffari/a3a1"]["sources"]["fitted"] == 4
     assert found["emps/circle"]["kind"] == "scenario" and found["ghaffari/initial"]["kind"] == "controller"
     assert main(["machines"]) == 0

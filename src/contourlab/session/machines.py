@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import re
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from pathlib import Path
@@ -57,9 +58,9 @@ class Shipped:
 
     @property
     def references(self) -> tuple[str, ...]:
-        """The logs, papers and tables that its numbers are from, by their first words."""
-        named = (number.origin.reference.partition(", ")[0] for number in self.numbers if number.origin)
-        return tuple(dict.fromkeys(name for name in named if name))
+        """The logs, papers and tables that its numbers are from."""
+        named = (name for number in self.numbers if number.origin for name in _names(number.origin.reference))
+        return tuple(dict.fromkeys(named))
 
     def as_dict(self) -> dict[str, Any]:
         """Return it for JSON."""
@@ -95,6 +96,20 @@ def shipped_one(name: str) -> Shipped:
     if "plant" in content:
         return Shipped(short, "axis", (), about, file, numbers_of_axis(load_axis(file)))
     return Shipped(short, "controller", (), about, file)
+
+
+def _names(reference: str) -> list[str]:
+    """Return the authors, or the files, that a reference begins with, without page or column."""
+    first, *others = reference.split(", ")
+    names = [first] if first else []
+    for part in others:
+        if " & " in part:  # the last of several authors
+            names[-1] += f", {part}"
+        elif re.search(r"\.\w+\Z", part):
+            names.append(part)
+        else:
+            break
+    return names
 
 
 def _about(file: Path) -> str:

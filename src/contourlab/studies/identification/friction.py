@@ -53,6 +53,8 @@ def identify_friction(records: Sequence[AxisRecord], settings: StretchSettings |
         remarks.append(
             f"an axis file's friction does not rise into its Coulomb level: it is given {shown.model.name}, fit {shown.fit:.4g} %"
         )
+    if shown is not None and _mean(_values(shown), "Fv") > 0.0:
+        remarks.append("the axis file has the viscous friction in its table friction: the damping of the plant beside it is to be 0")
     curve = fit.chosen
     return Finding(
         "friction",
