@@ -310,3 +310,14 @@ def test_deviations_are_the_spread_over_many_logs() -> None:
         values, deviations = np.array(rows).T
         # The spread of thirty is itself known to 13 %; the damping's deviation is on the safe side.
         assert 0.6 < np.median(deviations) / values.std(ddof=1) < (6.0 if name == "B" else 1.6), name
+
+
+@pytest.mark.parametrize("model", ["rigid", "first-order", "linear-motor"])
+def test_units_that_cannot_be_right_are_told(tmp_path: Path, capsys: pytest.CaptureFixture[str], model: str) -> None:
+    """The same log with its millimetres taken for nanometres: 30 kg become 30 thousand tonnes."""
+    out = tmp_path / "axis.toml"
+    words = [stepped(tmp_path, "V", 10.0), "--column", "command.x=cmd", "--gain", "5 N/V", "--model", model, "--out", str(out)]
+    assert not any("units" in said for said in found_by(words, capsys)["remarks"]) and out.exists()
+    out.unlink()
+    found = found_by([*words, "--column", "position.x=pos x [nm]"], capsys, code=1)
+    assert any("kg is moved: are the units of position, force and gain right?" in said for said in found["remarks"]) and not out.exists()

@@ -7,7 +7,7 @@ from numpy.typing import NDArray
 
 from contourlab.errors import ParameterError
 
-__all__ = ["check_signs", "remarks_on"]
+__all__ = ["check_signs", "on_mass", "remarks_on"]
 
 Array = NDArray[np.float64]
 
@@ -16,7 +16,11 @@ WELL_KNOWN = 10.0
 EXCITED = 100.0
 """Condition number, columns of length one, from which excitation is remarked on."""
 EXPLAINED = 50.0
-"""Fit [percent] below which the model is remarked on."""
+"""Fit [percent] below which the model is remarked on; below half of it the figures cannot be used."""
+LIGHT, HEAVY = 1e-3, 2e4
+"""Moved masses [kg] between those of galvanometers and of gantries; beyond them units are asked about."""
+IMPOSSIBLE = (1e-5, 1e6)
+"""Masses [kg] that no axis has."""
 COLOURED = 1.5
 """Ratio of deviations, with and without correlation of the residual, from which it is remarked on."""
 AT_REST, RESTS = 5e-3, 0.05
@@ -44,6 +48,18 @@ def check_signs(names: tuple[str, ...], values: Array, deviations: Array) -> Non
     if friction < -2.0 * deviation:
         bound = "above zero: the force helps the motion in both directions, so it is not what moves this axis"
         raise ParameterError("Fc", f"{friction:.4g} N", bound)
+
+
+def on_mass(mass: float) -> tuple[list[str], bool]:
+    """Return what is to be said of a mass [kg] that no axis of a machine has, and whether it can be one at all.
+
+    >>> on_mass(95.1)
+    ([], True)
+    """
+    if LIGHT <= mass <= HEAVY:
+        return [], True
+    said = f"a mass of {mass:.4g} kg is moved: are the units of position, force and gain right?"
+    return [said], IMPOSSIBLE[0] <= mass <= IMPOSSIBLE[1]
 
 
 def mean_coulomb(names: tuple[str, ...], values: Array, deviations: Array) -> tuple[float, float]:
@@ -75,6 +91,7 @@ def remarks_on(
         said.append(f"too little excitation: condition number {condition:.3g} with columns of length one, below {EXCITED:g} is usual")
     if fit < EXPLAINED:
         said.append(f"the model explains {fit:.3g} % of the force: friction, or a force, of another kind is at work")
+        usable = usable and fit > 0.5 * EXPLAINED
     with np.errstate(divide="ignore", invalid="ignore"):
         ratio = float(np.nan_to_num(robust / deviations, nan=1.0).max())
     if ratio > COLOURED:
@@ -94,6 +111,8 @@ def _on_parameters(names: tuple[str, ...], values: Array, deviations: Array) -> 
         known = "is not told apart from zero" if abs(value) < 2.0 * deviation else f"is known to {share:.2g} % only"
         said.append(f"{name} = {value:.4g} {known}, standard deviation {deviation:.2g}: too little excitation")
         usable = usable and name != "M"
+    told, possible = on_mass(float(values[names.index("M")]))
+    said, usable = [*said, *told], usable and possible
     friction, _ = mean_coulomb(names, values, deviations)
     if friction < 0.0:
         said.append(f"Fc = {friction:.4g} is below zero within its deviation: unusable as it stands, take no Coulomb friction")

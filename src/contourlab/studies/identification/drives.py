@@ -18,6 +18,7 @@ from contourlab.analysis.drive_models import (
     two_inertia,
 )
 from contourlab.analysis.frequency_response import MeasuredResponse
+from contourlab.analysis.identification_remarks import on_mass
 from contourlab.components.origin import Origin
 from contourlab.studies.identification.finding import (
     Carried,
@@ -116,7 +117,8 @@ def _finding(
     units |= {"delay": "s", "stiffness": f"{force}/m", "resonance": "Hz", "damping_ratio": ""}
     names, values = fit.found.names, fit.found.values.tolist()
     rows = zip(names, values, fit.found.deviations.tolist(), fit.found.robust_deviations.tolist(), strict=True)
-    remarks = (*remarks, *_turning(records, found))
+    told, possible = on_mass(_mass(fit)) if unit == "N" else ([], True)
+    remarks = (*remarks, *told, *_turning(records, found))
     if unit != "N":
         remarks = (*remarks, f"no force per command is given: masses are in {mass}, as the command sees them; give --gain for kilograms")
     return Finding(
@@ -125,7 +127,7 @@ def _finding(
         tuple(record.source for record in records),
         tuple(Figure(name, value, units[name], white, robust) for name, value, white, robust in rows),
         fit.fit,
-        fit.usable,
+        fit.usable and possible,
         (*found.remarks, *fit.remarks, *remarks),
         tables,
         _pictures(records[0].axis, model, found, fit, unit),
@@ -133,6 +135,11 @@ def _finding(
         {"method": found.method, "condition_number": fit.found.condition_number, "points": response_points(found, unit)},
         worth.correlations if worth is not None and tables else (),
     )
+
+
+def _mass(fit: DriveFit) -> float:
+    """Return the whole mass that is moved."""
+    return sum(fit[name] for name in ("M", "mass", "motor_mass", "load_mass") if name in fit.found.names)
 
 
 def _turning(records: Sequence[AxisRecord], found: MeasuredResponse) -> list[str]:

@@ -8,6 +8,7 @@ import numpy as np
 
 from contourlab.analysis.closed_first_order import identify_closed_loop
 from contourlab.analysis.first_order import FirstOrderFit, FirstOrderSettings, identify_first_order
+from contourlab.analysis.identification_remarks import on_mass
 from contourlab.components.origin import Origin
 from contourlab.errors import ResultError
 from contourlab.studies.identification.finding import (
@@ -53,14 +54,15 @@ def identify_open_loop(record: AxisRecord, settings: FirstOrderSettings | None =
     pictures = _pictures(fit, "velocity", f"Velocity of axis {record.axis}, {record.source}", ("velocity [mm/s]", "command"))
     lines = (f"velocity over {fit.smoothing} samples; steady {1e3 * fit['a'] / max(fit['b'], 1e-12):.4g} mm/s per {unit or 'command'}",)
     worth = _worth(record, fit)
+    told, possible = on_mass(1.0 / fit["a"]) if unit == "N" else ([], True)
     return Finding(
         "first-order",
         record.axis,
         (record.source,),
         figures,
         fit.found.fit,
-        fit.usable,
-        fit.remarks,
+        fit.usable and possible,
+        (*fit.remarks, *told),
         _tables(record, fit, worth.deviations) if fit.usable else {},
         pictures,
         lines,
