@@ -69,6 +69,11 @@ def test_one_local_number_restores_what_a_stronger_axis_takes(typed: Path, capsy
     gains = [load_controller(file, machine).axes["x"].controller.values()["model_gain"] for file in files]
     assert gains[0] < 1.3 < 1.7 < gains[1]
     assert all(load_controller(file, machine).axes["x"].local for file in files)
+    # The margins are the exact ones, of what is recommended; what is local decides what has to be in the axis.
+    assert all(found["margins"][name]["axes"]["x"]["gain"] >= 10 ** (6.0 / 20.0) for name in found["variants"])
+    assert [(one["division"], one["ways"]) for one in found["networks"]] == [("controller", "both"), ("controller", "one")]
+    assert found["passed"] and all(one["holds"] and one["local_in_base"] == [] for one in found["networks"])
+    assert "with the controller in the axis and messages both ways" in found["verdict"] and "exact margins of the recommended" in said
 
 
 def test_json_alone_and_exit_code_of_what_cannot_be_restored(typed: Path, capsys: pytest.CaptureFixture[str]) -> None:
@@ -79,6 +84,28 @@ def test_json_alone_and_exit_code_of_what_cannot_be_restored(typed: Path, capsys
     assert found["floor"] == pytest.approx(1e-9) and not found["restorable"] and found["local"] is None
     assert "not modular" in found["verdict"] and found["swap_loss"] > 0.03
     assert (typed / "results" / "plots" / "swap.svg").exists() and not (typed / "results" / "controllers").exists()
+
+
+def test_a_network_that_is_too_late_is_part_of_the_verdict(typed: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    words = [*WORDS, "--local", "x.model_gain", "--division", "drive", "--ways", "both", "--delay", "20 ms", "--json"]
+    assert main(["swap", "circle.toml", "--axis", "x", "--with", "strong.toml", *words]) == 1
+    found = json.loads(capsys.readouterr().out)
+    (cost,) = found["networks"]
+    # A number of the position loop moves with the axis, and this division leaves the loop in the base.
+    assert cost["local_in_base"] == ["controller.axes.x.controller.model_gain"]
+    assert found["restorable"] and not found["passed"] and not cost["holds"] and cost["rate"] is None
+    assert "no message rate holds" in found["verdict"]
+
+
+def test_a_scenario_with_links_of_its_own_keeps_in_the_base_what_they_leave_there(typed: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    linked = SCENARIO.replace("[contour]", '[controller.axes."*".link]\ndivision = "drive"\n[contour]', 1)
+    (typed / "circle.toml").write_text(linked)
+    words = ["swap", "circle.toml", "--axis", "x", "--with", "strong.toml", *WORDS, "--json"]
+    assert main([*words, "--local", "x.model_gain"]) == 2
+    assert "a number of a swapped axis" in capsys.readouterr().err
+    assert main(words) == 1
+    found = json.loads(capsys.readouterr().out)
+    assert [one["name"] for one in found["choices"]] == ["none"] and {one["division"] for one in found["networks"]} == {"drive"}
 
 
 @pytest.mark.parametrize(
@@ -95,6 +122,14 @@ def test_json_alone_and_exit_code_of_what_cannot_be_restored(typed: Path, capsys
         (["--axis", "x", "--with", "strong.toml", "--region", "model_gain"], "numbers of the machine"),
         (["--axis", "x", "--with", "strong.toml", "--linear", "magic"], "three-step"),
         (["--axis", "x", "--with", "strong.toml", "--budget", "1"], "100 or more"),
+        (["--axis", "x", "--with", "strong.toml", "--seed", "-1"], "0 or more"),
+        (["--axis", "x", "--with", "strong.toml", "--threads", "0"], "1 or more"),
+        (["--axis", "x", "--with", "strong.toml", "--width", "0.5"], "a factor either side"),
+        (["--axis", "x", "--with", "strong.toml", "--places", "3"], "a power of 2"),
+        (["--axis", "x", "--with", "strong.toml", "--division", "half"], "drive, observer, controller"),
+        (["--axis", "x", "--with", "strong.toml", "--ways", "two"], "both, one"),
+        (["--axis", "x", "--with", "strong.toml", "--delay", "2 mm"], "2 ms"),
+        (["--axis", "x", "--with", "strong.toml", "--within", "-5 %"], ">= 0"),
         (["--axis", "x", "--with", "strong.toml", "--parameter", "x.plant.gain"], "a number of the controller"),
     ],
 )

@@ -133,6 +133,8 @@ def test_a_scheme_is_chosen_by_its_name(capsys: pytest.CaptureFixture[str]) -> N
         (["--parameter", "x.position_gain=1..2"], "full_scale/mm"),
         (["--plateau", "flat"], "robust"),
         (["--lanes", "2"], "8 to 1024"),
+        (["--seed", "-1"], "0 to "),
+        (["--threads", "0"], "1 or more"),
         (["--gain-margin", "-1"], "0 to 60"),
         (["--plots", "bmp"], "png"),
         (["--out", "tuned.txt"], ".toml"),

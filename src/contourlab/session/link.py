@@ -20,7 +20,7 @@ if TYPE_CHECKING:
     from contourlab.studies.division import DivisionCost
     from contourlab.studies.link_sweep import LinkSweep
 
-__all__ = ["LinkOptions", "LinkOutcome", "link_scenario"]
+__all__ = ["Asked", "LinkOptions", "LinkOutcome", "link_scenario", "read_options"]
 
 SHOWN = {
     "rms": ("contour_error_rms", "um", 1e6),
@@ -109,7 +109,7 @@ def link_scenario(
     """
     from contourlab.session.schemes import loaded
 
-    asked = _read(options)
+    asked = read_options(options)
     scenario = loaded(file, schemes, plugins)
     texts, found = [], {}
     files: list[Path] = []
@@ -131,7 +131,9 @@ def link_scenario(
 
 
 @dataclass(frozen=True)
-class _Asked:
+class Asked:
+    """What is asked for, in SI; `divisions`, `ways` and `quantities` are all that there are where none was named."""
+
     within: float
     allowed: float | None
     longest: float
@@ -141,7 +143,14 @@ class _Asked:
     quantities: tuple[str, ...]
 
 
-def _read(options: LinkOptions) -> _Asked:
+def read_options(options: LinkOptions) -> Asked:
+    """Return options in SI.
+
+    Raises
+    ------
+    ParameterError
+        If one is unknown or out of range.
+    """
     from contourlab.components.link.network import Network
     from contourlab.loop import DIVISIONS
     from contourlab.studies.link_sweep import QUANTITIES, WAYS
@@ -155,7 +164,7 @@ def _read(options: LinkOptions) -> _Asked:
     if options.tolerance is not None:
         unit = "m*s" if options.figure == "integral" else "m"
         allowed = _positive("--tolerance", options.tolerance, unit, '"15 um s"' if unit == "m*s" else '"15 um"')
-    return _Asked(
+    return Asked(
         within=_part("--within", options.within),
         allowed=allowed,
         longest=_positive("--longest", options.longest, "s", '"100 ms"'),
@@ -199,7 +208,7 @@ def _positive(option: str, text: str, unit: str, example: str) -> float:
     return value
 
 
-def _costs(case: Case, reference: Any, options: LinkOptions, asked: _Asked, stages: Any) -> tuple[float, float, list[DivisionCost]]:
+def _costs(case: Case, reference: Any, options: LinkOptions, asked: Asked, stages: Any) -> tuple[float, float, list[DivisionCost]]:
     from contourlab.studies.division import allowed_error, division_cost, undivided_error
 
     figure = SHOWN[options.figure][0]
@@ -214,7 +223,7 @@ def _costs(case: Case, reference: Any, options: LinkOptions, asked: _Asked, stag
     return whole, allowed, costs
 
 
-def _controllers(controller: Controller, options: LinkOptions, asked: _Asked) -> Iterator[tuple[str, Controller]]:
+def _controllers(controller: Controller, options: LinkOptions, asked: Asked) -> Iterator[tuple[str, Controller]]:
     from contourlab.studies.link_sweep import divided
 
     if not options.divisions and any(mine.link is not None for mine in controller.axes.values()):

@@ -184,6 +184,8 @@ def _studied(case: Case, request: Request, folder: Path, stages: Stages) -> tupl
         request.seed,
     )
     plan.check(len(space.numbers))
+    if request.seed < 0:
+        raise ParameterError("--seed", f"{request.seed}", "0 or more")
     stages.begin("planning the motion")
     reference = case.reference()
     evaluator = Evaluator(

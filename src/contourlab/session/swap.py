@@ -13,19 +13,23 @@ from contourlab.errors import ParameterError, ScenarioError
 from contourlab.result import write_text_atomic
 from contourlab.scenario.quantities import read_number
 from contourlab.session.folder import staged
+from contourlab.session.link import Asked, LinkOptions, read_options
 from contourlab.session.run import RunOutcome, check_plots, file_names
 from contourlab.session.stages import Stages, shown
+from contourlab.session.swap_report import WORDS, SwapReport
 from contourlab.studies.space import Space
 from contourlab.studies.space.bounds import Bounds
-from contourlab.studies.swap.coverage import Coverage, coverage
+from contourlab.studies.swap.coverage import coverage
+from contourlab.studies.swap.final import final
 from contourlab.studies.swap.fleet import OBJECTIVES, Fleet
-from contourlab.studies.swap.linear import METHODS, LinearSwap, linear_swap
+from contourlab.studies.swap.linear import METHODS, linear_swap
+from contourlab.studies.swap.network import NetworkCost, least_division, network_cost
 from contourlab.studies.swap.numbers import controller_with
 from contourlab.studies.swap.study import SwapSettings, SwapStudy, swap_study
 from contourlab.studies.swap.variants import variants_of
 
 if TYPE_CHECKING:
-    from contourlab.loop import Axis
+    from contourlab.loop import Axis, Controller
     from contourlab.scenario import Case
 
 __all__ = ["SwapOptions", "swap_scenario"]
@@ -51,6 +55,9 @@ class SwapOptions:
         J that is good enough in the region.
     linear : sequence of str
         Methods of linear design to report, of `contourlab.studies.swap.linear.METHODS`.
+    network : LinkOptions
+        What is asked of the network between base and axes; without a division the one with the least in the axis that has all that is
+        local. Its quantities, axes, figure and tolerance are not looked at.
     """
 
     objective: str = "contour_error_integral"
@@ -68,6 +75,7 @@ class SwapOptions:
     tolerance: str | None = None
     places: int = 8
     linear: tuple[str, ...] = ()
+    network: LinkOptions = field(default_factory=LinkOptions)
     plugins: tuple[str | Path, ...] = field(default=())
 
 
@@ -106,6 +114,7 @@ def swap_scenario(
     check_plots(plots)
     study_of, region, tolerance = _prepared(file, swaps, options, scheme)
     fleet, candidates, settings = study_of
+    asked = read_options(options.network)
     with shown(progress) as stages, staged(out) as folder:
         study = swap_study(fleet, candidates, settings, _told(stages, fleet, settings))
         over = None
@@ -116,10 +125,31 @@ def swap_scenario(
                 fleet, point, region, full=settings.full, tolerance=tolerance, places=options.places, budget=max(options.budget // 4, 200)
             )
         stages.begin("linear designs")
-        asked = [name for name, _ in swaps] if options.linear else []
-        linear = tuple(found for name in asked for found in linear_swap(fleet.variants, fleet.controller, name, options.linear))
+        swapped = [name for name, _ in swaps] if options.linear else []
+        linear = tuple(found for name in swapped for found in linear_swap(fleet.variants, fleet.controller, name, options.linear))
+        stages.begin("exact margins")
+        ended = final(fleet, (study.recommended or study.base).design.points)
+        networks = _networks(study, options.network, asked, stages)
         stages.begin("writing")
-        return _written(study, over, linear, folder, Path(out), plots)
+        return _written(SwapReport(study, ended, networks, over, linear), folder, Path(out), plots)
+
+
+def _networks(study: SwapStudy, options: LinkOptions, asked: Asked, stages: Stages) -> tuple[NetworkCost, ...]:
+    """Return what a network costs the recommended design, or where none is, the shared one; nothing where that holds no guards."""
+    choice = study.recommended or study.base
+    if not choice.design.holds:
+        return ()
+    local, found = choice.design.local, []
+    given = {"within": asked.within, "longest": asked.longest, "seeds": options.seeds, "told": stages.advance}
+    for division in asked.divisions if options.divisions else (_own_division(study.fleet.controller) or least_division(local),):
+        for ways in asked.ways:
+            stages.begin(f"network: {division} in the axis, messages {WORDS[ways]}")
+            found.append(network_cost(study.fleet, choice.design.points, local, division, ways, asked.network, **given))  # type: ignore[arg-type]
+    return tuple(found)
+
+
+def _own_division(controller: Controller) -> str | None:
+    return next((mine.link.division for mine in controller.axes.values() if mine.link is not None), None)
 
 
 def _prepared(
@@ -128,6 +158,7 @@ def _prepared(
     """Return all that is checked before anything runs."""
     from contourlab.scenario import load_scenario
 
+    _check_search(options)
     scenario = load_scenario(file, plugins=options.plugins)
     case: Case = scenario.case(scheme) if scheme is not None else scenario.base
     machine, controller = case.machine, case.controller
@@ -151,9 +182,7 @@ def _prepared(
         seed=case.seed,
         threads=options.threads,
     )
-    candidates = tuple(name for name in fleet.space.names if variants[0].module(name))
-    if options.budget < 100:
-        raise ParameterError("--budget", str(options.budget), "100 or more candidates a search")
+    candidates = tuple(name for name in fleet.space.names if variants[0].module(name) and _may_move(controller, name))
     settings = SwapSettings(
         budget=options.budget, seed=options.seed, exhaustive=options.exhaustive, local=_local_sets(fleet, candidates, options.local)
     )
@@ -163,6 +192,24 @@ def _prepared(
     tolerance = None if options.tolerance is None else _quantity("--tolerance", options.tolerance, unit, 0.0)
     _methods(options.linear)
     return (fleet, candidates, settings), region, tolerance
+
+
+def _may_move(controller: Controller, name: str) -> bool:
+    """Tell whether a number may be local: a scenario that divides its controllers itself leaves some in the base."""
+    _, _, axis, slot, *_ = name.split(".")
+    link = controller.axes[axis].link
+    return link is None or link.is_local(slot)
+
+
+def _check_search(options: SwapOptions) -> None:
+    if options.budget < 100:
+        raise ParameterError("--budget", str(options.budget), "100 or more candidates a search")
+    if options.seed < 0:
+        raise ParameterError("--seed", str(options.seed), "0 or more")
+    if options.threads is not None and options.threads < 1:
+        raise ParameterError("--threads", str(options.threads), "1 or more")
+    if options.places < 1 or options.places & (options.places - 1):
+        raise ParameterError("--places", str(options.places), "a power of 2")
 
 
 def _methods(methods: Sequence[str]) -> None:
@@ -230,14 +277,12 @@ def _told(stages: Stages, fleet: Fleet, settings: SwapSettings) -> Any:
     return begin
 
 
-def _written(
-    study: SwapStudy, over: Coverage | None, linear: Sequence[LinearSwap], folder: Path, out: Path, plots: Sequence[str]
-) -> RunOutcome:
+def _written(report: SwapReport, folder: Path, out: Path, plots: Sequence[str]) -> RunOutcome:
     """Write everything; return what is printed."""
     from contourlab.report.swap_picture import write_matrices
     from contourlab.session.swap_text import matrices, summary_of, text_of
 
-    lines = [text_of(study, over, linear)]
+    study, lines = report.study, [text_of(report)]
     if plots:
         write_matrices(matrices(study), study.settings.full, "What a swap loses", folder / "plots", plots)
         lines += [f"picture: {out / 'plots' / f'swap.{name}'}" for name in plots]
@@ -252,9 +297,9 @@ def _written(
             head = f"# For {variant.name}; J and the guards were met on the motion of the study. `local` moves with the axis.\n\n"
             write_text_atomic(folder / "controllers" / f"{names[variant.name]}.toml", head + dump(made, variant.machine))
             lines.append(f"controller for {variant.name}: {out / 'controllers' / f'{names[variant.name]}.toml'}")
-    summary = summary_of(study, over, linear)
+    summary = summary_of(report)
     write_text_atomic(folder / "swap.json", json.dumps(_strict(summary), indent=2, allow_nan=False) + "\n")
-    return RunOutcome(best is not None, summary, "\n".join(lines))
+    return RunOutcome(report.passed, summary, "\n".join(lines))
 
 
 def _strict(value: Any) -> Any:

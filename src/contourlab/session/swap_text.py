@@ -4,18 +4,22 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Sequence
+from dataclasses import asdict
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from contourlab.report.swap_picture import LossMatrix
+from contourlab.session.margin_words import decibel, degrees
+from contourlab.session.swap_report import UNITS, WORDS, SwapReport
 from contourlab.studies.swap.coverage import Coverage
 from contourlab.studies.swap.fleet import OBJECTIVES
 from contourlab.studies.swap.linear import LinearSwap
 from contourlab.studies.swap.loss import losses
+from contourlab.studies.swap.network import NetworkCost
 from contourlab.studies.swap.study import Choice, SwapStudy
-from contourlab.studies.swap.verdict import on_bounds, search_words, verdict
+from contourlab.studies.swap.verdict import on_bounds, search_words
 
 __all__ = ["matrices", "summary_of", "text_of"]
 
@@ -23,9 +27,9 @@ Array = NDArray[np.float64]
 _MICRO = 1e6
 
 
-def text_of(study: SwapStudy, over: Coverage | None, linear: Sequence[LinearSwap]) -> str:
+def text_of(report: SwapReport) -> str:
     """Return the report as text."""
-    unit = _unit(study)
+    study = report.study
     variants = [variant.name for variant in study.fleet.variants]
     table = [("local numbers", "", *variants, "loss %")]
     table.append(("best of its own, J*", "", *(_number(value) for value in study.fleet.best * _MICRO), ""))
@@ -33,21 +37,59 @@ def text_of(study: SwapStudy, over: Coverage | None, linear: Sequence[LinearSwap
         effort = "" if choice is study.given else str(choice.effort)
         named = "the scenario's own numbers" if choice is study.given else choice.name
         table.append((named, effort, *(_number(v) for v in choice.design.values * _MICRO), _percent(choice.loss)))
-    lines = [f"J in {unit}, of each variant; the column behind the names counts the local numbers", *_columns(table), "", verdict(study)]
+    lines = [f"J in {report.unit}, of each variant; the column behind the names counts the local numbers", *_columns(table)]
+    lines += ["", report.verdict]
     best = study.recommended
     if best is not None:
         lines += ["", "recommended division", *_division(study, best)]
-    edges = on_bounds(study, best or study.base)
-    lines += ["", *(f"note: {words}" for words in search_words(study))]
-    if edges:
-        lines.append(f"note: on a bound, where a wider one might do better: {', '.join(edges)}")
-    if study.given_breaks:
-        lines.append(f"note: the scenario's own numbers break a guard with {'; '.join(study.given_breaks)}")
-    if over is not None:
-        lines += ["", *_coverage(study, over)]
-    for found in linear:
+    which = "recommended division" if best is not None else "shared design, nothing local"
+    lines += ["", f"exact margins of the {which}", *_margins(report)]
+    if report.networks:
+        lines += ["", *_networks(report, which)]
+    lines += ["", *_notes(study)]
+    if report.over is not None:
+        lines += ["", *_coverage(study, report.over)]
+    for found in report.linear:
         lines += ["", *_linear(found)]
     return "\n".join(lines)
+
+
+def _notes(study: SwapStudy) -> Iterator[str]:
+    yield from (f"note: {words}" for words in search_words(study))
+    edges = on_bounds(study, study.recommended or study.base)
+    if edges:
+        yield f"note: on a bound, where a wider one might do better: {', '.join(edges)}"
+    if study.given_breaks:
+        yield f"note: the scenario's own numbers break a guard with {'; '.join(study.given_breaks)}"
+
+
+def _margins(report: SwapReport) -> Iterator[str]:
+    rows, broken = [("  variant", "axis", "gain margin", "phase margin")], []
+    for variant, mine, short in zip(report.study.fleet.variants, report.final.margins, report.final.broken, strict=True):
+        rows += [(f"  {variant.name}", axis, decibel(one), degrees(one)) for axis, one in mine.items()]
+        broken += [f"  not kept with {variant.name}: {words}" for words in short]
+    yield from [*_columns(rows), *broken]
+
+
+def _networks(report: SwapReport, which: str) -> Iterator[str]:
+    """Yield what divisions between base and axes cost, and how few messages hold."""
+    unit, variants = report.unit, report.study.fleet.variants
+    yield f"{which} over a network: J in {unit}, largest that is let pass, and the longest message period that holds"
+    rows = [("  in the axis, messages", "variant", "wired", "let pass", "as given", "period that holds", "J at that of all")]
+    for cost in report.networks:
+        columns = zip(variants, cost.whole, cost.allowed, cost.given, cost.sweeps, cost.at_limit, strict=True)
+        for variant, whole, allowed, given, sweep, at_limit in columns:
+            shown = [f"{value * _MICRO:.4g}" if math.isfinite(value) else "runs away" for value in (whole, allowed, given)]
+            most = "none" if math.isnan(sweep.most) else f"{'' if sweep.seen else 'all, to '}{sweep.most * 1e3:.4g} ms"
+            last = f"{at_limit * _MICRO:.4g}" if math.isfinite(at_limit) else "-"
+            rows.append((f"  {cost.division}, {WORDS[cost.ways]}", variant.name, *shown, most, last))
+    yield from _columns(rows)
+    for cost in report.networks:
+        if cost.apart:
+            short = {number.name: number.short for number in report.study.fleet.space.numbers}
+            yield f"  {cost.division}: {', '.join(short[name] for name in cost.apart)} would have to be set in the base for each axis"
+        if not all(cost.stable):
+            yield f"  {cost.division}, {WORDS[cost.ways]}: the linear model with the network as given is unstable"
 
 
 def _division(study: SwapStudy, choice: Choice) -> Iterator[str]:
@@ -109,18 +151,20 @@ def _percent(loss: float) -> str:
 
 
 def _unit(study: SwapStudy) -> str:
-    return {"m*s": "um s", "m": "um"}[OBJECTIVES[study.fleet.objective][0]]
+    return UNITS[OBJECTIVES[study.fleet.objective][0]]
 
 
-def summary_of(study: SwapStudy, over: Coverage | None, linear: Sequence[LinearSwap]) -> dict[str, Any]:
+def summary_of(report: SwapReport) -> dict[str, Any]:
     """Return everything as JSON has it, in SI."""
+    study, over = report.study, report.over
     fleet, best, settings = study.fleet, study.recommended, study.settings
     numbers = {
         number.name: {"low": number.low, "high": number.high, "unit": number.unit, "scenario": number.value}
         for number in fleet.space.numbers
     }
     return {
-        "verdict": verdict(study),
+        "verdict": report.verdict,
+        "passed": report.passed,
         "full_modularity": study.full,
         "restorable": best is not None,
         "local": sorted(best.design.local) if best is not None else None,
@@ -144,16 +188,47 @@ def summary_of(study: SwapStudy, over: Coverage | None, linear: Sequence[LinearS
         "designs_on_variants": study.crossed.tolist(),
         "ranking": [{"name": r.name, "sensitivity": r.sensitivity, "movement": r.movement} for r in study.ranking],
         "coverage": None if over is None else _coverage_summary(over),
-        "linear": [
-            {
-                "axis": one.axis,
-                "case": one.case,
-                "models": {name: {"a": m.gain, "b": m.damping} for name, m in zip(one.modules, one.models, strict=True)},
-                "blind": one.blind.tolist(),
-                "designs": [{"method": d.method, "local": list(d.local), "ratio": d.ratio.tolist()} for d in one.designs],
+        "margins": {
+            variant.name: {"axes": {axis: asdict(one) for axis, one in mine.items()}, "broken": list(short)}
+            for variant, mine, short in zip(fleet.variants, report.final.margins, report.final.broken, strict=True)
+        },
+        "networks": [_network_summary(cost, [variant.name for variant in fleet.variants]) for cost in report.networks],
+        "linear": [_linear_summary(one) for one in report.linear],
+    }
+
+
+def _linear_summary(one: LinearSwap) -> dict[str, Any]:
+    return {
+        "axis": one.axis,
+        "case": one.case,
+        "models": {name: {"a": m.gain, "b": m.damping} for name, m in zip(one.modules, one.models, strict=True)},
+        "blind": one.blind.tolist(),
+        "designs": [{"method": d.method, "local": list(d.local), "ratio": d.ratio.tolist()} for d in one.designs],
+    }
+
+
+def _network_summary(cost: NetworkCost, names: Sequence[str]) -> dict[str, Any]:
+    columns = zip(names, cost.whole, cost.allowed, cost.given, cost.stable, cost.sweeps, cost.at_limit, strict=True)
+    return {
+        "division": cost.division,
+        "ways": cost.ways,
+        "holds": cost.holds,
+        "loss": cost.loss,
+        "message_period": cost.period,
+        "rate": cost.rate,
+        "limited": cost.limited,
+        "local_in_base": list(cost.apart),
+        "variants": {
+            name: {
+                "undivided": float(whole),
+                "allowed": float(allowed),
+                "as_given": float(given),
+                "stable": stable,
+                "message_period": sweep.most,
+                "at_message_period_of_all": float(last),
             }
-            for one in linear
-        ],
+            for name, whole, allowed, given, stable, sweep, last in columns
+        },
     }
 
 

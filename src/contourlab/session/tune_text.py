@@ -8,6 +8,7 @@ from dataclasses import asdict
 from typing import TYPE_CHECKING, Any
 
 from contourlab.analysis import Margins
+from contourlab.session.margin_words import NOTHING, decibel, degrees
 from contourlab.studies.tune import FIGURES, Step, Tuned, TuneSettings
 from contourlab.studies.tune.drive_terms import DriveTerms
 from contourlab.units import from_si
@@ -28,7 +29,6 @@ SHOWN = {
     "command_largest": ("largest command", "% of drive", 100.0),
     "limited_share": ("time at a limit of a drive", "%", 100.0),
 }
-NOTHING = "-"
 
 
 def text_of(name: str, case: Case, settings: TuneSettings, found: Tuned) -> str:
@@ -96,21 +96,9 @@ def _margins(found: Tuned) -> list[str]:
     rows: list[tuple[str, ...]] = [("margins", "gain before", "after", "phase before", "after", "modulus before", "after", "")]
     for axis, after in found.after.margins.items():
         both = (found.before.margins.get(axis), after)
-        columns = [[_decibel(one), _degrees(one), _modulus(one)] for one in both]
+        columns = [[decibel(one), degrees(one), _modulus(one)] for one in both]
         rows.append((f"axis {axis}", *(cell for pair in zip(*columns, strict=True) for cell in pair), ""))
     return _table(rows)
-
-
-def _decibel(margins: Margins | None) -> str:
-    if margins is None or not margins.stable:
-        return "unstable" if margins is not None else NOTHING
-    return f"{20.0 * math.log10(margins.gain):.3g} dB" if math.isfinite(margins.gain) else "no bound"
-
-
-def _degrees(margins: Margins | None) -> str:
-    if margins is None or not margins.stable:
-        return NOTHING
-    return f"{math.degrees(margins.phase):.3g} deg" if math.isfinite(margins.phase) else "no bound"
 
 
 def _modulus(margins: Margins | None) -> str:

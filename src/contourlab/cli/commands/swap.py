@@ -8,7 +8,7 @@ from typing import Annotated
 import typer
 
 from contourlab.cli.output import conclude, wants_progress
-from contourlab.cli.scheme_options import Json, Out, Plots, Plugins, ScenarioFile
+from contourlab.cli.scheme_options import Json, Out, Plots, Plugins, ScenarioFile, listed
 
 __all__ = ["swap"]
 
@@ -40,8 +40,8 @@ def swap(
     threads: Annotated[
         int | None, typer.Option(help="One for each processor by default; results do not hang on it.", show_default=False)
     ] = None,
-    gain_margin: Annotated[float, typer.Option(help="Gain margin that a design has to keep on every axis [dB].")] = 6.0,
-    phase_margin: Annotated[float, typer.Option(help="Phase margin likewise [deg].")] = 30.0,
+    gain_margin: Annotated[float, typer.Option(help="Gain margin that a design has to keep on every axis, in dB.")] = 6.0,
+    phase_margin: Annotated[float, typer.Option(help="Phase margin likewise, in degrees.")] = 30.0,
     region: Annotated[
         list[str] | None,
         typer.Option(help="Coverage over a number of the machine, as axes.x.plant.gain=LOW..HIGH; may be given again.", show_default=False),
@@ -54,6 +54,20 @@ def swap(
         list[str] | None,
         typer.Option(help="Linear base and local designs too: direct, three-step, lmi; may be given again.", show_default=False),
     ] = None,
+    division: Annotated[
+        str | None,
+        typer.Option(
+            help="In the axis, over a network: drive, observer, controller; with commas between. By default the least that will do.",
+            show_default=False,
+        ),
+    ] = None,
+    ways: Annotated[str | None, typer.Option(help="Messages both ways or one way: both, one; by default both are looked at.")] = None,
+    within: Annotated[str, typer.Option(help="How much the network may lose, in parts of the wired J, or of J_tol.")] = "10 %",
+    message_period: Annotated[str | None, typer.Option(help="Of the network as it is given; the servo period by default.")] = None,
+    delay: Annotated[str | None, typer.Option(help="Of each message, each way; none by default.")] = None,
+    jitter: Annotated[str | None, typer.Option(help="The same.")] = None,
+    loss: Annotated[str | None, typer.Option(help="Part of the messages, the same.")] = None,
+    longest: Annotated[str, typer.Option(help="Up to where message periods are looked at.")] = "100 ms",
     out: Out = Path("results"),
     as_json: Json = False,
     plots: Plots = None,
@@ -61,12 +75,14 @@ def swap(
 ) -> int:
     """Say whether one controller serves a machine whose axis is swapped, and if not, which numbers have to move with the axis."""
     from contourlab.errors import ParameterError
+    from contourlab.session.link import LinkOptions
     from contourlab.session.swap import SwapOptions, swap_scenario
 
     if len(axis) != len(others):
         raise ParameterError("--axis", f"{len(axis)} of them", f"as many as --with, of which there are {len(others)}")
     if len(set(axis)) != len(axis):
         raise ParameterError("--axis", ", ".join(axis), "given once for each axis, all its files under one --with")
+    network = {"message_period": message_period, "delay": delay, "jitter": jitter, "loss": loss}
     options = SwapOptions(
         objective=objective,
         floor=floor,
@@ -83,6 +99,13 @@ def swap(
         tolerance=tolerance,
         places=places,
         linear=tuple(linear or ()),
+        network=LinkOptions(
+            divisions=listed(division),
+            ways=listed(ways),
+            within=within,
+            network={name: text for name, text in network.items() if text is not None},
+            longest=longest,
+        ),
         plugins=tuple(plugin or ()),
     )
     swaps = [(name, [one.strip() for one in text.split(",")]) for name, text in zip(axis, others, strict=True)]

@@ -57,7 +57,9 @@ class Evaluator:
     def __post_init__(self) -> None:
         self.view = view_of(self.reference.path)
 
-    def __call__(self, columns: Mapping[str, Array], progress: Callable[[int], None] | None = None) -> dict[str, Array]:
+    def __call__(
+        self, columns: Mapping[str, Array], progress: Callable[[int], None] | None = None, threads: int | None = None
+    ) -> dict[str, Array]:
         """Return the figures of `contourlab.loop.BatchResult`, each (n,), and ``failed_at``; NaN where a run failed.
 
         Parameters
@@ -66,6 +68,8 @@ class Evaluator:
             Values [SI] by dotted names.
         progress : callable, optional
             Told the number of runs done, after each `CHUNK`.
+        threads : int, optional
+            In place of its own.
 
         Raises
         ------
@@ -85,7 +89,7 @@ class Evaluator:
                 effort=self.effort,
                 view=self.view,
                 seed=self.seed,
-                threads=self.threads,
+                threads=threads or self.threads,
                 moving=self.moving,
             )
             parts.append({**batch.figures, "failed_at": batch.failed_at.astype(float)})

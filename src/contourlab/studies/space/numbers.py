@@ -139,6 +139,8 @@ class Space:
         ParameterError
             If a name fits nothing, a bound has the wrong unit or is out of range, or a value of zero is given no bounds.
         """
+        if not (width > 1.0 and math.isfinite(width)):
+            raise ParameterError("width", f"{width:g}", "above 1 and finite: a factor either side of a value")
         known = parameter_names(machine, controller)
         units = {axis.name: (axis.plant.command_unit, axis.plant.force_unit) for axis in machine.axes}
         if not texts:

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import os
 from collections.abc import Callable, Sequence
+from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, field
 
 import numpy as np
@@ -19,6 +21,7 @@ from contourlab.studies.swap.variants import Variant
 __all__ = ["OBJECTIVES", "Fleet"]
 
 Array = NDArray[np.float64]
+Mask = NDArray[np.bool_]
 OBJECTIVES = {"contour_error_integral": ("m*s", 2e-6), "contour_error_rms": ("m", 1e-6), "contour_error_max": ("m", 1e-6)}
 """Figures that can be made small: their unit, and J_tol. The integral's is a mean of 1 um over a lap of 2 s."""
 BROKEN = 1e6
@@ -106,23 +109,38 @@ class Fleet:
         """
         which = range(self.n_variant) if only is None else only
         known: dict[tuple[object, ...], Array] = {}
-        both = [self._values_of(i, mine, known, whole) for mine, i in zip(points, which, strict=True)]
+        columns = [self.space.columns(mine) for mine in points]
+        excess = [np.broadcast_to(self.keepers[i].excess(mine, known), len(points[0])) for mine, i in zip(columns, which, strict=True)]
+        run = [np.full(len(over), True) if whole else over < 0.0 for over in excess]
+        figures = self._figures(which, [{name: column[r] for name, column in mine.items()} for mine, r in zip(columns, run, strict=True)])
+        both = [self._judged(*one) for one in zip(which, points, excess, run, figures, strict=True)]
+        if self.progress is not None:
+            self.progress(self.runs)
         return np.array([values for values, _ in both]), np.array([broken for _, broken in both])
 
-    def _values_of(self, i: int, points: Array, known: dict[tuple[object, ...], Array], whole: bool) -> tuple[Array, Array]:
-        columns = self.space.columns(points)
-        excess = np.broadcast_to(self.keepers[i].excess(columns, known), len(points))
-        run = np.full(len(points), True) if whole else excess < 0.0
+    def _figures(self, which: Sequence[int], columns: Sequence[dict[str, Array]]) -> list[dict[str, Array]]:
+        """Return the figures of runs for each variant, variants side by side: one alone leaves processors idle, as it has few lanes."""
+        threads = self.threads or os.cpu_count() or 1
+        sides = min(threads, len(which))
+
+        def figures(at: int, mine: int) -> dict[str, Array]:
+            return self.evaluators[which[at]](columns[at], threads=mine) if next(iter(columns[at].values())).size else {}
+
+        # A machine's first runs compile its components, one after another.
+        if sides < 2 or any(self.evaluators[i].runs == 0 for i in which):
+            return [figures(at, threads) for at in range(len(which))]
+        with ThreadPoolExecutor(sides) as pool:
+            return list(pool.map(figures, range(len(which)), [-(-threads // sides)] * len(which)))
+
+    def _judged(self, i: int, points: Array, excess: Array, run: Mask, figures: dict[str, Array]) -> tuple[Array, Array]:
+        """Return J, and by how much a guard is broken, of points whose runs were made; remember the best."""
         values, limited = np.full(len(points), np.inf), np.zeros(len(points))
-        if run.any():
-            figures = self.evaluators[i]({name: column[run] for name, column in columns.items()})
+        if figures:
             found = figures[self.objective]
             values[run] = np.where(np.isfinite(found), found, np.inf)
             limited[run] = np.nan_to_num(self.keepers[i].limited(figures), nan=1.0)
         good = holds(excess, limited) & np.isfinite(values)
         self._remember(i, points, np.where(good, values, np.inf))
-        if self.progress is not None:
-            self.progress(self.runs)
         # What runs away is worse than what breaks a margin, and that than a drive at its limit.
         failed = 10.0 * (run & ~np.isfinite(values))
         return values, np.where(good, 0.0, np.clip(excess, 0.0, 10.0) + np.maximum(limited, 0.0) + failed + 1e-9)

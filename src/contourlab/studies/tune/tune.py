@@ -80,9 +80,11 @@ class TuneSettings:
                 raise ParameterError(name, repr(value), f"one of {', '.join(known)}")
         if not 1.0 < self.width <= 1000.0:
             raise ParameterError("width", f"{self.width:g}", "> 1 and <= 1000")
-        for name, low, high in (("passes", 1, 100), ("budget", 32, 10_000_000), ("starts", 1, 100)):
+        for name, low, high in (("passes", 1, 100), ("budget", 32, 10_000_000), ("starts", 1, 100), ("seed", 0, 2**63 - 1)):
             if not low <= getattr(self, name) <= high:
                 raise ParameterError(name, f"{getattr(self, name)}", f"{low} to {high}")
+        if self.threads is not None and self.threads < 1:
+            raise ParameterError("threads", f"{self.threads}", "1 or more")
 
 
 @dataclass(frozen=True, eq=False)

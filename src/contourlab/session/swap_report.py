@@ -1,0 +1,79 @@
+"""All that a study of a swap found, and whether it holds."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+from contourlab.studies.swap.coverage import Coverage
+from contourlab.studies.swap.final import Final
+from contourlab.studies.swap.fleet import OBJECTIVES
+from contourlab.studies.swap.linear import LinearSwap
+from contourlab.studies.swap.network import NetworkCost
+from contourlab.studies.swap.study import SwapStudy
+from contourlab.studies.swap.verdict import verdict
+
+__all__ = ["UNITS", "WORDS", "SwapReport"]
+
+WORDS = {"both": "both ways", "one": "one way"}
+UNITS = {"m*s": "um s", "m": "um"}
+
+
+@dataclass(frozen=True, eq=False)
+class SwapReport:
+    """What a study found.
+
+    Attributes
+    ----------
+    study : SwapStudy
+    final : Final
+        Of the recommended design, or where none is, of the shared one.
+    networks : tuple of NetworkCost
+        Of the same design; none where it breaks a guard.
+    over : Coverage, optional
+    linear : tuple of LinearSwap
+    """
+
+    study: SwapStudy
+    final: Final
+    networks: tuple[NetworkCost, ...] = ()
+    over: Coverage | None = None
+    linear: tuple[LinearSwap, ...] = ()
+
+    @property
+    def unit(self) -> str:
+        """What J is shown in."""
+        return UNITS[OBJECTIVES[self.study.fleet.objective][0]]
+
+    @property
+    def passed(self) -> bool:
+        """Whether a design is modular, keeps its exact margins, and holds over a network in one of the ways that were asked for."""
+        return self.study.recommended is not None and self.final.holds and any(cost.holds for cost in self.networks)
+
+    @property
+    def verdict(self) -> str:
+        """The verdict in words, with what the network costs."""
+        words = [verdict(self.study)]
+        if self.study.recommended is not None and not self.final.holds:
+            words.append("but the exact margins are not kept, see below")
+        for ways in WORDS:
+            costs = [cost for cost in self.networks if cost.ways == ways]
+            if costs:
+                words.append(_network_words(min(costs, key=_demand)))
+        return "; ".join(words)
+
+
+def _demand(cost: NetworkCost) -> tuple[bool, float]:
+    """Return what orders divisions: those that hold first, then those for which fewer messages are enough."""
+    return not cost.holds, cost.rate if math.isfinite(cost.rate) else math.inf
+
+
+def _network_words(cost: NetworkCost) -> str:
+    """Return in words how little network is enough."""
+    how = f"with the {cost.division} in the axis and messages {WORDS[cost.ways]}"
+    if not math.isfinite(cost.rate):
+        return f"{how} no message rate holds on all variants"
+    slowest = f"{cost.rate:.4g} messages a second hold on all variants"
+    if not cost.limited:
+        slowest += ", the fewest that were looked at"
+    return f"{how} {slowest}" + ("" if cost.holds else ", but not the network as it is given")
