@@ -25,7 +25,7 @@ from contourlab.studies.swap.fleet import OBJECTIVES, Fleet
 from contourlab.studies.swap.linear import METHODS, linear_swap
 from contourlab.studies.swap.network import NetworkCost, least_division, network_cost
 from contourlab.studies.swap.numbers import controller_with
-from contourlab.studies.swap.study import SwapSettings, SwapStudy, swap_study
+from contourlab.studies.swap.study import BASE, GROWN, SHARED, SwapSettings, SwapStudy, swap_study
 from contourlab.studies.swap.variants import variants_of
 
 if TYPE_CHECKING:
@@ -265,15 +265,18 @@ def _local_sets(fleet: Fleet, candidates: Sequence[str], texts: Sequence[str]) -
 
 
 def _told(stages: Stages, fleet: Fleet, settings: SwapSettings) -> Any:
-    """Return what shows a stage, and how far it is."""
-    at = {"runs": 0, "of": settings.budget}
+    """Return what shows a stage, and how far it is in candidates."""
+    at = {"tried": 0, "of": settings.budget}
 
     def begin(words: str) -> None:
-        at["runs"] = fleet.runs
-        at["of"] = settings.budget * (1 if words.startswith("best of") else 2 * fleet.n_variant)
+        at["tried"], at["of"] = fleet.tried, settings.budget
+        if words == SHARED:
+            at["of"] = int(BASE * settings.budget * fleet.n_variant)
+        elif words.startswith("local: "):
+            at["of"] = int((GROWN if settings.local is None else 1.0) * settings.budget * fleet.n_variant)
         stages.begin(words)
 
-    fleet.progress = lambda runs: stages.advance(min(runs - at["runs"], at["of"]), at["of"])
+    fleet.progress = lambda tried: stages.advance(min(tried - at["tried"], at["of"]), at["of"])
     return begin
 
 

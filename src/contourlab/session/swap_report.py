@@ -56,6 +56,8 @@ class SwapReport:
         words = [verdict(self.study)]
         if self.study.recommended is not None and not self.final.holds:
             words.append("but the exact margins are not kept, see below")
+        if self.networks and self.study.recommended is None:
+            words.append("the shared design over a network")
         for ways in WORDS:
             costs = [cost for cost in self.networks if cost.ways == ways]
             if costs:
@@ -73,7 +75,7 @@ def _network_words(cost: NetworkCost) -> str:
     how = f"with the {cost.division} in the axis and messages {WORDS[cost.ways]}"
     if not math.isfinite(cost.rate):
         return f"{how} no message rate holds on all variants"
-    slowest = f"{cost.rate:.4g} messages a second hold on all variants"
+    fewest = f"{how} {cost.rate:.4g} a second are the fewest that hold on all variants"
     if not cost.limited:
-        slowest += ", the fewest that were looked at"
-    return f"{how} {slowest}" + ("" if cost.holds else ", but not the network as it is given")
+        fewest += ", and the fewest that were looked at"
+    return fewest if cost.holds else f"{fewest}, but the network as given does not hold"

@@ -46,6 +46,8 @@ class Fleet:
     bounds : Bounds
     moving : bool
         As of `contourlab.studies.space.Evaluator`, as are `seed` and `threads`.
+    progress : callable, optional
+        Told how many candidates were looked at so far, those that broke a margin and were not run included.
     best : ndarray (n_variant,)
         J* so far; infinite where nothing has held yet.
     best_points : ndarray (n_variant, n_number)
@@ -64,6 +66,7 @@ class Fleet:
     progress: Callable[[int], None] | None = None
     best: Array = field(init=False)
     best_points: Array = field(init=False)
+    tried: int = field(init=False, default=0)
 
     def __post_init__(self) -> None:
         if self.objective not in OBJECTIVES:
@@ -114,8 +117,9 @@ class Fleet:
         run = [np.full(len(over), True) if whole else over < 0.0 for over in excess]
         figures = self._figures(which, [{name: column[r] for name, column in mine.items()} for mine, r in zip(columns, run, strict=True)])
         both = [self._judged(*one) for one in zip(which, points, excess, run, figures, strict=True)]
+        self.tried += sum(map(len, points))
         if self.progress is not None:
-            self.progress(self.runs)
+            self.progress(self.tried)
         return np.array([values for values, _ in both]), np.array([broken for _, broken in both])
 
     def _figures(self, which: Sequence[int], columns: Sequence[dict[str, Array]]) -> list[dict[str, Array]]:

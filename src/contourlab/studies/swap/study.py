@@ -14,13 +14,14 @@ from contourlab.studies.swap.fleet import Fleet
 from contourlab.studies.swap.loss import FULL, losses, swap_loss
 from contourlab.studies.swap.sensitivity import Ranked, groups_of, ranked
 
-__all__ = ["Choice", "SwapSettings", "SwapStudy", "swap_study", "words"]
+__all__ = ["BASE", "GROWN", "SHARED", "Choice", "SwapSettings", "SwapStudy", "swap_study", "words"]
 
 Array = NDArray[np.float64]
 STARTS = 5
 BASE, GROWN = 2.0, 0.5
 """Budget of the shared design, which has to please all variants, and of each set that is tried on the way, over that of a variant's own."""
 ALL = "all of the axis"
+SHARED = "shared design"
 AGAIN = 0.1
 """First step of the second search of the shared design."""
 Stage = Callable[[str], None]
@@ -179,7 +180,7 @@ class _Search:
         chosen = frozenset(local)
         done = next((design for _, design in self.designs if design.local == chosen), None)
         if done is None:
-            self.stage(name)
+            self.stage(f"local: {name}" if chosen else SHARED)
             budget = max(int(share * self.settings.budget), 1)
             done = shared(self.fleet, chosen, self.starts(chosen), budget=budget, seed=self.settings.seed + 10 * len(self.designs) + 5)
             self.designs.append((name, done))
@@ -191,7 +192,7 @@ class _Search:
         others = sorted((design for _, design in self.designs[1:] if design.local and design.holds), key=self.loss)
         if not others:
             return
-        self.stage(f"{name}, once more")
+        self.stage(f"{SHARED}, once more")
         starts = [before.points, *(design.points for design in others[:4])]
         more = shared(self.fleet, frozenset(), starts, budget=self.settings.budget, seed=self.settings.seed + 4, spread=AGAIN)
         better = more if self.loss(more) < self.loss(before) else before

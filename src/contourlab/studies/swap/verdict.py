@@ -62,7 +62,7 @@ def search_words(study: SwapStudy) -> Iterator[str]:
         yield f"{variant.name}: its starts came to {span}, then {own.value * scale:.3g} {shown} around the best of them"
     each = study.base.design.per_start
     came = ", ".join(f"{100.0 * loss:.3g}" if math.isfinite(loss) else "none that holds" for loss in each)
-    yield f"nothing local: its starts came to losses of {came} %, then {_percent(study.base.loss)}"
+    yield f"nothing local: its starts came to losses of {came} % against J* as it stood then; in the end {_percent(study.base.loss)}"
 
 
 def on_bounds(study: SwapStudy, choice: Choice) -> list[str]:
