@@ -130,6 +130,8 @@ def test_a_scenario_with_links_of_its_own_keeps_in_the_base_what_they_leave_ther
         (["--axis", "x", "--with", "strong.toml", "--ways", "two"], "both, one"),
         (["--axis", "x", "--with", "strong.toml", "--delay", "2 mm"], "2 ms"),
         (["--axis", "x", "--with", "strong.toml", "--within", "-5 %"], ">= 0"),
+        (["--axis", "x", "--with", "strong.toml", "--longest", "0.1 ms"], "1 ms, or longer"),
+        (["--axis", "x", "--with", "strong.toml", "--longest", "11 s"], "up to 10 s"),
         (["--axis", "x", "--with", "strong.toml", "--parameter", "x.plant.gain"], "a number of the controller"),
     ],
 )

@@ -71,8 +71,11 @@ def write_matrices(
 def _drawing(matrices: Sequence[LossMatrix], limit: float, title: str) -> Any:
     from matplotlib.figure import Figure
 
-    heights = [0.75 + 0.27 * len(one.rows) for one in matrices]
-    figure = Figure(figsize=(7.2, 0.9 + sum(heights)), layout="constrained")
+    # Inches: a row is as high as its longest name has lines, a column as wide as the text of a cell, and the columns as a title.
+    heights = [0.75 + max(0.27, 0.14 * max(name.count("\n") + 1 for name in one.rows)) * len(one.rows) for one in matrices]
+    names = 0.065 * max(len(line) for one in matrices for name in one.rows for line in name.split("\n"))
+    cells = max(3.8, 1.6 * max(len(one.columns) for one in matrices))
+    figure = Figure(figsize=(max(7.2, names + cells + 0.9), 0.9 + sum(heights)), layout="constrained")
     figure.suptitle(title, fontsize=9.5, fontweight="bold")
     places = figure.subplots(len(matrices), 1, squeeze=False, height_ratios=heights)[:, 0]
     for place, one in zip(places, matrices, strict=True):

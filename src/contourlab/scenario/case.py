@@ -233,7 +233,7 @@ class Scenario:
         for case in self.cases():
             if case.name == name:
                 return case
-        raise ScenarioError(f"no scheme {name!r}: there are {', '.join(c.name for c in self.cases())}", file=self.file)
+        raise ScenarioError(f"no scheme {name!r}: there are {', '.join(repr(c.name) for c in self.cases())}", file=self.file)
 
     @property
     def text(self) -> str:

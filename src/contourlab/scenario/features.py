@@ -40,15 +40,16 @@ def chosen(scenario: Scenario, names: Iterable[str]) -> Scenario:
     ----------
     scenario : Scenario
     names : iterable of str
-        Schemes of the scenario, or parts joined by +: see `FEATURES`. A scheme of the scenario goes before.
+        Schemes of the scenario, or parts joined by +: see `FEATURES`. A scheme of the scenario goes before. One whose name has commas may
+        come in the pieces between them, as a list with commas is taken apart.
 
     Raises
     ------
     ScenarioError
         If a name is neither, is given twice, or asks for a part that the scenario does not hold.
     """
-    wanted = [name.strip() for name in names]
     own = {case.name: case for case in scenario.all_cases}
+    wanted = _whole([name.strip() for name in names], own)
     twice = [name for name in wanted if wanted.count(name) > 1]
     if twice:
         raise ScenarioError(f"scheme {twice[0]!r} is asked for twice", file=scenario.file)
@@ -58,11 +59,22 @@ def chosen(scenario: Scenario, names: Iterable[str]) -> Scenario:
     return replace(scenario, all_cases=cases, schemes={name: scenario.schemes.get(name, {}) for name in wanted})
 
 
+def _whole(words: list[str], own: Iterable[str]) -> list[str]:
+    """Return names, those of schemes put together again of pieces that follow one another; of several the longest."""
+    pieces = {tuple(part.strip() for part in name.split(",")): name for name in own}
+    found = []
+    while words:
+        n = next((n for n in range(len(words), 1, -1) if tuple(words[:n]) in pieces), 1)
+        found.append(pieces[tuple(words[:n])] if n > 1 else words[0])
+        words = words[n:]
+    return found
+
+
 def _composed(scenario: Scenario, name: str) -> Case:
     parts = name.split("+")
     unknown = [part for part in parts if part not in FEATURES]
     if unknown:
-        known = ", ".join([*(case.name for case in scenario.all_cases), *FEATURES])
+        known = ", ".join([*(repr(case.name) for case in scenario.all_cases), *FEATURES])
         raise ScenarioError(f"no scheme {name!r}: there are {known}, and these parts joined by +", file=scenario.file)
     couplings = [part for part in parts if part in _KINDS]
     if len(couplings) > 1 or len(set(parts)) < len(parts):

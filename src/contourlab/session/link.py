@@ -28,6 +28,8 @@ SHOWN = {
     "integral": ("contour_error_integral", "um s", 1e6),
 }
 """Figures as they are asked for, with the unit in which they are printed."""
+LONGEST = 10.0
+"""Seconds: the longest message period and delay of a network."""
 
 
 @dataclass(frozen=True)
@@ -164,10 +166,13 @@ def read_options(options: LinkOptions) -> Asked:
     if options.tolerance is not None:
         unit = "m*s" if options.figure == "integral" else "m"
         allowed = _positive("--tolerance", options.tolerance, unit, '"15 um s"' if unit == "m*s" else '"15 um"')
+    longest = _positive("--longest", options.longest, "s", '"100 ms"')
+    if longest > LONGEST:
+        raise ParameterError("--longest", options.longest, f"up to {LONGEST:g} s, the most that a link takes")
     return Asked(
         within=_part("--within", options.within),
         allowed=allowed,
-        longest=_positive("--longest", options.longest, "s", '"100 ms"'),
+        longest=longest,
         network=Network(**given, between="extrapolate" if options.extrapolate else "hold"),
         divisions=_named("--division", options.divisions, tuple(DIVISIONS)),
         ways=_named("--ways", options.ways, tuple(WAYS)),

@@ -115,6 +115,9 @@ def swap_scenario(
     study_of, region, tolerance = _prepared(file, swaps, options, scheme)
     fleet, candidates, settings = study_of
     asked = read_options(options.network)
+    period = fleet.variants[0].machine.servo_period
+    if asked.longest < period:
+        raise ParameterError("--longest", options.network.longest, f"the servo period, {period * 1e3:g} ms, or longer")
     with shown(progress) as stages, staged(out) as folder:
         study = swap_study(fleet, candidates, settings, _told(stages, fleet, settings))
         over = None

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Sequence
 from dataclasses import asdict
+from textwrap import wrap
 from typing import Any
 
 import numpy as np
@@ -25,6 +26,8 @@ __all__ = ["matrices", "summary_of", "text_of"]
 
 Array = NDArray[np.float64]
 _MICRO = 1e6
+ROW_WIDTH = 44
+"""Characters of a line beside a row of the picture."""
 
 
 def text_of(report: SwapReport) -> str:
@@ -281,9 +284,12 @@ def matrices(study: SwapStudy) -> list[LossMatrix]:
 
 
 def _distinct(study: SwapStudy) -> list[Choice]:
-    """Return the choices in the order of their effort; the last is all."""
-    return sorted(study.choices, key=lambda choice: choice.effort)
+    """Return for each number of local numbers the choice that loses least; the last is all."""
+    best: dict[int, Choice] = {}
+    for choice in sorted(study.choices, key=lambda choice: (choice.effort, choice.loss)):
+        best.setdefault(choice.effort, choice)
+    return list(best.values())
 
 
 def _broken_up(name: str) -> str:
-    return name if len(name) < 40 else name.replace(", ", ",\n", 1)
+    return "\n".join(wrap(name, ROW_WIDTH))

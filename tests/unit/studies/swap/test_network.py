@@ -47,9 +47,8 @@ def cost_of(fleet: Fleet, division: str = "drive", ways: str = "both", link: Net
 
 def test_a_network_that_loses_no_time_costs_nothing(fleet: Fleet) -> None:
     cost = cost_of(fleet)
-    assert (
-        cost.given.tolist() == cost.whole.tolist() == fleet.values(np.tile(fleet.space.start, (2, 1, 1)).swapaxes(0, 1))[0][:, 0].tolist()
-    )
+    alone, _ = fleet.values(np.tile(fleet.space.start, (2, 1, 1)), whole=True)
+    assert cost.given.tolist() == cost.whole.tolist() == alone[:, 0].tolist()
     assert cost.loss == 0.0 and cost.holds and cost.apart == (AHEAD,)
 
 

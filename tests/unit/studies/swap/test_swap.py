@@ -15,6 +15,7 @@ from contourlab.errors import ParameterError
 from contourlab.feed import uniform
 from contourlab.geometry import contour
 from contourlab.loop import Axis, AxisController, Controller, Limits, Machine
+from contourlab.session.swap_text import matrices
 from contourlab.studies.space import Space
 from contourlab.studies.space.bounds import Bounds
 from contourlab.studies.swap.coverage import coverage
@@ -97,6 +98,13 @@ def test_more_local_numbers_never_lose_more(unequal: SwapStudy) -> None:
         for more in unequal.choices:
             if less.design.local <= more.design.local:
                 assert more.loss <= less.loss
+
+
+def test_the_picture_has_one_row_for_each_number_of_local_numbers(unequal: SwapStudy) -> None:
+    first, second = matrices(unequal)
+    efforts = {choice.effort for choice in unequal.choices}
+    assert first.rows[0] == "nothing" and len(first.rows) == len(efforts) and first.losses.shape == (len(efforts), 2)
+    assert (first.losses.max(axis=1)[1:] <= first.losses[0].max()).all() and len(second.rows) == 3
 
 
 def test_diagonal_of_the_crossed_designs_is_the_best(unequal: SwapStudy) -> None:
