@@ -122,10 +122,11 @@ def test_a_scenario_that_runs_away_says_where(circle: Path, capsys: pytest.Captu
         ([*TWO, "--transform", "square"], "log or none"),
         ([*TWO, "--servo-period", "1 mm"], "--servo-period"),
         ([*TWO, "--threads", "0"], "1 or more"),
+        ([*TWO, "--seed", "-1"], "0 or more"),
+        ([*TWO, "--width", "0.5"], "a factor either side"),
         ([*TWO, "--scheme", "none such"], "none such"),
         ([*TWO, "--plots", "bmp"], "png, svg, pdf"),
         (["--parameter", "3.model_gain"], "two or more"),
-        (["--width", "0.5"], "lower one first"),
     ],
 )
 def test_what_cannot_be_is_refused(circle: Path, words: list[str], said: str, capsys: pytest.CaptureFixture[str]) -> None:
