@@ -24,7 +24,7 @@ from contourlab.studies.swap.final import final
 from contourlab.studies.swap.fleet import OBJECTIVES, Fleet
 from contourlab.studies.swap.linear import METHODS, linear_swap
 from contourlab.studies.swap.network import NetworkCost, least_division, network_cost
-from contourlab.studies.swap.numbers import controller_with
+from contourlab.studies.swap.numbers import divided_controller
 from contourlab.studies.swap.study import BASE, GROWN, SHARED, SwapSettings, SwapStudy, swap_study
 from contourlab.studies.swap.variants import variants_of
 
@@ -299,7 +299,7 @@ def _written(report: SwapReport, folder: Path, out: Path, plots: Sequence[str]) 
         (folder / "controllers").mkdir()
         names = file_names([variant.name for variant in study.fleet.variants])
         for variant, point in zip(study.fleet.variants, best.design.points, strict=True):
-            made = controller_with(study.fleet.controller, study.fleet.space.values(point), sorted(best.design.local))
+            made = divided_controller(study.fleet.controller, study.fleet.space.values(point), sorted(best.design.local))
             head = f"# For {variant.name}; J and the guards were met on the motion of the study. `local` moves with the axis.\n\n"
             write_text_atomic(folder / "controllers" / f"{names[variant.name]}.toml", head + dump(made, variant.machine))
             lines.append(f"controller for {variant.name}: {out / 'controllers' / f'{names[variant.name]}.toml'}")

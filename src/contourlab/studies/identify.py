@@ -19,6 +19,7 @@ from contourlab.components.origin import Origin
 from contourlab.errors import ResultError
 from contourlab.logs import Log
 from contourlab.result import Result
+from contourlab.studies.identification.signals import POSITIONS, chosen_axis
 
 __all__ = ["AxisFit", "axis_tables", "correlations", "identify_rigid", "units_of"]
 
@@ -81,29 +82,20 @@ def identify_rigid(
         As of `contourlab.analysis.inverse_dynamics.identify_inverse_dynamics`.
     """
     result = log.result
-    name = _axis(result, axis)
+    name = chosen_axis(result, axis)
     position, command, force = _signals(result, name, gain)
     fit = identify_inverse_dynamics(result.time, position, force, settings)
     checked = None
     if second is not None:
-        there, _, pushed = _signals(second.result, name if name in second.result.axes else _axis(second.result, None), gain)
+        there, _, pushed = _signals(second.result, name if name in second.result.axes else chosen_axis(second.result, None), gain)
         checked = cross_validate(fit, second.result.time, there, pushed)
     return AxisFit(name, log.record.file.name, fit, gain if gain is not None else 1.0, command, position, result.servo_period, checked)
-
-
-def _axis(result: Result, axis: str | None) -> str:
-    if axis is None and len(result.axes) == 1:
-        return result.axes[0]
-    if axis not in result.axes:
-        said = "which axis?" if axis is None else f"no axis {axis} in {result.scheme}:"
-        raise ResultError(f"{said} There are {', '.join(result.axes)}: name one with --axis")
-    return axis
 
 
 def _signals(result: Result, axis: str, gain: float | None) -> tuple[Array, Array, Array]:
     """Return position [m], command and force [N] of an axis."""
     j = result.axes.index(axis)
-    position = next((result[name][:, j] for name in ("position", "motor_position", "axis_position") if name in result), None)
+    position = next((result[name][:, j] for name in POSITIONS if name in result), None)
     if position is None:
         raise ResultError(f"no position of {axis} in {result.scheme}: say --column 'position.{axis}=NAME [mm]'")
     if "force" in result and gain is None:

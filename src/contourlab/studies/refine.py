@@ -13,8 +13,9 @@ from contourlab.analysis.fit_covariance import FitCovariance, fit_covariance
 from contourlab.analysis.gauss_newton import Descent, DescentSettings, descend, spread_starts
 from contourlab.errors import ParameterError
 from contourlab.studies.log_run import Agreement, LogRun
-from contourlab.studies.refine_parameters import Sought, columns_of, seek, with_values
+from contourlab.studies.refine_parameters import Sought, columns_of, seek
 from contourlab.studies.refine_remarks import remarks_on
+from contourlab.studies.space.values import with_values
 
 __all__ = ["RefineSettings", "Refined", "Window", "refine", "rows_within"]
 

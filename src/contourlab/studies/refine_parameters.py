@@ -3,19 +3,18 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass, replace
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
 
 from contourlab.errors import ParameterError
-from contourlab.loop import Axis, AxisController, Controller, Machine, parameter_names
-from contourlab.loop.machine import AXIS_SLOTS
+from contourlab.loop import parameter_names
 from contourlab.studies.log_run import LogRun
 from contourlab.studies.space.numbers import Number, Space
 
-__all__ = ["Sought", "columns_of", "seek", "with_values"]
+__all__ = ["Sought", "columns_of", "seek"]
 
 SPAN = 10.0
 """Where no range is given, a parameter may become so many times smaller or larger."""
@@ -120,42 +119,6 @@ def _sought(runs: Sequence[LogRun], numbers: Sequence[Number], held: tuple[int, 
         start = f"{number.shown(number.value):.6g} {number.display}".strip()
         raise ParameterError("--parameter", f"{number.name}={ends}", f"a range that holds where it begins, {start}")
     return Sought(number, held, f"{label}:{number.name}" if label else number.name, part.parameters[word].minimum < 0.0)
-
-
-def with_values(machine: Machine, controller: Controller, values: Mapping[str, float]) -> tuple[Machine, Controller]:
-    """Return machine and controller with other numbers in their places.
-
-    Parameters
-    ----------
-    machine : Machine
-    controller : Controller
-    values : mapping of str to float
-        By dotted names.
-    """
-    for name, value in values.items():
-        words = name.split(".")
-        if words[0] == "axes":
-            machine = replace(machine, axes=tuple(_axis(a, words[2:], value) if a.name == words[1] else a for a in machine.axes))
-        elif words[1] == "axes":
-            mine = _axis_controller(controller.axes[words[2]], words[3:], value)
-            controller = replace(controller, axes={**controller.axes, words[2]: mine})
-        else:
-            part = getattr(controller, words[1]).replace(**{words[2]: value})
-            controller = replace(controller, **{words[1]: part})
-    return machine, controller
-
-
-def _axis(axis: Axis, words: Sequence[str], value: float) -> Axis:
-    slot, parameter = words
-    assert slot in AXIS_SLOTS  # `parameter_names` gave it
-    return replace(axis, **{slot: getattr(axis, slot).replace(**{parameter: value})})
-
-
-def _axis_controller(mine: AxisController, words: Sequence[str], value: float) -> AxisController:
-    if words[0] == "others":
-        others = tuple((label, part.replace(**{words[2]: value}) if label == words[1] else part) for label, part in mine.others)
-        return replace(mine, others=others)
-    return replace(mine, **{words[0]: getattr(mine, words[0]).replace(**{words[1]: value})})
 
 
 def columns_of(sought: Sequence[Sought], run: int, points: NDArray[np.float64]) -> dict[str, NDArray[np.float64]]:

@@ -15,7 +15,7 @@ from contourlab.studies.reproduce.ghaffari_setup import TABLE_3, Reading, contro
 from contourlab.studies.space import Space
 from contourlab.studies.space.bounds import Bounds
 from contourlab.studies.swap.guard import Guard
-from contourlab.studies.swap.numbers import controller_with
+from contourlab.studies.swap.numbers import divided_controller
 
 N = 40
 GAIN = 20.0 * math.log10(1.5)
@@ -41,7 +41,7 @@ def test_lanes_agree_with_the_margins_of_each_loop(delay: float) -> None:
     kept = unstable_by(loops, margin_factors(1.5, math.radians(25.0))) < 0.0
     radius = loops.radius(1.0)
     for i in range(N):
-        one = controller_with(made, {name: float(values[i]) for name, values in mine.items()})
+        one = divided_controller(made, {name: float(values[i]) for name, values in mine.items()})
         exact = sampled_loop(stage.axis("2"), one.axes["2"], stage.servo_period)
         assert radius[i] == pytest.approx(np.abs(exact.poles).max(), abs=1e-6)
         assert kept[i] == (not bounds.broken(exact.margins()))
@@ -56,6 +56,6 @@ def test_a_guard_asks_all_axes_and_remembers() -> None:
     assert np.array_equal(guard.excess(columns, known), excess)
     assert np.array_equal(guard.excess({name: values[5:6] for name, values in columns.items()}), excess[5:6])
     for i in range(0, N, 8):
-        one = controller_with(made, {name: float(values[i]) for name, values in columns.items()})
+        one = divided_controller(made, {name: float(values[i]) for name, values in columns.items()})
         met = [not guard.bounds.broken(sampled_loop(axis, one.axes[axis.name], stage.servo_period).margins()) for axis in stage.axes]
         assert all(met) == (excess[i] < 0.0)

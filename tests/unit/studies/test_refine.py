@@ -17,7 +17,8 @@ from contourlab.loop import Axis, AxisController, Controller, Machine, simulate
 from contourlab.result import Result, Signal
 from contourlab.studies.log_run import LogRun, log_run
 from contourlab.studies.refine import RefineSettings, refine
-from contourlab.studies.refine_parameters import seek, with_values
+from contourlab.studies.refine_parameters import seek
+from contourlab.studies.space.values import with_values
 
 PERIOD = 1e-3
 TRUE = {"axes.x.plant.damping": 400.0, "axes.x.friction.coulomb": 60.0, "axes.x.disturbance.sine": 8.0}

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 from typing import Annotated, Any
 
@@ -13,6 +13,9 @@ from contourlab.cli.output import emit_json, show
 __all__ = ["reproduce"]
 
 Json = Annotated[bool, typer.Option("--json", help="Print JSON alone on standard output.")]
+Rows = list[dict[str, Any]]
+Draw = Callable[[Rows, Path, tuple[str, ...]], Any]
+"""Writes pictures of rows into a folder, in some formats."""
 reproduce = typer.Typer(no_args_is_help=True, help="Compute a paper's figures again and compare.")
 
 
@@ -23,16 +26,10 @@ def ghaffari(
     out: Annotated[Path, typer.Option(help="Folder of the pictures.")] = Path("results"),
 ) -> int:
     """Ghaffari and Ulsoy: component swapping modularity for distributed precision contouring."""
+    from contourlab.session.reproduce import write_ghaffari
     from contourlab.studies.reproduce.ghaffari import reproduce as rows_of
 
-    if plots:
-        from contourlab.session.reproduce import check_choice, write_ghaffari
-
-        check_choice(out, tuple(plots))
-    rows = rows_of()
-    if plots:
-        write_ghaffari(out, tuple(plots))
-    return _told(rows, as_json)
+    return _compared(rows_of, lambda _, *where: write_ghaffari(*where), as_json, plots, out)
 
 
 @reproduce.command()
@@ -42,16 +39,10 @@ def gecer_ulu(
     out: Annotated[Path, typer.Option(help="Folder of the pictures.")] = Path("results"),
 ) -> int:
     """Gecer Ulu, Ulu and Cakmakci: modular learning based cross-coupled control for multi-axis precision positioning systems."""
+    from contourlab.session.reproduce import write_gecer_ulu
     from contourlab.studies.reproduce.gecer_ulu import reproduce as rows_of
 
-    if plots:
-        from contourlab.session.reproduce import check_choice, write_gecer_ulu
-
-        check_choice(out, tuple(plots))  # ahead of what takes a minute
-    rows = rows_of()
-    if plots:
-        write_gecer_ulu(rows, out, tuple(plots))
-    return _told(rows, as_json)
+    return _compared(rows_of, write_gecer_ulu, as_json, plots, out)
 
 
 @reproduce.command()
@@ -61,16 +52,10 @@ def shahin(
     out: Annotated[Path, typer.Option(help="Folder of the pictures.")] = Path("results"),
 ) -> int:
     """Shahin, ElMaraghy and ElBeheiry: nonlinearity control of CNC feed drives, backlash and switching controllers."""
+    from contourlab.session.reproduce import write_shahin
     from contourlab.studies.reproduce.shahin import reproduce as rows_of
 
-    if plots:
-        from contourlab.session.reproduce import check_choice, write_shahin
-
-        check_choice(out, tuple(plots))
-    rows = rows_of()
-    if plots:
-        write_shahin(out, tuple(plots))
-    return _told(rows, as_json)
+    return _compared(rows_of, lambda _, *where: write_shahin(*where), as_json, plots, out)
 
 
 @reproduce.command()
@@ -82,16 +67,10 @@ def emps(
     out: Annotated[Path, typer.Option(help="Folder of the pictures.")] = Path("results"),
 ) -> int:
     """Janot, Gautier and Brunot: data set and reference models of the EMPS, a linear axis identified from its log."""
+    from contourlab.session.reproduce import write_emps
     from contourlab.studies.reproduce.emps import reproduce as rows_of
 
-    if plots:
-        from contourlab.session.reproduce import check_choice, write_emps
-
-        check_choice(out, tuple(plots))
-    rows = rows_of(log, validation)
-    if plots:
-        write_emps(log, out, tuple(plots))
-    return _told(rows, as_json)
+    return _compared(lambda: rows_of(log, validation), lambda _, *where: write_emps(log, *where), as_json, plots, out)
 
 
 @reproduce.command()
@@ -103,15 +82,21 @@ def ubc(
     out: Annotated[Path, typer.Option(help="Folder of the pictures.")] = Path("results"),
 ) -> int:
     """The XY table of the UBC course MECH 467: two measured line-circle runs, and the machine found from them."""
+    from contourlab.session.reproduce import write_ubc
     from contourlab.studies.reproduce.ubc import reproduce as rows_of
 
-    if plots:
-        from contourlab.session.reproduce import check_choice, write_ubc
+    return _compared(lambda: rows_of(log_folder, with_unseen=unseen), lambda _, *where: write_ubc(log_folder, *where), as_json, plots, out)
 
-        check_choice(out, tuple(plots))
-    rows = rows_of(log_folder, with_unseen=unseen)
+
+def _compared(rows_of: Callable[[], Rows], draw: Draw, as_json: bool, plots: Sequence[str] | None, out: Path) -> int:
+    """Compute the rows, draw them where that is asked for, and print them; return 1 where one fails."""
     if plots:
-        write_ubc(log_folder, out, tuple(plots))
+        from contourlab.session.reproduce import check_choice
+
+        check_choice(out, tuple(plots))  # ahead of what takes a minute
+    rows = rows_of()
+    if plots:
+        draw(rows, out, tuple(plots))
     return _told(rows, as_json)
 
 

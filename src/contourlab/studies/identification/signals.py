@@ -12,7 +12,7 @@ from contourlab.logs import Log
 from contourlab.result import Result
 from contourlab.studies.identification.finding import Row, reached
 
-__all__ = ["NO_PLANT", "AxisRecord", "axis_record", "fits_a_plant", "measured_tables"]
+__all__ = ["NO_PLANT", "AxisRecord", "axis_record", "chosen_axis", "fits_a_plant", "measured_tables"]
 
 Array = NDArray[np.float64]
 POSITIONS = ("position", "motor_position", "axis_position")
@@ -84,6 +84,22 @@ def fits_a_plant(unit: str) -> bool:
     return unit in ("", "N", "full_scale")
 
 
+def chosen_axis(result: Result, axis: str | None) -> str:
+    """Return the axis that is meant: the one that is named, or the only one.
+
+    Raises
+    ------
+    ResultError
+        If there are several and none is named, or there is none of that name.
+    """
+    if axis is None and len(result.axes) == 1:
+        return result.axes[0]
+    if axis not in result.axes:
+        said = "which axis?" if axis is None else f"no axis {axis} in {result.scheme}:"
+        raise ResultError(f"{said} There are {', '.join(result.axes)}: name one with --axis")
+    return axis
+
+
 def axis_record(log: Log, axis: str | None = None, gain: float | None = None, full_scale: float | None = None) -> AxisRecord:
     """Return the signals of an axis of a log.
 
@@ -102,11 +118,7 @@ def axis_record(log: Log, axis: str | None = None, gain: float | None = None, fu
         If the log has several axes and none is named, or no position.
     """
     result = log.result
-    if axis is None and len(result.axes) == 1:
-        axis = result.axes[0]
-    if axis not in result.axes:
-        said = "which axis?" if axis is None else f"no axis {axis} in {result.scheme}:"
-        raise ResultError(f"{said} There are {', '.join(result.axes)}: name one with --axis")
+    axis = chosen_axis(result, axis)
     column = result.axes.index(axis)
 
     def of(name: str) -> Array | None:

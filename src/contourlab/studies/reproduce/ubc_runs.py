@@ -15,7 +15,7 @@ from contourlab.loop import Machine
 from contourlab.scenario import load_scenario
 from contourlab.studies.log_run import Agreement, LogRun, log_run
 from contourlab.studies.refine import RefineSettings, Window, refine
-from contourlab.studies.refine_parameters import with_values
+from contourlab.studies.space.values import with_values
 
 __all__ = ["CONTROLLERS", "FILES", "PHYSICS", "WANTED", "Unseen", "contour_errors", "read_runs", "tracking_errors", "unseen"]
 

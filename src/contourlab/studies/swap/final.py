@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from contourlab.analysis import Margins
 from contourlab.studies.swap.fleet import Fleet
-from contourlab.studies.swap.numbers import controller_with
+from contourlab.studies.swap.numbers import divided_controller
 from contourlab.studies.tune.guards import Guards
 
 __all__ = ["Final", "final"]
@@ -41,8 +41,9 @@ def final(fleet: Fleet, points: NDArray[np.float64]) -> Final:
     """Return the exact margins of a design, one point (n_variant, n_number) for each variant."""
     found = []
     for variant, point in zip(fleet.variants, points, strict=True):
-        guards = Guards([(variant.machine, controller_with(fleet.controller, fleet.space.values(point)))], fleet.bounds)
+        guards = Guards([(variant.machine, divided_controller(fleet.controller, fleet.space.values(point)))], fleet.bounds)
+        exact = guards.exact({})
         # What the drives give was counted in the runs.
-        found.append((guards.exact({}), guards.broken({}, 0.0, 0.0)))
+        found.append((exact, guards.broken({}, 0.0, 0.0, exact)))
     margins, broken = zip(*found, strict=True)
     return Final(margins, broken)

@@ -15,7 +15,7 @@ from contourlab.studies.division import undivided_error
 from contourlab.studies.link_sweep import SEEDS, LinkSetting, LinkSweep, divided, swept
 from contourlab.studies.swap.fleet import Fleet
 from contourlab.studies.swap.loss import losses
-from contourlab.studies.swap.numbers import controller_with
+from contourlab.studies.swap.numbers import divided_controller
 
 __all__ = ["NetworkCost", "least_division", "network_cost", "stays_in_axis"]
 
@@ -142,7 +142,7 @@ def network_cost(
     """
     part, rows = link or Network(), []
     for i, (variant, point) in enumerate(zip(fleet.variants, points, strict=True)):
-        whole_controller = controller_with(fleet.controller, fleet.space.values(point))
+        whole_controller = divided_controller(fleet.controller, fleet.space.values(point))
         whole = undivided_error(variant.machine, whole_controller, fleet.reference, fleet.objective, seed=fleet.seed, moving=fleet.moving)
         allowed = whole + within * max(whole, fleet.floor)
         controller = divided(whole_controller, division, ways, part)

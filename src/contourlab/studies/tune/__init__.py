@@ -1,6 +1,7 @@
 """Calibration: the paper's sequential procedure, a global search beside it, and what their answer means on a drive."""
 
 from contourlab.studies.space.bounds import Bounds
+from contourlab.studies.space.values import with_values
 from contourlab.studies.tune.checked import Checked, checked
 from contourlab.studies.tune.drive_terms import DriveTerms, drive_terms
 from contourlab.studies.tune.globally import Searched, globally
@@ -12,7 +13,7 @@ from contourlab.studies.tune.placed import fastest, placed_gains
 from contourlab.studies.tune.repair import repaired
 from contourlab.studies.tune.sequential import Path, sequential
 from contourlab.studies.tune.tune import METHODS, STARTS, Tuned, TuneSettings, tune
-from contourlab.studies.tune.values import axes_of, with_values
+from contourlab.studies.tune.values import axes_of
 
 __all__ = [
     "FIGURES",

@@ -67,7 +67,8 @@ def checked(
     assert run is not None
     judged = judge(run, reference)
     found = _figures(judged, machine, controller, reference)
-    return Checked(found, here.exact({}), here.broken({}, found["limited_share"], found["command_largest"]), judged)
+    margins = here.exact({})
+    return Checked(found, margins, here.broken({}, found["limited_share"], found["command_largest"], margins), judged)
 
 
 FIGURES = (

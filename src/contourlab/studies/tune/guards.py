@@ -14,7 +14,8 @@ from contourlab.analysis.sampled_loops import rough_margins, sampled_loops
 from contourlab.errors import ComponentError
 from contourlab.loop import Controller, Machine
 from contourlab.studies.space.bounds import ROUNDING, SLACK, Bounds
-from contourlab.studies.tune.values import axes_of, with_values
+from contourlab.studies.space.values import with_values
+from contourlab.studies.tune.values import axes_of
 
 __all__ = ["Guards"]
 
@@ -110,9 +111,12 @@ class Guards:
                 return str(found.verdict)
         return ""
 
-    def broken(self, values: Mapping[str, float], limited: float, largest: float) -> tuple[str, ...]:
-        """Return in words all that is not kept with values [SI], by the exact analysis."""
-        found = [f"axis {axis}: {words}" for axis, margins in self.exact(values).items() if (words := self.bounds.broken(margins))]
+    def broken(
+        self, values: Mapping[str, float], limited: float, largest: float, exact: Mapping[str, Margins] | None = None
+    ) -> tuple[str, ...]:
+        """Return in words all that is not kept with values [SI], by the exact analysis; `exact` are the margins where they are known."""
+        margins = self.exact(values) if exact is None else exact
+        found = [f"axis {axis}: {words}" for axis, one in margins.items() if (words := self.bounds.broken(one))]
         coupled = self.uncoupled(values)
         found += [f"coupling: {coupled}"] if coupled else []
         if limited > self.bounds.limited_share + ROUNDING:

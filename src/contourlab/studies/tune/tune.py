@@ -13,6 +13,7 @@ from contourlab.feed import Reference
 from contourlab.loop import Controller, Machine, parameter_names
 from contourlab.studies.space import Evaluator, Number, Space, calibration_order
 from contourlab.studies.space.bounds import Bounds
+from contourlab.studies.space.values import with_values
 from contourlab.studies.tune.checked import Checked, checked
 from contourlab.studies.tune.drive_terms import DriveTerms, drive_terms
 from contourlab.studies.tune.globally import Searched, globally
@@ -22,7 +23,6 @@ from contourlab.studies.tune.objective import Goal, Objective
 from contourlab.studies.tune.placed import fastest, placed_gains
 from contourlab.studies.tune.repair import repaired
 from contourlab.studies.tune.sequential import Path, sequential
-from contourlab.studies.tune.values import with_values
 from contourlab.units import to_si
 
 __all__ = ["METHODS", "STARTS", "TuneSettings", "Tuned", "tune"]

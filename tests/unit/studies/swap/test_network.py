@@ -20,7 +20,7 @@ from contourlab.studies.space.bounds import Bounds
 from contourlab.studies.swap.final import final
 from contourlab.studies.swap.fleet import Fleet
 from contourlab.studies.swap.network import NetworkCost, least_division, network_cost
-from contourlab.studies.swap.numbers import controller_with
+from contourlab.studies.swap.numbers import divided_controller
 from contourlab.studies.swap.variants import variants_of
 
 AHEAD = "controller.axes.x.controller.model_gain"
@@ -56,7 +56,7 @@ def test_the_rate_that_holds_is_the_largest_of_the_variants(fleet: Fleet) -> Non
     cost = cost_of(fleet, within=0.5)
     each = []
     for variant, allowed in zip(fleet.variants, cost.allowed, strict=True):
-        controller = controller_with(fleet.controller, fleet.space.values(fleet.space.start))
+        controller = divided_controller(fleet.controller, fleet.space.values(fleet.space.start))
         options = {"figure": fleet.objective, "allowed": allowed, "moving": True}
         each.append(message_rate(variant.machine, controller, fleet.reference, "drive", "both", **options).rate)
     assert cost.rate == max(each)

@@ -18,12 +18,13 @@ from contourlab.loop import Axis, AxisController, Controller, Limits, Machine
 from contourlab.session.swap_text import matrices
 from contourlab.studies.space import Space
 from contourlab.studies.space.bounds import Bounds
+from contourlab.studies.space.values import machine_with
 from contourlab.studies.swap.coverage import coverage
 from contourlab.studies.swap.design import evaluated
 from contourlab.studies.swap.division import Division
 from contourlab.studies.swap.fleet import Fleet
 from contourlab.studies.swap.loss import losses, swap_loss
-from contourlab.studies.swap.numbers import controller_with, machine_with
+from contourlab.studies.swap.numbers import divided_controller
 from contourlab.studies.swap.study import SwapSettings, SwapStudy, swap_study
 from contourlab.studies.swap.variants import Variant, variants_of
 from contourlab.studies.swap.verdict import verdict
@@ -191,7 +192,7 @@ def test_what_cannot_be_swapped_is_refused(swaps: dict[str, list[tuple[str, Axis
 
 def test_numbers_are_put_in_their_places() -> None:
     machine, controller = stage()
-    made = controller_with(controller, {AHEAD: 2.0}, [AHEAD])
+    made = divided_controller(controller, {AHEAD: 2.0}, [AHEAD])
     assert made.axes["x"].controller.values()["model_gain"] == 2.0 and made.axes["x"].local == ("controller.model_gain",)
     assert made.axes["y"].controller.values()["model_gain"] == 1.05 and made.axes["y"].local == ()
     assert machine_with(machine, {"axes.x.plant.gain": 3.0}).axis("x").plant.values()["gain"] == 3.0
