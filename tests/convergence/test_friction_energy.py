@@ -14,6 +14,7 @@ from numpy.typing import NDArray
 from contourlab.components.contract import Component
 from contourlab.components.friction.coulomb import Coulomb
 from contourlab.components.friction.lugre import LuGre
+from contourlab.components.friction.rising import Rising
 from contourlab.components.friction.smooth_coulomb import SmoothCoulomb
 from contourlab.components.mechanics import link
 from contourlab.components.plant.mass_damper import MassDamper
@@ -33,6 +34,7 @@ STATIC = {
     "viscous": st.floats(0.0, 100.0),
 }
 STICKING = st.builds(Coulomb, **STATIC)
+RISING = st.builds(Rising, coulomb=FORCES, breakaway=FORCES, rise_velocity=st.floats(1e-5, 0.1), viscous=st.floats(0.0, 100.0))
 SMOOTH = st.builds(SmoothCoulomb, **STATIC, smoothing_velocity=st.floats(1e-6, 0.05))
 BRISTLES = st.builds(LuGre, **STATIC, stiffness=st.floats(1e3, 1e7), bristle_damping=st.floats(0.0, 1e3))
 SPEEDS = st.lists(st.floats(-5.0, 5.0) | st.floats(-1e-4, 1e-4), min_size=1, max_size=40)
@@ -57,7 +59,7 @@ def motion(friction: Component, mass: float, start: tuple[float, ...], period: f
 
 
 def test_every_friction_there_is_belongs_to_a_law_tested_here() -> None:
-    assert {kind.kind for kind in components("friction")} == {"none", "coulomb", "smooth-coulomb", "lugre"}
+    assert {kind.kind for kind in components("friction")} == {"none", "coulomb", "rising", "smooth-coulomb", "lugre"}
 
 
 # --- the laws ------------------------------------------------------------------------------------------------------------------------
@@ -82,6 +84,15 @@ def test_a_sliding_force_opposes_the_motion_and_is_held_at_rest(friction: Coulom
         assert Coulomb.sliding(par, abs(v)) <= Coulomb.held(par) + friction.viscous * abs(v) * (1.0 + 1e-15) + ROUNDING
 
 
+@given(friction=RISING, speeds=SPEEDS)
+def test_rising_friction_slides_between_its_two_levels(friction: Rising, speeds: list[float]) -> None:
+    par = values(friction)
+    low, high = sorted((friction.coulomb, friction.breakaway))
+    assert Rising.held(par) == friction.breakaway
+    for v in map(abs, speeds):
+        assert low - ROUNDING * high <= Rising.sliding(par, v) - friction.viscous * v <= high + ROUNDING * (high + friction.viscous * v)
+
+
 @given(friction=BRISTLES, speeds=SPEEDS)
 def test_bristles_slide_between_their_two_levels(friction: LuGre, speeds: list[float]) -> None:
     """The steady force g(v) sgn v + s2 v opposes the motion as g > 0."""
@@ -96,8 +107,8 @@ def test_bristles_slide_between_their_two_levels(friction: LuGre, speeds: list[f
 
 
 @settings(max_examples=60)
-@given(friction=STICKING, mass=st.floats(0.1, 100.0), speed=st.floats(-1.0, 1.0), period=st.floats(1e-4, 1e-2))
-def test_a_sticking_mass_only_loses_energy_and_never_turns(friction: Coulomb, mass: float, speed: float, period: float) -> None:
+@given(friction=STICKING | RISING, mass=st.floats(0.1, 100.0), speed=st.floats(-1.0, 1.0), period=st.floats(1e-4, 1e-2))
+def test_a_sticking_mass_only_loses_energy_and_never_turns(friction: Coulomb | Rising, mass: float, speed: float, period: float) -> None:
     # A period in which viscous friction alone would stop the mass twice is no period for an explicit method.
     period = min(period, mass / max(friction.viscous, 1e-9))
     v = motion(friction, mass, (0.0, speed), period, np.zeros(60))[:, 1]

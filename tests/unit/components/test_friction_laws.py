@@ -86,6 +86,31 @@ def test_sliding_force_lies_on_the_stribeck_curve() -> None:
         assert fast + slow == pytest.approx(0.0, abs=1e-3 * fast)
 
 
+# --- friction that is least at rest ---------------------------------------------------------------------------------------------------
+
+RISING: dict[str, Any] = {"coulomb": 3.0, "breakaway": 2.0, "rise_velocity": 0.01}
+
+
+@pytest.mark.parametrize("way", [-1.0, 1.0])
+def test_a_push_between_rest_and_sliding_settles_at_the_speed_whose_friction_it_is(way: float) -> None:
+    """F_c - (F_c - F_s) exp(-(w/v_r)^2) = f at w = v_r sqrt(ln((F_c - F_s)/(F_c - f))); below F_s nothing moves."""
+    friction = make("friction", "rising", **RISING)
+    for force in (2.0, math.nextafter(2.0, 0.0)):
+        assert not run_alone(mass_of(0.5), {"command": np.full(50, way * force)}, friction=friction)["velocity"].any()
+    for force in (2.2, 2.7, 2.95):
+        out = run_alone(mass_of(0.5), {"command": np.full(4000, way * force)}, friction=friction, jit=True)
+        assert way * out["velocity"][-1] == pytest.approx(0.01 * math.sqrt(-math.log(3.0 - force)), rel=1e-9)
+
+
+def test_where_friction_falls_with_speed_the_rising_law_is_that_of_stribeck() -> None:
+    push = 4.0 * np.sin(0.02 * np.arange(2000) ** 1.1)
+    shape = {"coulomb": 2.0, "breakaway": 3.0, "viscous": 4.0}
+    falling = make("friction", "coulomb", **shape, stribeck_velocity=0.01), make("friction", "rising", **shape, rise_velocity=0.01)
+    ours, theirs = (run_alone(mass_of(2.0), {"command": push}, friction=friction)["position"] for friction in falling)
+    assert np.ptp(ours) > 1e-3
+    assert ours == pytest.approx(theirs, abs=1e-12)
+
+
 # --- bristles ------------------------------------------------------------------------------------------------------------------------
 
 CLASSIC: dict[str, Any] = {
