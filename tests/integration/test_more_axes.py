@@ -1,4 +1,4 @@
-"""Cross-coupled control and learning in three and five axes, as typed: the same scenario with more of them; and a real part program."""
+"""Cross-coupled control and learning in three and five axes, as typed; a real part program; and what a single axis has no use for."""
 
 from __future__ import annotations
 
@@ -125,3 +125,15 @@ def test_a_part_program_of_three_axes_is_learned(contourlab: Run, tmp_path: Path
     # What the planner gives away at rounded corners is not learned.
     assert after["planning_deviation"]["max"] == before["planning_deviation"]["max"]
     assert (tmp_path / "results" / "learned").is_dir() and (tmp_path / "results" / "report.html").stat().st_size > 100_000
+
+
+def test_a_single_axis_has_a_report_without_a_picture_of_its_path(contourlab: Run, tmp_path: Path) -> None:
+    done = contourlab("run", "builtin:emps/there-and-back", "--no-interval", "--out", "out", "--plots", "png")
+    assert done.code == 0, done.err
+    names = {file.stem for file in (tmp_path / "out" / "plots").iterdir()}
+    assert {"error-time", "axis-0"} <= names
+    assert not any(name.startswith("path") for name in names)
+    page = (tmp_path / "out" / "report.html").read_text(encoding="utf-8")
+    assert 'id="errors"' in page
+    assert 'id="path"' not in page
+    assert 'href="#path"' not in page

@@ -45,7 +45,9 @@ def _axis_chart(data: ReportData, axis: int, name: str, points: int) -> Chart:
     )
     drawn = tuple(panel for panel in panels if panel is not None)
     told = [text for panel in drawn if (text := _off_scale(panel))]
-    caption = " ".join(["Dashed lines are the limits. Acceleration and jerk are those of the reference.", *told])
+    bounded = ["Dashed lines are the limits."] if any(panel.levels for panel in drawn) else []
+    planned = ["Acceleration and jerk are those of the reference."] if _reference_of(data, "reference_acceleration") is not None else []
+    caption = " ".join([*bounded, *planned, *told])
     return Chart(f"axis-{axis}", f"Axis {name}", caption, drawn)
 
 

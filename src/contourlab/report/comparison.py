@@ -174,7 +174,7 @@ def _note(data: ReportData) -> str:
     basis = data.schemes[0].metrics.basis
     notes = [f"Errors over the {basis}, {number(start * period, 4)} s to {number(stop * period, 4)} s."]
     if not data.is_blended:
-        notes.append("The planned path is the programmed one: the contour error is the error of the part.")
+        notes.append("No other path was planned than the one asked for: the contour error is the error of the part.")
     if len(data.schemes) > 1:
         notes.append(f"Change: {data.schemes[-1].name} against {data.schemes[0].name}.")
     for scheme in data.schemes:

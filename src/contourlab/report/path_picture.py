@@ -22,7 +22,7 @@ FLAT = 1e-3  # an extent below this part of the largest shows nothing: no view a
 
 
 def path_charts(data: ReportData, points: int) -> tuple[PathChart, ...]:
-    """Return one chart per view of the path: XY, and XZ and YZ where it has a height.
+    """Return one chart per view of the path: XY, and XZ and YZ where it has a height; none of a single axis, which has no shape.
 
     Parameters
     ----------
@@ -30,6 +30,8 @@ def path_charts(data: ReportData, points: int) -> tuple[PathChart, ...]:
     points : int
         Most points of a run, and of the path.
     """
+    if len(data.axes) == 1:
+        return ()
     s = _places(data.asked, points)
     asked = data.asked.position(s)
     runs = [_run(data, scheme, points) for scheme in data.schemes]
