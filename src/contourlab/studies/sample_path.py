@@ -7,6 +7,7 @@ from numpy.typing import NDArray
 
 from contourlab.errors import ResultError
 from contourlab.geometry import Line, Path
+from contourlab.geometry.thinning import polygon_corners
 
 __all__ = ["moving", "path_of_samples"]
 
@@ -45,40 +46,9 @@ def path_of_samples(positions: Array) -> tuple[Path, Array]:
     new = np.append(True, (np.diff(positions, axis=0) != 0.0).any(axis=1))
     points = positions[new]
     arc = np.append(0.0, np.cumsum(np.linalg.norm(np.diff(points, axis=0), axis=1)))
-    kept = _corners(points)
-    path = Path([Line(a, b) for a, b in zip(points[kept][:-1], points[kept][1:], strict=True)])
+    kept = polygon_corners(points, STRAIGHT)
+    path = Path(Line.many(points[kept][:-1], points[kept][1:]))
     # The chords that were left out are shorter than the polygon by next to nothing: arc length is that of the path.
     own = np.append(0.0, np.cumsum(np.linalg.norm(np.diff(points[kept], axis=0), axis=1)))
     along = np.interp(arc, arc[kept], own)
     return path, along[np.cumsum(new) - 1]
-
-
-def _corners(points: Array) -> NDArray[np.int64]:
-    """Return the points that a polygon needs so that no other is further than `STRAIGHT` from it, each line as long as it can be."""
-    kept, at, span, last = [0], 0, 1, len(points) - 1
-    while at < last:
-        # Twice as far as long as it goes, then halving what is between; lines are about as long as the one before.
-        good, bad = 1, last - at + 1
-        while good < bad - 1:
-            trial = min(span, bad - 1) if span > good else (good + bad) // 2 if bad <= last - at else min(2 * good, bad - 1)
-            if _is_line(points[at : at + trial + 1]):
-                good, span = trial, 2 * trial
-            else:
-                bad, span = trial, 0
-        at += good
-        span = good
-        kept.append(at)
-    return np.array(kept)
-
-
-def _is_line(points: Array) -> bool:
-    """Tell whether points lie on the line from the first to the last, one behind the other."""
-    way = points[-1] - points[0]
-    length = float(np.linalg.norm(way))
-    if length == 0.0:
-        return False
-    off = points - points[0]
-    along = off @ (way / length)
-    if np.any(np.diff(along) < 0.0):
-        return False
-    return float(((off - np.outer(along, way / length)) ** 2).sum(axis=1).max()) <= STRAIGHT**2
