@@ -7,6 +7,7 @@ Inside contourlab every number is in SI base units. ``full_scale`` is the unit o
 from __future__ import annotations
 
 import math
+import re
 from functools import cache
 from typing import TYPE_CHECKING, Any
 
@@ -15,7 +16,10 @@ from contourlab.errors import UnitError
 if TYPE_CHECKING:
     import pint
 
-__all__ = ["from_si", "same_dimension", "show", "to_si"]
+__all__ = ["from_si", "same_dimension", "show", "split", "to_si"]
+
+_CLOSE = re.compile(r"(?P<number>[+-]?(\d+\.?\d*|\.\d+)([eE][+-]?\d+)?)(?P<unit>[A-Za-zµμ°%Ω].*)\Z")
+"""A number and a unit without a space between them; digits behind an e are the number's exponent."""
 
 
 @cache
@@ -54,13 +58,29 @@ def same_dimension(unit: str, other: str) -> bool:
 
 
 def split(text: str) -> tuple[float, str]:
-    """Split ``"20 mm"`` into its number and its unit; a bare number has the unit ``""``."""
+    """Split ``"20 mm"`` or ``"20mm"`` into its number and its unit; a bare number has the unit ``""``.
+
+    The space may be missing ahead of a letter. Only ahead of an e it is wanted: whether ``"2e"`` is an exponent cut short or a unit, nobody
+    can tell.
+
+    Raises
+    ------
+    UnitError
+        If it is no number with or without a unit.
+
+    >>> split("20 mm"), split("2.5e3mm/min"), split("7")
+    ((20.0, 'mm'), (2500.0, 'mm/min'), (7.0, ''))
+    """
     head, _, tail = text.strip().partition(" ")
     try:
-        number = float(head)
+        return float(head), tail.strip()
     except ValueError:
-        raise UnitError(f'{text!r} is no quantity: write a number, a space and a unit, such as "20 mm"') from None
-    return number, tail.strip()
+        close = _CLOSE.match(head)
+    if close is None:
+        raise UnitError(f'{text!r} is no quantity: write a number, a space and a unit, such as "20 mm"')
+    if close["unit"][0] in "eE":
+        raise UnitError(f'{text!r} may be an exponent that is cut short, or a unit: put a space between them, such as "20 eV"')
+    return float(close["number"]), f"{close['unit']} {tail}".strip()
 
 
 def to_si(value: str | float, unit: str) -> float:
@@ -69,7 +89,7 @@ def to_si(value: str | float, unit: str) -> float:
     Parameters
     ----------
     value : str or float
-        ``"20 mm"``; or a bare number, which only a dimensionless `unit` accepts.
+        ``"20 mm"`` or ``"20mm"``; or a bare number, which only a dimensionless `unit` accepts.
     unit : str
         The unit whose dimension is expected, for example ``"m/s"``; ``""`` for a bare number.
 

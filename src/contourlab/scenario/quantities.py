@@ -8,7 +8,7 @@ from collections.abc import Sequence
 from typing import Any
 
 from contourlab.errors import ContourlabError, UnitError
-from contourlab.units import from_si, to_si
+from contourlab.units import from_si, split, to_si
 
 __all__ = ["read_list", "read_number", "show_bound"]
 
@@ -61,10 +61,13 @@ def read_number(value: Any, unit: str, display: str = "") -> float:
         raise UnitError(f"{value!r} is no number: write {wanted}")
     if not isinstance(value, str):
         return _bare(value, unit, shown)
-    given = value.strip().partition(" ")[2]
-    if len(value) > 120 or not _UNIT.match(given.strip()):
-        example = f", such as {_example(shown)}" if unit else ""
-        raise UnitError(f"{value[:60]!r} is no quantity: write a number, a space and a unit{example}")
+    example = f", such as {_example(shown)}" if unit else ""
+    said = f"{value[:60]!r} is no quantity: write a number, a space and a unit{example}"
+    if len(value) > 120:
+        raise UnitError(said)
+    given = split(value)[1]
+    if not _UNIT.match(given):
+        raise UnitError(said)
     try:
         _check_turns(value, given, unit)
         number = to_si(value, unit)

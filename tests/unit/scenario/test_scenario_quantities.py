@@ -27,6 +27,12 @@ from contourlab.scenario.quantities import read_list, read_number, show_bound
         ("20 um/m", "rad", 2e-5),
         ("5 %", "", 0.05),
         (3, "", 3.0),
+        ("2ms", "s", 2e-3),
+        ("-1.5e3mm/min", "m/s", -0.025),
+        ("1e3m", "m", 1000.0),
+        ("4full_scale/mm", "full_scale/m", 4000.0),
+        (".5%", "", 0.005),
+        ("2e3", "", 2000.0),
     ],
 )
 def test_quantities_come_out_in_si(text: str, unit: str, si: float) -> None:
@@ -34,11 +40,18 @@ def test_quantities_come_out_in_si(text: str, unit: str, si: float) -> None:
 
 
 @pytest.mark.parametrize(
-    "value", ["20", "20 kg", "20 mm/s", "mm", "", "nan mm", "inf mm", "1e999 mm", "20mm", "20 mm#", "20 mm\x00", 20, True, None, []]
+    "value", ["20", "20 kg", "20 mm/s", "mm", "", "nan mm", "inf mm", "1e999 mm", "2e", "2e mm", "20 mm#", "20 mm\x00", 20, True, None, []]
 )
 def test_what_is_no_length_is_refused(value: object) -> None:
     with pytest.raises(UnitError):
         read_number(value, "m", "mm")
+
+
+@pytest.mark.parametrize("text", ["2e", "2E", "1e3e3", "2eV"])
+def test_an_exponent_that_may_be_a_unit_wants_a_space(text: str) -> None:
+    with pytest.raises(UnitError, match="put a space between them"):
+        read_number(text, "J")
+    assert read_number("2 eV", "J") == pytest.approx(3.204353268e-19)
 
 
 @pytest.mark.parametrize("text", ["1 (", "1 mm/", "1 €", "1 m**0", "1 mm**99999", "1 " + "m*" * 60, "1 'a'", "1 __class__"])
