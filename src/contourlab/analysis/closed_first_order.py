@@ -13,7 +13,8 @@ from collections.abc import Mapping
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from contourlab.analysis.first_order import EXPLAINED, FirstOrderFit, even_record
+from contourlab.analysis.even_record import even_record
+from contourlab.analysis.first_order import EXPLAINED, FirstOrderFit
 from contourlab.analysis.output_error import Free, fit_output
 from contourlab.errors import ParameterError
 
@@ -79,7 +80,7 @@ def identify_closed_loop(
     for name, value, lowest in (("position_gain", position_gain, 1e-12), ("velocity_gain", velocity_gain, 0.0)):
         if not (math.isfinite(value) and value >= lowest):
             raise ParameterError(name, f"{value:g}", "finite and " + ("> 0" if lowest else ">= 0"))
-    period, (r, p) = even_record(time, reference=reference, position=position)
+    period, (_, r, p) = even_record(time, {"reference": reference, "position": position})
     if not (np.ptp(r) > 0.0 and np.ptp(p) > 0.0):
         raise ParameterError("reference", f"{r[0]:g} throughout", "a record in which reference and axis move")
 

@@ -19,15 +19,14 @@ from dataclasses import dataclass, field, replace
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from contourlab.analysis.even_record import even_record
 from contourlab.analysis.first_order_motion import delayed, first_order_motion
 from contourlab.analysis.output_error import Free, OutputFit, fit_output
 from contourlab.errors import ParameterError
 
-__all__ = ["FirstOrderFit", "FirstOrderSettings", "even_record", "identify_first_order", "smoothing_of"]
+__all__ = ["FirstOrderFit", "FirstOrderSettings", "identify_first_order", "smoothing_of"]
 
 Array = NDArray[np.float64]
-SHORTEST = 50
-"""Fewest samples of a record."""
 WELL_KNOWN = 10.0
 """Relative deviation [percent] up to which a or b counts as identified."""
 EXPLAINED = 80.0
@@ -99,37 +98,6 @@ class FirstOrderFit:
         return self.found[name] if name in self.found.names else 0.0
 
 
-def even_record(time: ArrayLike, **signals: ArrayLike) -> tuple[float, tuple[Array, ...]]:
-    """Return the period of a record and its signals, checked.
-
-    Parameters
-    ----------
-    time : array_like (n,) [s]
-    **signals : array_like (n,)
-
-    Raises
-    ------
-    ParameterError
-        If a signal is of another length or not finite, or time does not rise evenly.
-    """
-    t = np.asarray(time, dtype=float)
-    if t.ndim != 1 or t.size < SHORTEST:
-        raise ParameterError("time", f"{t.size} samples", f"a record of at least {SHORTEST}")
-    found = []
-    for name, values in (("time", t), *signals.items()):
-        array = np.asarray(values, dtype=float)
-        if array.shape != t.shape:
-            raise ParameterError(name, f"shape {array.shape}", f"as long as time, {t.shape}")
-        bad = np.flatnonzero(~np.isfinite(array))
-        if bad.size:
-            raise ParameterError(name, f"{array[bad[0]]} at sample {bad[0]}", "finite")
-        found.append(array)
-    period = float(t[-1] - t[0]) / (t.size - 1)
-    if not (period > 0.0 and np.all(np.abs(np.diff(t) - period) <= 1e-3 * period)):
-        raise ParameterError("time", "a record", "rising and evenly spaced: resample it first")
-    return period, tuple(found[1:])
-
-
 def smoothing_of(position: Array) -> int:
     """Return over how many samples a position is differenced: counts then make half a percent of the velocity or less."""
     steps = np.abs(np.diff(position))
@@ -190,7 +158,7 @@ def identify_first_order(
         If the record is too short, uneven, not finite or at rest, if the axis goes against its command, or parameters are not told apart.
     """
     chosen = settings or FirstOrderSettings()
-    period, (u, p) = even_record(time, command=command, position=position)
+    period, (_, u, p) = even_record(time, {"command": command, "position": position})
     if not np.ptp(u) > 0.0:
         raise ParameterError("command", f"{u[0]:g} throughout", "a record whose command changes: a and b are not told apart by one level")
     smoothing = chosen.smoothing or smoothing_of(p)
@@ -227,7 +195,9 @@ def _start(blocks: _Blocks, measured: Array, settings: FirstOrderSettings) -> di
                 best, least = (a, float(b), share * size), cost
     a, b, friction = best
     if a <= 0.0:
-        raise ParameterError("velocity", "a record", "rising with the command: one of the two is counted the other way round")
+        raise ParameterError(
+            "velocity", "a record", "rising with the command: one of the two is counted the other way round, or they are not of one axis"
+        )
     free = {"a": Free(a, 1e-6 * a, 1e6 * a, a), "b": Free(b, 0.0, 20.0 * fastest, max(b, 0.01 * fastest))}
     if settings.friction:
         free |= {"friction": Free(friction, 0.0, float(np.abs(u).max()), size), "offset": Free(0.0, -2.0 * size, 2.0 * size, 0.1 * size)}

@@ -8,6 +8,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from contourlab.analysis.coloured_residual import bartlett, flat_top, long_run, memory, usual_lags
+
 __all__ = ["FitCovariance", "fit_covariance"]
 
 Array = NDArray[np.float64]
@@ -69,8 +71,7 @@ def fit_covariance(jacobians: Sequence[Array], residuals: Sequence[Array], floor
 
     References
     ----------
-    Newey & West, "A simple, positive semi-definite, heteroskedasticity and autocorrelation consistent covariance matrix", Econometrica 55
-    (1987); Politis & Romano, "Bias-corrected nonparametric spectral estimation", J. Time Series Analysis 16 (1995), for the window.
+    As of `contourlab.analysis.coloured_residual`.
     """
     p = jacobians[0].shape[-1]
     if p == 0:  # all parameters are at the bounds of their ranges
@@ -87,9 +88,10 @@ def fit_covariance(jacobians: Sequence[Array], residuals: Sequence[Array], floor
     inverse = (vectors[:, ~lost] / values[~lost]) @ vectors[:, ~lost].T / np.outer(size, size)
     spare = max(left.size - p, 1)
     white = np.sqrt(np.maximum(np.diag(inverse), 0.0) * (float(left @ left) + floor**2 * left.size) / spare)
-    lags = max(_memory(r) for r in residuals)
+    lags = max(_remembered(r) for r in residuals)
     pushed = [np.einsum("ncp,nc->np", j, r) for j, r in zip(jacobians, residuals, strict=True)]
-    found = [inverse @ sum(_long_run(part, lags, flat) for part in pushed) @ inverse * (left.size / spare) for flat in (True, False)]
+    windows = flat_top(lags), bartlett(2 * lags - 1)
+    found = [inverse @ sum(long_run(part, window) for part in pushed) @ inverse * (left.size / spare) for window in windows]
     # Never less than under Bartlett's window, which is never negative, nor than were the residual white; correlations stay.
     covariance, own = found[0], np.diag(found[0]).copy()
     least = np.maximum(np.diag(found[1]), white**2)
@@ -102,29 +104,9 @@ def fit_covariance(jacobians: Sequence[Array], residuals: Sequence[Array], floor
     return FitCovariance(covariance, deviations, np.where(untold, np.inf, white), inverse / np.outer(scale, scale), lags, untold)
 
 
-def _memory(residual: Array) -> int:
+def _remembered(residual: Array) -> int:
     """Return over how many rows a record's residual (n, c) counts as correlated."""
     n = residual.shape[0]
-    rule = int(4.0 * (n / 100.0) ** (2.0 / 9.0)) + 1
     longest = max(n // LONGEST, 1)
-    reached = 0
-    for column in residual.T:
-        centred = column - column.mean()
-        power = np.abs(np.fft.rfft(centred, 2 * n)) ** 2
-        along = np.fft.irfft(power)[: longest + 1]
-        if along[0] <= 0.0:
-            continue
-        forgotten = np.flatnonzero(along < FADED * along[0])
-        reached = max(reached, int(forgotten[0]) if forgotten.size else longest)
-    return int(min(max(rule, reached), longest))
-
-
-def _long_run(pushed: Array, lags: int, flat: bool) -> Array:
-    """Return the sum of the autocovariances of rows (n, p) under a window that is zero at 2 `lags`, and flat up to `lags` or Bartlett's."""
-    total = pushed.T @ pushed
-    for lag in range(1, min(2 * lags, len(pushed) - 1)):
-        shifted = pushed[lag:].T @ pushed[:-lag]
-        weight = min(1.0, 2.0 - lag / lags) if flat else 1.0 - 0.5 * lag / lags
-        total += weight * (shifted + shifted.T)
-    found: Array = total
-    return found
+    reached = max(memory(column - column.mean(), FADED, longest) for column in residual.T)
+    return int(min(max(usual_lags(n), reached), longest))

@@ -21,6 +21,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from contourlab.analysis.even_record import even_record
 from contourlab.analysis.second_order import held_response
 from contourlab.errors import ParameterError
 
@@ -30,6 +31,8 @@ Array = NDArray[np.float64]
 
 SHORTEST = 12
 """Fewest samples that a record may have."""
+EVEN = 1e-6
+"""Share of the period by which times may be uneven."""
 DAMPING = (0.02, 50.0)
 """Damping ratios between which one is looked for."""
 
@@ -300,19 +303,7 @@ def identify_delay(
 def _checked(time: ArrayLike, response: ArrayLike, command: ArrayLike, of: str) -> _Record:
     if of not in ("velocity", "position"):
         raise ParameterError("of", repr(of), "one of 'velocity', 'position'")
-    t, y, u = (np.asarray(values, dtype=float) for values in (time, response, command))
-    if t.ndim != 1 or t.size < SHORTEST:
-        raise ParameterError("time", f"{t.size} samples", f"a record of at least {SHORTEST}")
-    for name, values in ((of, y), ("command", u)):
-        if values.shape != t.shape:
-            raise ParameterError(name, f"shape {values.shape}", f"as long as time, {t.shape}")
-    for name, values in (("time", t), (of, y), ("command", u)):
-        bad = np.flatnonzero(~np.isfinite(values))
-        if bad.size:
-            raise ParameterError(name, f"{values[bad[0]]} at sample {bad[0]}", "finite")
-    period = float(t[-1] - t[0]) / (t.size - 1)
-    if not (period > 0.0 and np.all(np.abs(np.diff(t) - period) <= 1e-6 * period)):
-        raise ParameterError("time", "a record", "rising and evenly spaced")
+    period, (_, y, u) = even_record(time, {of: response, "command": command}, SHORTEST, EVEN)
     if not u.any():
         raise ParameterError("command", "zero throughout", "a record in which the axis is moved")
     if not np.ptp(y) > 0.0:

@@ -9,8 +9,7 @@ References
 ----------
 Gautier, Janot & Vandanjon, "A new closed-loop output error method for parameter identification of robot dynamics", IEEE Trans. Control
 Systems Technology 21(2), 2013, section II; Janot, Gautier & Brunot, "Data set and reference models of EMPS", 2019 Workshop on nonlinear
-system identification benchmarks, section 3, and eq (12) for friction by direction; Newey & West, "A simple, positive semi-definite,
-heteroskedasticity and autocorrelation consistent covariance matrix", Econometrica 55(3), 1987, for a residual that is not white.
+system identification benchmarks, section 3, and eq (12) for friction by direction.
 """
 
 from __future__ import annotations
@@ -22,6 +21,8 @@ from dataclasses import dataclass, field
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from contourlab.analysis.coloured_residual import bartlett, coloured_deviations, usual_lags
+from contourlab.analysis.even_record import even_record
 from contourlab.analysis.filtered_motion import decimate, filtered_motion, kept_samples
 from contourlab.analysis.identification_remarks import check_signs, remarks_on
 from contourlab.errors import ParameterError
@@ -201,7 +202,7 @@ def identify_inverse_dynamics(
     lost = len(names) if chosen.lost_degrees is None else chosen.lost_degrees
     deviations = np.sqrt(np.diag(unscaled) * float(residual @ residual) / max(residual.size - lost, 1))
     scale = np.sqrt(np.diag(unscaled))
-    robust = _robust_deviations(rows.columns, residual, unscaled)
+    robust = coloured_deviations(rows.columns, residual, unscaled, bartlett(usual_lags(residual.size)))
     told = _judged(rows, rows.columns @ values)
     check_signs(names, values, np.maximum(deviations, robust))
     remarks, usable = remarks_on(names, values, deviations, robust, rows.columns, rows.velocity, told.fit, chosen.slowest_velocity)
@@ -240,8 +241,7 @@ def cross_validate(fit: InverseDynamicsFit, time: ArrayLike, position: ArrayLike
 
 
 def _rows(time: ArrayLike, position: ArrayLike, force: ArrayLike, settings: InverseDynamicsSettings) -> _Rows:
-    t, q, f = _checked(time, position, force)
-    period = float(t[-1] - t[0]) / (t.size - 1)
+    period, (t, q, f) = even_record(time, {"position": position, "force": force}, FEWEST_ROWS)
     motion = filtered_motion(q, period, cutoff=settings.cutoff, order=settings.order)
     first, last = settings.dropped[0], t.size - settings.dropped[1]
     n_row = -(-max(last - first, 0) // settings.decimation)
@@ -270,24 +270,6 @@ def _columns(acceleration: Array, velocity: Array, friction: str) -> Array:
     return np.column_stack([acceleration, velocity * forward, way * forward, velocity * backward, way * backward])
 
 
-def _checked(time: ArrayLike, position: ArrayLike, force: ArrayLike) -> tuple[Array, Array, Array]:
-    named = {name: np.asarray(values, dtype=float) for name, values in (("time", time), ("position", position), ("force", force))}
-    t, q, f = named.values()
-    if t.ndim != 1 or t.size < FEWEST_ROWS:
-        raise ParameterError("time", f"shape {t.shape}", f"one record of at least {FEWEST_ROWS} samples")
-    for name, values in named.items():
-        if values.shape != t.shape:
-            raise ParameterError(name, f"shape {values.shape}", f"as long as time, {t.shape}")
-        bad = np.flatnonzero(~np.isfinite(values))
-        if bad.size:
-            raise ParameterError(name, f"{values[bad[0]]} at sample {bad[0]}", "finite")
-    period = float(t[-1] - t[0]) / (t.size - 1)
-    # A clock that is read rather than counted jitters by parts in a hundred thousand.
-    if not (period > 0.0 and np.all(np.abs(np.diff(t) - period) <= 1e-3 * period)):
-        raise ParameterError("time", "a record", "rising and evenly spaced: resample it first")
-    return t, q, f
-
-
 def _check_excitation(rows: _Rows, names: tuple[str, ...]) -> None:
     """Both directions have to be there, and no column may be made of the others."""
     fastest = float(np.abs(rows.velocity).max())
@@ -304,19 +286,6 @@ def _check_excitation(rows: _Rows, names: tuple[str, ...]) -> None:
     if singular[-1] * SINGULAR <= singular[0]:
         mixed = [name for name, part in zip(names, directions[-1], strict=True) if abs(part) > 0.2]
         raise ParameterError("record", "a record", f"one that tells {' and '.join(mixed)} apart: vary speed and acceleration")
-
-
-def _robust_deviations(columns: Array, residual: Array, unscaled: Array) -> Array:
-    """Return standard deviations that allow for a residual correlated over neighbouring rows."""
-    n, p = columns.shape
-    pushed = columns * residual[:, None]
-    lags = int(4.0 * (n / 100.0) ** (2.0 / 9.0)) + 1  # the usual rule for Bartlett's window
-    middle = pushed.T @ pushed
-    for lag in range(1, min(lags, n - 1) + 1):
-        shifted = pushed[lag:].T @ pushed[:-lag]
-        middle += (1.0 - lag / (lags + 1.0)) * (shifted + shifted.T)
-    covariance = unscaled @ middle @ unscaled * (n / max(n - p, 1))
-    return np.sqrt(np.maximum(np.diag(covariance), 0.0))
 
 
 def _judged(rows: _Rows, predicted: Array) -> Validation:

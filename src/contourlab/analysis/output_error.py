@@ -5,8 +5,7 @@ to one side, as it does where measured derivatives stand on the model's side of 
 
 References
 ----------
-Ljung, "System Identification", 2nd ed., sections 4.2 and 9.4; Andrews, "Heteroskedasticity and autocorrelation
-consistent covariance matrix estimation", Econometrica 59(3), 1991, for a residual that is not white.
+Ljung, "System Identification", 2nd ed., sections 4.2 and 9.4.
 """
 
 from __future__ import annotations
@@ -19,9 +18,10 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from contourlab.analysis.coloured_residual import coloured_deviations, memory, parzen
 from contourlab.errors import ParameterError
 
-__all__ = ["Free", "OutputFit", "correlated_deviations", "fit_output", "fit_percent"]
+__all__ = ["Free", "OutputFit", "fit_output", "fit_percent", "lasting_window"]
 
 Array = NDArray[np.float64]
 NEAR_BOUND = 1e-6
@@ -162,21 +162,13 @@ def _covariance(slopes: Array, residual: Array, names: Sequence[str]) -> tuple[A
         raise ParameterError("record", "a record", f"one that tells {' and '.join(mixed)} apart: vary the command more")
     inverse = np.linalg.inv(scaled.T @ scaled)
     white = np.sqrt(np.diag(inverse) * float(residual @ residual) / max(residual.size - len(names), 1))
-    robust = correlated_deviations(scaled, residual, inverse)
+    robust = coloured_deviations(scaled, residual, inverse, lasting_window(residual))
     size = np.sqrt(np.diag(inverse))
     return white / lengths, robust / lengths, inverse / np.outer(size, size), condition
 
 
-def correlated_deviations(columns: Array, residual: Array, inverse: Array) -> Array:
-    """Return standard deviations of least squares that allow for a residual correlated in time.
-
-    Parameters
-    ----------
-    columns : ndarray (n, p)
-        Sensitivities.
-    residual : ndarray (n,)
-    inverse : ndarray (p, p)
-        Of columns' columns.
+def lasting_window(residual: Array) -> Array:
+    """Return the window over lags that suits the residual (n,) of a simulated model.
 
     Notes
     -----
@@ -184,24 +176,6 @@ def correlated_deviations(columns: Array, residual: Array, inverse: Array) -> Ar
     record: a simulated model leaves residuals that last as long as the model's own motion, and those of a differenced position take back
     at the next sample what they were at this one, which a window with a corner at its top, as Bartlett's, would not see.
     """
-    n, p = columns.shape
-    spread = float(residual @ residual)
-    if spread == 0.0:
-        return np.zeros(p)
-    size = 1 << (2 * n - 1).bit_length()
-    power = np.abs(np.fft.rfft(residual, size)) ** 2
-    own = np.fft.irfft(power, size)[: n // 10 + 2] / spread
-    forgotten = np.flatnonzero(own < max(0.05, 2.0 / math.sqrt(n)))
-    until = 4 * (int(forgotten[0]) if forgotten.size else n // 10)
-    lags = min(max(until, int(4.0 * math.sqrt(n))), max(n // 10, 1))
-    pushed = columns * residual[:, None]
-    spectrum = np.fft.rfft(pushed, size, axis=0)
-    middle = pushed.T @ pushed
-    x = np.arange(1, lags + 1) / (lags + 1.0)
-    weights = np.where(x < 0.5, 1.0 - 6.0 * x**2 * (1.0 - x), 2.0 * (1.0 - x) ** 3)
-    for i in range(p):
-        for j in range(p):
-            cross = np.fft.irfft(spectrum[:, i] * np.conj(spectrum[:, j]), size)
-            middle[i, j] += float(weights @ (cross[1 : lags + 1] + cross[-1 : -lags - 1 : -1]))
-    covariance = inverse @ middle @ inverse * (n / max(n - p, 1))
-    return np.asarray(np.sqrt(np.maximum(np.diag(covariance), 0.0)))
+    n = residual.size
+    until = 4 * memory(residual, max(0.05, 2.0 / math.sqrt(n)), n // 10)
+    return parzen(min(max(until, int(4.0 * math.sqrt(n))), max(n // 10, 1)))

@@ -21,7 +21,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from contourlab.analysis.first_order import even_record
+from contourlab.analysis.even_record import even_record
 from contourlab.analysis.output_error import fit_percent
 from contourlab.errors import ParameterError
 
@@ -93,7 +93,7 @@ def breakaways(time: ArrayLike, command: ArrayLike, position: ArrayLike) -> tupl
     ParameterError
         If the record is too short, uneven or not finite, has no ramp, or the axis leaves on none of them.
     """
-    period, (u, p) = even_record(time, command=command, position=position)
+    period, (_, u, p) = even_record(time, {"command": command, "position": position})
     spans = _ramps(u)
     if not spans:
         raise ParameterError("command", "a record", "one with slow ramps from about zero: up, back to zero, down, back to zero")
