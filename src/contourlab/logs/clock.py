@@ -94,23 +94,11 @@ def look_at_clock(time: Array, name: str, file: Path, period: float | None = Non
     Raises
     ------
     LogError
-        If there are fewer than three samples, a time is not finite, time goes back or stands still, the period is not that of the
-        times, or too much is missing.
+        If there are fewer than three samples, a time is not finite, time goes back or stands still, more than a twentieth of the samples
+        have the time of the one before, the period is not that of the times, or too much is missing.
     """
-    if not np.isfinite(time).all():
-        raise LogError(f"the time of {name!r} is not finite at sample {int(np.argmin(np.isfinite(time)))}", file=file)
-    step = np.diff(time)
-    if (step < 0.0).any():
-        k = int(np.argmax(step < 0.0))
-        raise LogError(
-            f"time goes back from {time[k]:.9g} s to {time[k + 1]:.9g} s at sample {k + 1} ({name!r}): are two records in one file, "
-            "or is the column no time?",
-            file=file,
-        )
-    kept = np.append(True, step > 0.0)
+    kept = _kept(time, name, file)
     even = time[kept]
-    if even.size < 3:
-        raise LogError(f"holds {even.size} samples of {name!r} at different times: three or more are wanted", file=file)
     step = np.diff(even)
     usual = float(np.median(step))
     if period is not None:
@@ -131,6 +119,32 @@ def look_at_clock(time: Array, name: str, file: Path, period: float | None = Non
             file=file,
         )
     return report, kept
+
+
+def _kept(time: Array, name: str, file: Path) -> NDArray[np.bool_]:
+    """Return which samples have a time later than the one before; refuse times that go back, stand still or are not finite."""
+    if not np.isfinite(time).all():
+        raise LogError(f"the time of {name!r} is not finite at sample {int(np.argmin(np.isfinite(time)))}", file=file)
+    step = np.diff(time)
+    if (step < 0.0).any():
+        k = int(np.argmax(step < 0.0))
+        raise LogError(
+            f"time goes back from {time[k]:.9g} s to {time[k + 1]:.9g} s at sample {k + 1} ({name!r}): are two records in one file, "
+            "or is the column no time?",
+            file=file,
+        )
+    kept = np.append(True, step > 0.0)
+    n = int(np.count_nonzero(kept))
+    repeated = time.size - n
+    if n >= 3 and repeated > MOST_MISSING * time.size:
+        raise LogError(
+            f"{repeated} of {time.size} samples of {name!r} repeat the time of the one before: times are written too coarsely; "
+            "leave the column of times out and give --period",
+            file=file,
+        )
+    if n < 3:
+        raise LogError(f"holds {n} samples of {name!r} at different times: three or more are wanted", file=file)
+    return np.asarray(kept)
 
 
 def _period(time: Array, count: Array) -> float:

@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from contourlab.errors import LogError
+from contourlab.logs.moments import is_moment, seconds_from_first
 from contourlab.logs.reading import CUT, cells_of, name_and_unit, number, numbers, text_of
 from contourlab.logs.record import Channel, Record
 
@@ -17,6 +18,7 @@ __all__ = ["matches", "read"]
 
 Array = NDArray[np.float64]
 MARKS = (";", "\t", ",")
+ENDINGS = (".csv", ".tsv", ".txt", ".dat", ".log")
 _NUMBER = re.compile(r"[-+]?(\d+([.,]\d*)?|[.,]\d+)([eE][-+]?\d+)?\Z")
 
 
@@ -24,8 +26,13 @@ def matches(file: Path, head: bytes) -> bool:
     """Tell whether a file may be a table of numbers: text, one of whose first lines holds nothing else."""
     if b"\0" in head or file.suffix.lower() == ".xml":
         return False
-    lines = head.decode("utf-8-sig", errors="replace").splitlines()[:50]
-    return any(_is_row(_cells(line, _mark(line))) for line in lines if _bare(line))
+    lines = [line for line in head.decode("utf-8-sig", errors="replace").splitlines()[:50] if _bare(line)]
+    return any(_is_row(_cells(line, _mark(line))) for line in lines) or _is_head_alone(file, lines)
+
+
+def _is_head_alone(file: Path, lines: list[str]) -> bool:
+    """Tell whether a file by its name a table has names and units and nothing below."""
+    return file.suffix.lower() in ENDINGS and 0 < len(lines) <= 2 and all(_mark(line) for line in lines)
 
 
 def read(file: Path) -> Record:
@@ -33,7 +40,7 @@ def read(file: Path) -> Record:
 
     Lines that begin with # or % are passed over. The last line before the first row of numbers names the columns, with units in brackets;
     a line of units may stand below it. Cells are parted by semicolons, tabs, commas or blanks; beside semicolons and tabs a decimal comma
-    is read. Empty cells are gaps.
+    is read. Empty cells are gaps. A column of dates with times of day, in the form of ISO 8601, becomes seconds from the first row.
 
     Raises
     ------
@@ -54,9 +61,34 @@ def read(file: Path) -> Record:
     notes: tuple[str, ...] = ()
     if cut and len(_cells(rows[-1][1], mark)) != width:
         rows, notes = rows[:-1], (CUT,)
+    moments, rows = _moments(rows, width, mark, file)
     values = _values(rows, width, mark, file, {line for _, line in heads})
-    channels = tuple(Channel(name, column, unit) for name, unit, column in zip(names, units, values.T, strict=True))
-    return Record(file, "csv", channels, notes=notes)
+    channels = [Channel(name, column, unit) for name, unit, column in zip(names, units, values.T, strict=True)]
+    for j, seconds in moments.items():
+        channels[j] = Channel(names[j], seconds, "s", is_moment=True)
+    return Record(file, "csv", tuple(channels), notes=notes)
+
+
+def _moments(rows: list[tuple[int, str]], width: int, mark: str | None, file: Path) -> tuple[dict[int, Array], list[tuple[int, str]]]:
+    """Return the columns of dates and times in seconds from the first row, and the rows with nothing but numbers in them."""
+    first = _cells(rows[0][1], mark)
+    found = [j for j, cell in enumerate(first) if is_moment(cell.strip('" '))]
+    if not found:
+        return {}, rows
+    if mark is None:
+        raise LogError(
+            "a date and its time are parted by a blank, as the columns are: part columns by semicolons or tabs", file=file, line=rows[0][0]
+        )
+    parted = [_cells(line, mark) for _, line in rows]
+    lines = [i for i, _ in rows]
+    for i, cells in zip(lines, parted, strict=True):
+        if len(cells) != width:
+            raise LogError(f"has {len(cells)} columns where {width} are wanted", file=file, line=i)
+    moments = {j: seconds_from_first([cells[j] for cells in parted], lines, j, file) for j in found}
+    for cells in parted:
+        for j in found:
+            cells[j] = "0"
+    return moments, [(i, mark.join(cells)) for i, cells in zip(lines, parted, strict=True)]
 
 
 def _first_row(lines: list[tuple[int, str]], file: Path) -> tuple[int, str | None]:
@@ -72,7 +104,8 @@ def _first_row(lines: list[tuple[int, str]], file: Path) -> tuple[int, str | Non
             return k, mark
         alone = alone or (k, mark)
     if alone is None:
-        raise LogError("holds no row of numbers", file=file, line=lines[0][0])
+        said = "has no rows: there are names of columns and no numbers below them" if len(lines) <= 2 else "holds no row of numbers"
+        raise LogError(said, file=file, line=lines[0][0])
     return alone
 
 
@@ -106,7 +139,9 @@ def _cells(line: str, mark: str | None) -> list[str]:
 
 def _is_row(cells: list[str]) -> bool:
     found = [cell.strip().strip('"') for cell in cells]
-    return any(_NUMBER.match(cell) for cell in found) and all(_NUMBER.match(cell) or _empty(cell) for cell in found)
+    told = [cell for cell in found if not is_moment(cell)]
+    numbered = any(_NUMBER.match(cell) for cell in told) or len(told) < len(found)
+    return numbered and all(_NUMBER.match(cell) or _empty(cell) for cell in told)
 
 
 def _empty(cell: str) -> bool:

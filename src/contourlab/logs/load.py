@@ -23,6 +23,9 @@ Array = NDArray[np.float64]
 FARTHEST, FASTEST = 50.0, 50.0
 """Positions [m] and speeds [m/s] beyond these are no machine's: the unit is wrong, or a position jumps."""
 
+LONG_GAP = 10
+"""Samples that may be missing in a row before a model is not to be fitted across them: what stands there is a line."""
+
 
 @dataclass(frozen=True, eq=False)
 class Log:
@@ -41,6 +44,8 @@ class Log:
         What there is to know of how it was read.
     start : float [s]
         Time of the result's first sample, as the file counts.
+    doubtful : tuple of str
+        Signals that two columns or more may be by their names, and that none was taken for; in words.
     """
 
     result: Result
@@ -49,6 +54,7 @@ class Log:
     clocks: dict[str, ClockReport]
     notes: tuple[str, ...]
     start: float = 0.0
+    doubtful: tuple[str, ...] = ()
 
     def gaps_at(self, time: float) -> list[str]:
         """Return the channels of positions that have a gap at a time [s] of the result: what stands there is a line between samples."""
@@ -59,6 +65,20 @@ class Log:
             for name, report in self.clocks.items()
             if name in named and any(gap.time < at < gap.time + (gap.missing + 1) * report.period for gap in report.gaps)
         ]
+
+    def stretches(self, axis: str) -> list[tuple[int, int]]:
+        """Return the samples [start, stop) of the result in which no channel of an axis has a long gap; three samples or more each."""
+        n, period = self.result.n_sample, self.result.servo_period
+        named = {self.record.channel(c.column).name for c in self.columns if c.axis == axis}
+        measured = np.ones(n, dtype=bool)
+        for name in named & self.clocks.keys():
+            report = self.clocks[name]
+            for gap in (gap for gap in report.gaps if gap.missing > LONG_GAP):
+                before = (gap.time - self.start) / period
+                first, last = np.floor(before + 1e-3) + 1, np.ceil(before + (gap.missing + 1) * report.period / period - 1e-3)
+                measured[max(int(first), 0) : max(int(last), 0)] = False
+        edges = np.flatnonzero(np.diff(np.r_[False, measured, False].astype(np.int8)))
+        return [(a, b) for a, b in zip(edges[::2].tolist(), edges[1::2].tolist(), strict=True) if b - a >= 3]
 
 
 def load_log(
@@ -98,13 +118,11 @@ def load_log(
 
 def result_of(record: Record, given: Columns) -> Log:
     """Return the signals of a record; see `load_log`."""
-    named = {(column.signal, column.axis) for column in given.columns}
-    taken = {record.channel(column.column).name for column in given.columns}
-    more = [c for c in guessed(record) if (c.signal, c.axis) not in named and c.column not in taken]
+    more, doubtful = _guessed(record, given)
     columns = (*given.columns, *more)
     wanted = [column for column in columns if column.signal != TIME]
     if not wanted:
-        raise LogError(unknown(record), file=record.file)
+        raise LogError("; ".join([*doubtful, unknown(record)]), file=record.file)
     times, how = _times(record, columns, given.period)
     usable: dict[str, Timed] = {}
     for name in dict.fromkeys(column.column for column in wanted):
@@ -122,15 +140,32 @@ def result_of(record: Record, given: Columns) -> Log:
         _stacked(signals, axes),
         attributes={**record.attributes, "log": record.file.name, "format": record.format},
     )
-    by_name = [f"{column.signal}.{column.axis} {column.column!r}" for column in more if column.signal != TIME and not _is_its_own(column)]
+    by_name = [f"{column.target} {column.column!r}" for column in more if column.signal != TIME and not _is_its_own(column)]
     said = [f"taken by their names: {', '.join(by_name)}"] if by_name else []
     spoken = dict.fromkeys(line for report in clocks.values() for line in report.lines())
-    return Log(result, record, columns, clocks, (*record.notes, *said, *how, *notes, *spoken), clock[1])
+    return Log(result, record, columns, clocks, (*record.notes, *said, *doubtful, *how, *notes, *spoken), clock[1], tuple(doubtful))
+
+
+def _guessed(record: Record, given: Columns) -> tuple[list[Column], list[str]]:
+    """Return the columns that are taken by their names beside those that are given, and what is to be said of those that are not."""
+    named = {(column.signal, column.axis) for column in given.columns}
+    taken = {record.channel(column.column).name for column in given.columns}
+    found, words = [], []
+    for target, all_names in guessed(record).items():
+        names = [name for name in all_names if name not in taken]
+        if target in named or not names:
+            continue
+        column = Column(*target, names[0])
+        if len(names) == 1:
+            found.append(column)
+        else:
+            words.append(f"{column.target} may be {' or '.join(map(repr, names))}: none is taken, say which with --column")
+    return found, words
 
 
 def _is_its_own(column: Column) -> bool:
     """Tell whether a column is named as its signal is, which needs no word."""
-    return column.column == f"{column.signal}.{column.axis}"
+    return column.column == column.target
 
 
 def _order(axis: str) -> tuple[int, str]:
@@ -143,6 +178,8 @@ def _times(record: Record, columns: Sequence[Column], period: float | None) -> t
     column = next((c for c in columns if c.signal == TIME), None)
     if column is not None:
         channel = record.channel(column.column)
+        if channel.is_moment and column.unit:
+            raise LogError(f"column {channel.name!r} holds dates and times of day: name it without {column.unit}", file=record.file)
         unit = column.unit or channel.unit
         how = [] if unit else ["time is taken in s: its column says no unit"]
         return _in_si(channel, column, unit or "s", "s", record) * column.factor, how

@@ -14,7 +14,7 @@ from contourlab.logs.reading import name_and_unit
 from contourlab.logs.record import AXIS_LETTERS, Channel, Record, said
 from contourlab.units import same_dimension, to_si
 
-__all__ = ["SIGNALS", "Column", "Columns", "guessed", "parse_columns", "read_columns"]
+__all__ = ["SIGNALS", "Column", "Columns", "guessed", "once", "parse_columns", "read_columns", "unknown"]
 
 SIGNALS = {
     "reference": "m",
@@ -37,7 +37,7 @@ _TARGET = re.compile(r"(?P<signal>[a-z_]+)(?:\.(?P<axis>\w+))?\Z")
 _REFERENCE = {"ref", "refcommand", "reference", "setpoint", "soll", "sollposition", "desired", "target", "cmd", "demand", "commanded"}
 _POSITION = {"encoder", "feedback", "fb", "position", "pos", "actual", "act", "ist", "istposition", "measured", "enc"}
 _VELOCITY = {"vel", "velocity", "speed", "geschwindigkeit"}
-_TIME = {"t", "time", "zeit", "timestamp", "seconds"}
+_TIME = {"t", "time", "zeit", "timestamp", "seconds", "datetime"}
 
 
 @dataclass(frozen=True)
@@ -63,6 +63,11 @@ class Column:
     column: str
     unit: str = ""
     factor: float = 1.0
+
+    @property
+    def target(self) -> str:
+        """Signal and axis, as ``position.x``."""
+        return f"{self.signal}.{self.axis}" if self.axis else self.signal
 
 
 @dataclass(frozen=True)
@@ -93,7 +98,7 @@ def parse_columns(texts: Iterable[str], where: str = "--column") -> tuple[Column
             raise LogError(f"{text!r}: write for example position.x=NAME [mm]", file=where)
         name, unit = name_and_unit(column.removeprefix("-") if column.startswith("-") else column)
         found.append(_column(target, name, unit, -1.0 if column.startswith("-") else 1.0, where))
-    return _once(found, where)
+    return once(found, where)
 
 
 def read_columns(file: str | Path) -> Columns:
@@ -128,7 +133,7 @@ def read_columns(file: str | Path) -> Columns:
         raise LogError('columns: must be a table, such as [columns] with "position.x" = "enc_x [mm]"', file=path)
     columns = [_of_table(target, value, path) for target, value in table.items()]
     period = _period(content["period"], path) if "period" in content else None
-    return Columns(_once(columns, path), period, content.get("format"))
+    return Columns(once(columns, path), period, content.get("format"))
 
 
 def _of_table(target: str, value: Any, path: Path) -> Column:
@@ -174,26 +179,36 @@ def _column(target: str, name: str, unit: str, factor: float, where: str | Path)
     return Column(signal, axis, name, unit, factor)
 
 
-def _once(columns: Sequence[Column], where: str | Path) -> tuple[Column, ...]:
-    targets = [(column.signal, column.axis) for column in columns]
-    for i, target in enumerate(targets):
-        if target in targets[:i]:
-            raise LogError(f"{'.'.join(part for part in target if part)} is given twice", file=where)
+def once(columns: Sequence[Column], where: str | Path) -> tuple[Column, ...]:
+    """Return columns of which no two are the same signal.
+
+    Raises
+    ------
+    LogError
+        If two are; names both.
+    """
+    first: dict[tuple[str, str], Column] = {}
+    for column in columns:
+        before = first.setdefault((column.signal, column.axis), column)
+        if before is not column:
+            raise LogError(f"{column.target} is given twice, as {before.column!r} and as {column.column!r}: keep one", file=where)
     return tuple(columns)
 
 
-def guessed(record: Record) -> tuple[Column, ...]:
-    """Return what the names of the columns leave no doubt of: a time, and for each axis a reference, a position, a velocity.
+def guessed(record: Record) -> dict[tuple[str, str], list[str]]:
+    """Return which columns each signal and axis may be by their names: a time, and for each axis a reference, a position, a velocity.
 
     A name is taken apart into words: ``Encoder Feedback X`` is the position of x, ``joint.0.motor-pos-cmd`` the reference of x,
-    ``position.x`` what it says. Of two columns that would be the same signal neither is taken.
+    ``position.x`` what it says. Where no column is named as a time, one of dates and times of day is. Of several names there is a doubt.
     """
-    found: dict[tuple[str, str], list[Channel]] = {}
+    found: dict[tuple[str, str], list[str]] = {}
     for channel in record.channels:
         target = _meaning(channel)
         if target is not None:
-            found.setdefault(target, []).append(channel)
-    return tuple(Column(signal, axis, channels[0].name) for (signal, axis), channels in found.items() if len(channels) == 1)
+            found.setdefault(target, []).append(channel.name)
+    if (TIME, "") not in found and (moments := [channel.name for channel in record.channels if channel.is_moment]):
+        found[TIME, ""] = moments
+    return found
 
 
 def _meaning(channel: Channel) -> tuple[str, str] | None:

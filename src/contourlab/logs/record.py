@@ -33,12 +33,15 @@ class Channel:
         As the file says; empty where it says none.
     time : ndarray (n,) [s] or None
         Time of each value; None where the file numbers them only.
+    is_moment : bool
+        Whether it holds dates and times of day, counted in seconds from the first of them.
     """
 
     name: str
     values: Array
     unit: str = ""
     time: Array | None = None
+    is_moment: bool = False
 
 
 @dataclass(frozen=True, eq=False)

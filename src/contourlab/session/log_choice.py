@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 
 from contourlab.errors import LogError, ParameterError, UnitError
 from contourlab.logs import Column, Columns, Log, parse_columns, read_columns, read_record, result_of
+from contourlab.logs.mapping import once
 from contourlab.units import to_si
 
 if TYPE_CHECKING:
@@ -63,8 +64,9 @@ def open_log(choice: LogChoice, more: Sequence[Column] = ()) -> Log:
     """
     said = parse_columns(choice.columns)
     written = read_columns(choice.mapping) if choice.mapping is not None else Columns()
-    first = {(column.signal, column.axis) for column in (*said, *more)}
-    columns = (*said, *more, *(c for c in written.columns if (c.signal, c.axis) not in first))
+    typed = once((*said, *more), "--column and --reference")
+    first = {(column.signal, column.axis) for column in typed}
+    columns = (*typed, *(c for c in written.columns if (c.signal, c.axis) not in first))
     period = written.period
     if choice.period is not None:
         period = positive("--period", choice.period, "s", 'a time with its unit, such as "1 ms"')

@@ -172,7 +172,9 @@ def test_a_table_may_have_gaps_and_no_names(tmp_path: Path) -> None:
     [
         ("t,x\n0,1\n1,2,3\n", "a.csv:3: has 3 columns where 2 are wanted"),
         ("t,x\n0,1\n1,two\n", "a.csv:3: 'two' in column 2 is no number"),
-        ("t,x\nname,of\n", "looks like none of the formats"),
+        ("t,x\nname,of\n", "has no rows"),
+        ("time [s],x [mm]\n", "has no rows"),
+        ("words of no table\n", "looks like none of the formats"),
         ("   \n", "is empty"),
     ],
 )

@@ -55,11 +55,19 @@ def test_columns_become_signals_in_si(tmp_path: Path) -> None:
 )
 def test_names_that_leave_no_doubt(name: str, meaning: tuple[str, str] | None) -> None:
     found = guessed(record(Channel(name, np.arange(3.0))))
-    assert [(c.signal, c.axis) for c in found] == ([meaning] if meaning else [])
+    assert found == ({meaning: [name]} if meaning else {})
 
 
 def test_of_two_columns_that_would_be_one_signal_neither_is_taken() -> None:
-    assert guessed(record(Channel("x pos", np.arange(3.0)), Channel("x encoder", np.arange(3.0)))) == ()
+    channels = [Channel(name, np.arange(3.0), "mm") for name in ("x pos", "x encoder", "y pos")]
+    log = result_of(record(*channels, period=1e-3), Columns())
+    assert log.result.axes == ("y",)
+    assert "position.x may be 'x pos' or 'x encoder': none is taken, say which with --column" in log.notes
+    with pytest.raises(LogError, match=r"position\.x may be 'x pos' or 'x encoder'"):
+        result_of(record(*channels[:2], period=1e-3), Columns())
+    # One of the two is the reference, so that the other leaves no doubt.
+    log = result_of(record(*channels, period=1e-3), Columns(parse_columns(["reference.x=x pos"])))
+    assert log.result.axes == ("x", "y") and not any("may be" in note for note in log.notes)
 
 
 def test_what_the_user_says_goes_first() -> None:
@@ -78,7 +86,7 @@ def test_what_the_user_says_goes_first() -> None:
         (["position.x=a [kg]"], "kg is no unit of position"),
         (["position.x=a [beans]"], "unknown unit"),
         (["position.x=a [-]"], "unknown unit"),
-        (["position.x=a", "position.x=b"], "position.x is given twice"),
+        (["position.x=a", "position.x=b"], "position.x is given twice, as 'a' and as 'b'"),
     ],
 )
 def test_what_is_no_column_is_refused(texts: list[str], said: str) -> None:
