@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+from collections.abc import Callable
 from pathlib import Path
 
 import numpy as np
@@ -169,6 +170,9 @@ def test_a_straight_path_does_not_tell_its_shift() -> None:
         ("x pos [mm],x ref [mm]\n1,1\n2,2\n3,3\n", ["--period", "1 ms", "--plots", "gif"], "--plots"),
         ("x pos [mm],x ref [mm]\n1,1\n2,2\n3,3\n", ["--period", "1 ms", "--reference", "none.ngc"], "none.ngc"),
         ("t,x pos [mm],x ref [mm]\n0,1,1\n1,2,2\n0.5,3,3\n", [], "time goes back"),
+        ("t,x pos [mm],x ref [mm]\n", [], "has no rows"),
+        ("t,x pos [mm],enc x [mm],x ref [mm]\n0,1,1,1\n1,2,2,2\n2,3,3,3\n", [], "position.x may be 'x pos' or 'enc x'"),
+        ("t,x pos [mm],x ref [mm]\n0,1,1\n1,2,2\n2,3,3\n", ["--column", "reference.x=x ref", "--reference", "x pos"], "given twice, as"),
     ],
 )
 def test_what_is_wrong_is_said_and_nothing_is_written(
@@ -254,3 +258,27 @@ def test_a_largest_error_that_nobody_measured(tmp_path: Path, capsys: pytest.Cap
 def test_an_axis_that_is_named_twice() -> None:
     with pytest.raises(ResultError, match="named twice"):
         measure(run_of(circle(), circle()), axes=("x", "x"))
+
+
+@pytest.mark.parametrize(
+    ("spoil", "axes"),
+    [
+        (lambda place: place, ""),
+        (lambda place: 1e-3 * place, "x, y"),
+        (lambda place: place[:, ::-1], "x, y"),
+        (lambda place: place * [1.0, -1.0], "y"),
+    ],
+)
+def test_a_position_that_does_not_go_with_its_reference(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str], spoil: Callable[[np.ndarray], np.ndarray], axes: str
+) -> None:
+    wanted = circle(800)
+    place = spoil(np.vstack([np.repeat(wanted[:1], 10, axis=0), wanted[:-10]]))
+    rows = np.column_stack([1e-3 * np.arange(800), 1e3 * wanted, 1e3 * place])
+    log = tmp_path / "log.csv"
+    np.savetxt(log, rows, delimiter=",", comments="", header="t [s],x ref [mm],y ref [mm],x pos [mm],y pos [mm]")
+    assert main(["measure", str(log), "--out", str(tmp_path / "out")]) == 0
+    said = capsys.readouterr().out
+    assert "note: taken by their names" in said
+    assert (f"note: the position of {axes} does not go with its reference" in said) == bool(axes)
+    assert ("does not go" in said) == bool(axes)

@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from contourlab import __version__
-from contourlab.errors import LogError, ParameterError, UnitError
+from contourlab.errors import LogError, ParameterError, ResultError, UnitError
 from contourlab.logs import Log
 from contourlab.metrics import reversal_figures
 from contourlab.metrics.circles import pairs
@@ -81,16 +81,14 @@ def measure_log(
     return _written([run], run.log.record.file.name, out, limit, command, plots)
 
 
-def compare_runs(
-    files: Sequence[str | Path], out: str | Path, *, reference: str | None = None, plots: Sequence[str] = (), command: str = ""
-) -> RunOutcome:
+def compare_runs(files: Sequence[str | Path], out: str | Path, *, plots: Sequence[str] = (), command: str = "") -> RunOutcome:
     """Judge runs from files and lay them side by side: what changed from the first to the others.
 
     Parameters
     ----------
     files : sequence of str or Path
         Logs, results (.nc), or folders of results with one scheme.
-    out, reference, plots, command
+    out, plots, command
         As of `measure_log`.
 
     Raises
@@ -99,7 +97,7 @@ def compare_runs(
         If one cannot be read, or they have unlike axes.
     """
     check_plots(plots)
-    opened = [_judged(LogChoice(_signals_of(Path(file))), reference) for file in files]
+    opened = [_judged(LogChoice(_signals_of(Path(file)))) for file in files]
     names = _told_apart([Path(file) for file in files])
     runs = [_Judged(name, run.log, run.found) for name, run in zip(names, opened, strict=True)]
     for run in runs[1:]:
@@ -109,13 +107,16 @@ def compare_runs(
     return _written(runs, " and ".join(names), out, None, command, plots)
 
 
-def _judged(choice: LogChoice, reference: str | None, shift: str | None = None) -> _Judged:
+def _judged(choice: LogChoice, reference: str | None = None, shift: str | None = None) -> _Judged:
     program = reference if reference is not None and is_program(reference) else None
     more = reference_columns(reference, choice) if reference is not None and program is None else ()
     log = open_log(choice, more)
     axes = tuple(choice.axes)
     path = program_path(program, axes or log.result.axes) if program else None
-    found = measure(log.result, path, axes or None, shift=_shift(shift, axes or log.result.axes))
+    try:
+        found = measure(log.result, path, axes or None, shift=_shift(shift, axes or log.result.axes))
+    except ResultError as error:
+        raise ResultError("; ".join([str(error), *log.doubtful])) from error
     worst = found.metrics.contour_error.worst.time
     if gaps := log.gaps_at(worst):
         words = f"the largest contour error, at t = {worst:.4g} s, is in a gap of {', '.join(gaps)}: it is interpolated, not measured"
@@ -221,7 +222,14 @@ def _report(runs: Sequence[_Judged], title: str, limit: float | None, folder: Pa
             error = run.found.metrics.contour_error
             verdict, largest = "PASS" if error.max <= limit else "FAIL", f"{error.max * 1e6:.3g} um against {limit * 1e6:.3g} um"
             lines.append(f"{verdict}, largest contour error {largest}, at t = {error.worst.time:.4g} s")
+    lines += [f"note: {note}" for note in _notes(runs)]
     return "\n".join(lines)
+
+
+def _notes(runs: Sequence[_Judged]) -> list[str]:
+    """Return what there is to say of how runs were read and judged; with the run's name ahead where there are several."""
+    alone = len(runs) == 1
+    return [note if alone else f"{run.name}: {note}" for run in runs for note in (*run.log.notes, *run.found.notes)]
 
 
 def _report_data(runs: Sequence[_Judged], title: str, limit: float | None, command: str) -> ReportData:
@@ -229,8 +237,7 @@ def _report_data(runs: Sequence[_Judged], title: str, limit: float | None, comma
 
     system = f"{platform.system()} {platform.machine()}, Python {platform.python_version()}"
     provenance = Provenance(__version__, command, command, "", None, system)
-    alone = len(runs) == 1
-    notes = [note if alone else f"{run.name}: {note}" for run in runs for note in (*run.log.notes, *run.found.notes)]
+    notes = _notes(runs)
     first = runs[0].found.reference
     notes += [f"{run.name} follows another path" for run in runs[1:] if run.found.reference.path.digest != first.path.digest]
     return ReportData(title, [_scheme_report(run) for run in runs], first.path, provenance, tolerance=limit, notes=notes)

@@ -28,6 +28,8 @@ STILL = 1e-9
 """Metres behind the start of a path, or ahead of its end, from which on the tool is not on it."""
 NO_DRIVES = {"reference": "places on the path"}
 """Attribute of a result whose reference is none of the drives', but where the tool was on the path: there is no tracking error."""
+ALIKE = 0.5
+"""Share of a reference's variance that is in the position of an axis that follows it, lag and all."""
 COARSE = 40
 """Places on either side of the reference's that are looked at for the one nearest to the tool."""
 
@@ -97,6 +99,8 @@ def measure(
             wanted = chosen["reference"]
         else:
             wanted, chosen = path.position(along), replace(chosen, attributes={**chosen.attributes, **NO_DRIVES})
+    if not NO_DRIVES.items() <= chosen.attributes.items():
+        notes += _unlike(chosen.axes, wanted, position)
     reference = Reference.from_samples(wanted, result.servo_period, path, arc_length=along)
     judged = _judged(_with_motion(chosen, position, wanted, along), reference)
     window = moving(wanted)
@@ -136,6 +140,13 @@ def _reference_of(chosen: Result) -> Array:
     if "reference" not in chosen:
         raise ResultError(f"no reference in {chosen.scheme}: say which columns, or name the part program with --reference part.ngc")
     return chosen["reference"]
+
+
+def _unlike(axes: tuple[str, ...], wanted: Array, position: Array) -> list[str]:
+    """Remark on axes whose position has little of their reference in it."""
+    left, whole = np.var(wanted - position, axis=0), np.var(wanted, axis=0)
+    names = ", ".join(axis for axis, off, size in zip(axes, left, whole, strict=True) if off > (1.0 - ALIKE) * size > 0.0)
+    return [f"the position of {names} does not go with its reference: are column, unit and direction right?"] if names else []
 
 
 def _with_motion(chosen: Result, position: Array, wanted: Array, along: Array) -> Result:
