@@ -184,3 +184,13 @@ def test_a_log_in_a_wrong_unit_makes_no_machine(scene: Path, tmp_path: Path, cap
     assert main([str(tmp_path / "log.csv") if word == str(scene / "log.csv") else word for word in given]) == 1
     found = json.loads(capsys.readouterr().out, parse_constant=pytest.fail)
     assert found["parameters"]["axes.x.plant.mass"]["at_bound"] and not found["usable"] and not out.exists()
+
+
+def test_samples_that_are_missing_are_told(scene: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    lines = (scene / "log.csv").read_text().splitlines()
+    thin = tmp_path / "thin.csv"
+    thin.write_text("\n".join(lines[:400] + lines[404:]) + "\n")
+    typed = [str(thin) if word == str(scene / "log.csv") else word for word in words(scene, "--json", names=NAMES[:1])]
+    assert main(typed) in (0, 1)
+    remarks = json.loads(capsys.readouterr().out)["remarks"]
+    assert any(f"thin: 4 of {len(lines) - 1} samples are missing" in remark for remark in remarks)

@@ -108,7 +108,10 @@ def _read(files: Sequence[str | Path], plugins: Sequence[str | Path]) -> list[Sc
 
 def _run(scenario: Scenario, choice: LogChoice, several: bool) -> LogRun:
     label = scenario.file.stem if several else Path(choice.file).stem
-    return log_run(scenario.machine, scenario.controller, open_log(choice).result, label)
+    log = open_log(choice)
+    run = log_run(scenario.machine, scenario.controller, log.result, label)
+    clocks = dict.fromkeys(f"{label}: {line}" for report in log.clocks.values() for line in report.lines())
+    return replace(run, notes=(*run.notes, *clocks))
 
 
 def _check_folder(out: Path) -> None:
@@ -207,11 +210,11 @@ def _write(found: Refined, sources: Sequence[str], out: Path) -> list[str]:
 
     if not found.usable:
         return [f"{out} is not written: the figures cannot be used as they stand"]
-    write_text_atomic(out, machine_text(found, sources))
-    said = [f"machine: {out}"]
+    files = [("machine", out, machine_text(found, sources))]
     for i, run in enumerate(found.runs):
         if any(one.name.startswith("controller.") and i in one.runs for one in found.sought):
             file = out.with_name(f"{out.stem}-{run.label}-controller.toml".replace(" ", "-"))
-            write_text_atomic(file, controller_text(found, i, sources))
-            said.append(f"controller: {file}")
-    return said
+            files.append(("controller", file, controller_text(found, i, sources)))
+    for _, file, text in files:
+        write_text_atomic(file, text)
+    return [f"{kind}: {file}" for kind, file, _ in files]

@@ -20,6 +20,8 @@ TOGETHER = 0.95
 """Correlation from which two parameters are said to go together."""
 UNKNOWN = 0.5
 """Relative deviation from which a parameter is said to be hardly known."""
+EXPLAINED = 0.5
+"""Share of the variance of a signal below which it is remarked on."""
 COLOURED = 1.5
 """Ratio of deviations with and without colour from which it is remarked on."""
 
@@ -64,6 +66,11 @@ def remarks_on(
         ratio = np.nan_to_num(deviations / white, nan=1.0, posinf=1.0)
     if ratio.size and ratio.max() > COLOURED:
         said.append(f"the residual is not white: deviations that allow for it are up to {ratio.max():.2g} times as large")
+    said += [
+        f"{one.run}: the model explains {100.0 * one.explained:.3g} % of the variance of the {one.signal} of {one.axis} only"
+        for one in after
+        if 0.0 < one.explained < EXPLAINED
+    ]
     said += [
         f"{one.run}: the model explains none of the {one.signal} of {one.axis}: something else is at work there"
         for one in after
