@@ -100,3 +100,25 @@ def test_a_force_counted_the_other_way_round_is_no_axis(tmp_path: Path, capsys: 
     assert main(["identify", str(log), "--column", "force.x=push", "--out", str(tmp_path / "axis.toml")]) == 2
     assert "counted the other way round" in capsys.readouterr().err
     assert main(["identify", str(log), "--column", "force.x=-push", "--out", str(tmp_path / "axis.toml")]) == 0
+
+
+def test_samples_at_rest_are_left_out(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """An axis that waits between its moves under a force below its friction: the sign of v says nothing there."""
+    time = np.arange(0.0, 8.0, 1e-3)
+    waits = (time % 2.0) > 1.2
+    there = np.where(time % 2.0 < 0.6, 0.1, -0.1)
+    speed = np.where(waits, 0.0, there * np.sin(np.pi * (time % 2.0) / 0.6) ** 2)
+    place, gain = np.cumsum(speed) * 1e-3, np.gradient(speed, time)
+    force = np.where(waits, 0.5 * COULOMB, MASS * gain + VISCOUS * speed + COULOMB * np.sign(speed) + OFFSET)
+    rows = np.column_stack([time, 1e3 * place, force])
+    file = tmp_path / "waits.csv"
+    file.write_text("time [s],x pos [mm],push [N]\n" + "\n".join(f"{t:.3f},{p:.7f},{f:.6f}" for t, p, f in rows))
+    words = ["identify", str(file), "--column", "force.x=push", "--json"]
+    found = [(main([*words, *more]), json.loads(capsys.readouterr().out))[1] for more in ([], ["--slowest", "5 mm/s"])]
+    assert any("leave them out with --slowest" in remark for remark in found[0]["remarks"])
+    assert not any("--slowest" in remark for remark in found[1]["remarks"])
+    off = [abs(one["parameters"]["Fc"]["value"] - COULOMB) for one in found]
+    assert off[1] < off[0] and off[1] < 0.02 * COULOMB
+    assert found[1]["fit_percent"] > found[0]["fit_percent"]
+    assert main([*words, "--slowest", "fast"]) == 2
+    assert "--slowest" in capsys.readouterr().err

@@ -314,7 +314,7 @@ def _with_resonance(points: _Points, fit: DriveFit, rigid: DriveFit) -> DriveFit
     def criterion(one: DriveFit) -> float:
         left = float(np.sum((one.found.measured - one.found.predicted) ** 2))
         k = len(one.found.names) + 1
-        return n * math.log(left / n) + 2.0 * k + 2.0 * k * (k + 1) / max(n - k - 1, 1)
+        return n * math.log(max(left / n, 1e-300)) + 2.0 * k + 2.0 * k * (k + 1) / max(n - k - 1, 1)
 
     if criterion(fit) > criterion(rigid) - 2.0:
         said.append("one mass explains the response as well: no second inertia is told, take linear-motor")

@@ -33,6 +33,8 @@ SPEEDS = 30
 """Stribeck velocities that are tried before the best of them is refined."""
 WELL_KNOWN = 10.0
 """Relative deviation [percent] from which a parameter is remarked on."""
+EXPLAINED = 50.0
+"""Fit [percent] below which a curve through both directions is remarked on; below half of it a level lost in its deviation is none."""
 
 
 @dataclass(frozen=True)
@@ -139,6 +141,8 @@ def fit_friction(speed: ArrayLike, command: ArrayLike, deviation: ArrayLike) -> 
         raise ParameterError("speed", f"{v.size} stretches of constant speed", f"at least {FEWEST}: more runs, or longer ones")
     if not (np.isfinite(v).all() and np.isfinite(u).all() and np.isfinite(s).all() and (v != 0.0).all() and (s >= 0.0).all()):
         raise ParameterError("speed", "points", "finite, and none at rest")
+    if not np.ptp(u) > 0.0:
+        raise ParameterError("command", f"{u[0]:g} at every speed", "one that differs with speed or direction: is it what drives the axis?")
     ways = {float(way) for way in np.sign(v)}
     both = len(ways) == 2
     floor = 1e-6 * float(np.abs(u).max()) + 1e-300
@@ -240,8 +244,14 @@ def _is_friction(curve: FrictionCurve) -> bool:
             continue
         if curve[name] < -2.0 * curve.deviation(name):
             return False
-    level = curve["Fc"] if "Fc" in curve.names else 0.5 * (curve["Fc+"] + curve["Fc-"])
-    return level > 0.0
+    return _level(curve)[0] > 0.0
+
+
+def _level(curve: FrictionCurve) -> tuple[float, float]:
+    """Return Coulomb friction over both directions and its deviation."""
+    if "Fc" in curve.names:
+        return curve["Fc"], curve.deviation("Fc")
+    return 0.5 * (curve["Fc+"] + curve["Fc-"]), 0.5 * math.hypot(curve.deviation("Fc+"), curve.deviation("Fc-"))
 
 
 def _remarks(
@@ -267,7 +277,15 @@ def _remarks(
         said.append(
             f"no Stribeck effect is told: the slowest run is at {1e3 * w.min():.3g} mm/s, what friction does below is not in these logs"
         )
+    level, deviation = _level(chosen)
+    if both and chosen.fit < EXPLAINED:
+        said.append(f"the curve explains {chosen.fit:.3g} % of the command: more than friction is at work, or it is that of another axis")
+    if chosen.fit < 0.5 * EXPLAINED and level < 2.0 * deviation:
+        said.append(f"no friction is told apart from the scatter: {level:.4g} with a standard deviation of {deviation:.2g}")
+        usable = False
     for name in chosen.names:
+        if name.startswith("Fv") and chosen[name] < 0.0:
+            said.append(f"{name} = {chosen[name]:.4g} is below zero within its deviation: take no viscous friction")
         if name != "offset" and chosen.deviation(name) > 0.01 * WELL_KNOWN * abs(chosen[name]):
             share = 100.0 * chosen.deviation(name) / abs(chosen[name]) if chosen[name] else math.inf
             said.append(f"{name} = {chosen[name]:.4g} is known to {share:.2g} % only")

@@ -17,8 +17,8 @@ EXCITED = 100.0
 """Condition number, columns of length one, from which excitation is remarked on."""
 EXPLAINED = 50.0
 """Fit [percent] below which the model is remarked on; below half of it the figures cannot be used."""
-LIGHT, HEAVY = 1e-3, 2e4
-"""Moved masses [kg] between those of galvanometers and of gantries; beyond them units are asked about."""
+LIGHT, HEAVY = 1e-2, 2e4
+"""Moved masses [kg] between those of small stages and of gantries; beyond them units are asked about."""
 IMPOSSIBLE = (1e-5, 1e6)
 """Masses [kg] that no axis has."""
 COLOURED = 1.5
@@ -42,7 +42,7 @@ def check_signs(names: tuple[str, ...], values: Array, deviations: Array) -> Non
     """
     found = dict(zip(names, values.tolist(), strict=True))
     if found["M"] <= 0.0:
-        bound = "> 0: force or position is counted the other way round, or the record hardly accelerates"
+        bound = "> 0: force or position is counted the other way round, they are not of one axis, or the record hardly accelerates"
         raise ParameterError("M", f"{found['M']:.4g} kg", bound)
     friction, deviation = mean_coulomb(names, values, deviations)
     if friction < -2.0 * deviation:
@@ -98,7 +98,7 @@ def remarks_on(
         said.append(f"the residual is not white: deviations that allow for it are up to {ratio:.2g} times as large")
     resting = float(np.mean(np.abs(velocity) < AT_REST * np.abs(velocity).max()))
     if resting > RESTS and slowest == 0.0:
-        said.append(f"{100.0 * resting:.2g} % of the rows stand still, where the sign of v says nothing: give slowest_velocity")
+        said.append(f"{100.0 * resting:.2g} % of the rows stand still, where the sign of v says nothing: leave them out with --slowest")
     return tuple(said), usable
 
 

@@ -13,8 +13,9 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from contourlab.analysis.coloured_residual import coloured_deviations
 from contourlab.analysis.frequency_response import Measured, MeasuredResponse
-from contourlab.analysis.output_error import correlated_deviations
+from contourlab.analysis.output_error import lasting_window
 from contourlab.errors import ParameterError
 
 __all__ = ["SinePoint", "sine_point", "sine_responses", "sine_stretch"]
@@ -173,7 +174,8 @@ def _harmonics(values: Array, t: Array, w: float, most: int, trend: int) -> tupl
     found, *_ = np.linalg.lstsq(columns, values, rcond=None)
     left = values - columns @ found
     inverse = np.linalg.pinv(columns.T @ columns)
-    spread = correlated_deviations(columns, left, inverse) if left.size > 2 * columns.shape[1] else np.zeros(columns.shape[1])
+    enough = left.size > 2 * columns.shape[1]
+    spread = coloured_deviations(columns, left, inverse, lasting_window(left)) if enough else np.zeros(columns.shape[1])
     k = trend + 1
     amplitudes = found[k::2] + 1j * found[k + 1 :: 2]
     return amplitudes, float(np.hypot(spread[k], spread[k + 1]) / math.sqrt(2.0)), left
@@ -194,7 +196,9 @@ def sine_responses(runs: Sequence[Measured], names: Sequence[str]) -> MeasuredRe
     ParameterError
         If no run has a sine that can be trusted.
     """
-    points, said, period = [], [], runs[0].period
+    points: list[SinePoint] = []
+    said: list[str] = []
+    periods: list[float] = []
     for run, name in zip(runs, names, strict=True):
         stretch = sine_stretch(run.command if run.outside is None else run.outside, run.period)
         if stretch is None:
@@ -211,9 +215,14 @@ def sine_responses(runs: Sequence[Measured], names: Sequence[str]) -> MeasuredRe
         if point.periods < 1.9:
             said.append(f"{name}: {point.periods:.2g} periods of {point.frequency:.4g} Hz, its transient included")
         points.append(point)
-        period = max(period, run.period) if not points[:-1] else min(period, run.period)
+        periods.append(run.period)
     if not points:
         raise ParameterError("logs", f"{len(runs)} of them", "one with a sine in it: " + "; ".join(said))
+    # The drive has one servo period; a log that keeps every tenth sample does not make its command held for longer.
+    period = min(periods)
+    if max(periods) > 1.001 * period:
+        told = f"{1e3 * period:.4g} to {1e3 * max(periods):.4g} ms"
+        said.append(f"sample periods are {told}: the command is taken as held for the shortest of them")
     points.sort(key=lambda p: p.frequency)
     columns = [np.array([getattr(p, key) for p in points]) for key in ("frequency", "response", "deviation", "coherence", "distortion")]
     frequency, response, deviation, coherence, distortion = columns

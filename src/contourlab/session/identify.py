@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
@@ -54,6 +54,7 @@ def identify_log(
         If an option is out of range, or the axis cannot be identified from the logs.
     """
     found = study_of(request.model)(request)
+    found = replace(found, remarks=(*found.remarks, *request.doubts))
     text = _text(found, request.notes)
     if plots:
         text += "".join(f"\nplot: {file}" for file in _draw(found, folder, plots))
@@ -63,7 +64,7 @@ def identify_log(
     elif out is not None:
         why = "the figures cannot be used as they stand" if not found.usable else f"there is nothing for an axis file (model {found.model})"
         text += f"\n{out} is not written: {why}"
-    return Identification(found.usable, plain(_summary(found)), text)
+    return Identification(found.usable, plain({**_summary(found), "notes": request.notes}), text)
 
 
 def axis_file(found: Finding) -> str:

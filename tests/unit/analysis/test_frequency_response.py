@@ -137,6 +137,11 @@ def test_sines_one_a_run() -> None:
     fit = fit_linear_motor(found)
     assert (fit["M"], fit["B"]) == pytest.approx((MASS, DAMPING), rel=0.02)
     assert fit["delay"] == pytest.approx(1.5e-3, rel=0.02)
+    # A log that keeps every fifth sample does not make the drive hold its command for longer.
+    thin = Measured(5.0 * PERIOD, runs[0].command[::5], runs[0].position[::5])
+    mixed = sine_responses([thin, *runs[1:]], [f"{f:g} Hz" for f in frequencies])
+    assert mixed.period == PERIOD and any("sample periods are" in said for said in mixed.remarks)
+    assert mixed.response == pytest.approx(found.response, rel=2e-2)
 
 
 def test_a_sine_in_which_the_axis_stands_is_left_out_and_harmonics_are_told() -> None:

@@ -31,6 +31,9 @@ def identify(
     format: LogFormat = None,  # noqa: A002
     period: SamplePeriod = None,
     cutoff: Annotated[str, typer.Option(help="rigid: of the low-pass of the position, five times the loop's bandwidth.")] = "100 Hz",
+    slowest: Annotated[
+        str | None, typer.Option(help='rigid: speed below which samples are left out, as "1 mm/s".', show_default=False)
+    ] = None,
     decimation: Annotated[int, typer.Option(help="rigid: every how-many-th sample makes an equation.")] = 10,
     validation: Annotated[Path | None, typer.Option(help="rigid: a second log, to see what they are worth.", show_default=False)] = None,
     position_gain: Annotated[str | None, typer.Option(help='closed-loop: K_P as it ran, as "4 full_scale/mm".', show_default=False)] = None,
@@ -55,6 +58,7 @@ def identify(
         full_scale=full_scale,
         cutoff=cutoff,
         decimation=decimation,
+        slowest=slowest,
         validation=validation,
         position_gain=position_gain,
         velocity_gain=velocity_gain,

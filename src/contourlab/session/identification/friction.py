@@ -11,4 +11,4 @@ __all__ = ["study"]
 
 def study(request: Request) -> Finding:
     """Fit a friction curve to the constant speeds of one or several logs."""
-    return identify_friction(request.records())
+    return identify_friction(request.records(pieces=True))

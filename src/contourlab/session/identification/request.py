@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 
 from contourlab.errors import ParameterError, UnitError
 from contourlab.logs import Log
 from contourlab.session.log_choice import LogChoice, open_log
-from contourlab.studies.identification.signals import AxisRecord, axis_record
+from contourlab.studies.identification.doubts import doubts
+from contourlab.studies.identification.signals import AxisRecord, axis_pieces, axis_record
 from contourlab.units import split, to_si
 
 __all__ = ["Request", "per_command"]
@@ -30,6 +31,8 @@ class Request:
         Full scale of the command, as ``"10 V"``.
     cutoff : str
     decimation : int
+    slowest : str or None
+        Speed below which samples are left out, as ``"1 mm/s"``.
     validation : str, Path or None
     position_gain, velocity_gain : str or None
         Of the loop as it ran, as ``"4 full_scale/mm"``.
@@ -39,6 +42,8 @@ class Request:
         Where the position is measured, ``"motor"`` or ``"load"``.
     notes : list of str
         What reading the logs had to say; filled while they are read.
+    doubts : list of str
+        What stands against their signals, in words; filled alike.
     """
 
     model: str
@@ -48,27 +53,36 @@ class Request:
     full_scale: str | None = None
     cutoff: str = "100 Hz"
     decimation: int = 10
+    slowest: str | None = None
     validation: str | Path | None = None
     position_gain: str | None = None
     velocity_gain: str | None = None
     lead: str | None = None
     side: str = "motor"
     notes: list[str] = field(default_factory=list)
+    doubts: list[str] = field(default_factory=list)
 
-    def logs(self) -> list[Log]:
-        """Return all logs, read."""
-        found = [open_log(choice) for choice in self.choices]
-        for log in found:
-            self._check_unit(log)
-            self.notes.extend(note for note in log.notes if note not in self.notes)
-        return found
-
-    def records(self) -> list[AxisRecord]:
-        """Return the axis' signals of all logs."""
+    def records(self, *, pieces: bool = False) -> list[AxisRecord]:
+        """Return the axis' signals of all logs; with `pieces` a record for each stretch between long gaps, not the longest alone."""
         if self.gain is not None and self.full_scale is not None:
             raise ParameterError("--full-scale", f"{self.full_scale} beside --gain", "one of the two: newtons, or parts of full scale")
-        gain, full = self.force_gain(), self._full_scale()
-        return [axis_record(log, self.axis, gain, full) for log in self.logs()]
+        return [record for choice in self.choices for record in self._read(choice, pieces)]
+
+    def second(self) -> AxisRecord | None:
+        """Return the axis' signals of the log for validation, if there is one."""
+        if self.validation is None:
+            return None
+        return self._read(replace(self.choices[0], file=self.validation))[0]
+
+    def _read(self, choice: LogChoice, pieces: bool = False) -> tuple[AxisRecord, ...]:
+        log = open_log(choice)
+        self._check_unit(log)
+        given = self.axis, self.force_gain(), self._full_scale()
+        found = axis_pieces(log, *given) if pieces else (axis_record(log, *given),)
+        self.notes.extend(note for note in log.notes if note not in self.notes)
+        said = dict.fromkeys(words for record in found for words in (*record.notes, *doubts(record)))
+        self.doubts.extend(words for words in said if words not in self.doubts)
+        return found
 
     def _full_scale(self) -> float | None:
         if self.full_scale is None:

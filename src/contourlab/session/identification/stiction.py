@@ -11,4 +11,4 @@ __all__ = ["study"]
 
 def study(request: Request) -> Finding:
     """Find the breakaway of an axis each way, with its spread over repeats."""
-    return identify_stiction(request.records())
+    return identify_stiction(request.records(pieces=True))

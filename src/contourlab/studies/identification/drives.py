@@ -31,19 +31,17 @@ from contourlab.studies.identification.finding import (
     assumed,
     carried,
     fitted,
-    reached,
 )
 from contourlab.studies.identification.frequency import bode_graphs, measured_response, response_points
+from contourlab.studies.identification.plant_tables import Forces, drive_table, forces_of, plant_numbers, plant_table
 from contourlab.studies.identification.signals import AxisRecord, measured_tables
 
 __all__ = ["identify_linear_motor", "identify_two_inertia"]
 
 CURVE = 400
 """Points of a model's curve."""
-_Table = dict[str, Row]
 SMOOTHED, SLOW, RARELY = 0.005, 0.1, 0.05
 """Time [s] over which speed is told, share of the largest from which it counts as motion, share of the samples that turning round is."""
-DRIVE = "the largest in the log, no limit of the drive"
 
 
 def identify_linear_motor(records: Sequence[AxisRecord]) -> Finding:
@@ -61,8 +59,9 @@ def identify_linear_motor(records: Sequence[AxisRecord]) -> Finding:
     """
     found = measured_response(records)
     fit = fit_linear_motor(found)
-    worth = _motor_worth(records, fit)
-    tables = {**_motor_tables(records, fit, worth.deviations), **measured_tables(records[0])} if fit.usable else {}
+    forces = forces_of(records)
+    worth = _motor_worth(forces, fit)
+    tables = {**_motor_tables(records, forces, fit, worth.deviations), **measured_tables(records[0])} if fit.usable else {}
     return _finding("linear-motor", records, found, fit, tables, (), worth=worth)
 
 
@@ -185,15 +184,9 @@ def _worth(fit: DriveFit, numbers: Callable[[Mapping[str, float]], Mapping[str, 
     return carried(numbers, found.names, found.values, found.robust_deviations, found.correlation)
 
 
-def _motor_worth(records: Sequence[AxisRecord], fit: DriveFit) -> Carried:
+def _motor_worth(forces: Forces, fit: DriveFit) -> Carried:
     """Return what the numbers of the axis file of a linear motor are worth."""
-    force, scale = records[0].unit == "N", _full_scale(records)
-
-    def numbers(x: Mapping[str, float]) -> dict[str, float]:
-        own = {"plant.gain": scale / x["M"], "plant.damping": x["B"] / x["M"]}
-        return ({"plant.mass": x["M"], "plant.damping": x["B"]} if force else own) | {"drive.delay": x["delay"]}
-
-    return _worth(fit, numbers)
+    return _worth(fit, lambda x: plant_numbers(forces, 1.0 / x["M"], x["B"] / x["M"]) | {"drive.delay": x["delay"]})
 
 
 PLANT = {
@@ -212,50 +205,24 @@ def _inertia_worth(fit: DriveFit, lead: float) -> Carried:
     return _worth(fit, lambda x: {f"plant.{name}": turn**2 * x[key] for name, (key, _) in PLANT.items()} | {"drive.delay": x["delay"]})
 
 
-def _drive(records: Sequence[AxisRecord], fit: DriveFit, limit: Row) -> _Table:
-    if fit["delay"] <= 0.0:
-        return {"kind": ("saturation", "", None), "limit": limit}
-    late = (fit["delay"], "s", _told(records, fit.found.deviation("delay")))
-    return {"kind": ("delayed-saturation", "", None), "limit": limit, "delay": late}
+def _motor_tables(records: Sequence[AxisRecord], forces: Forces, fit: DriveFit, deviations: Mapping[str, float]) -> Tables:
+    def told(name: str, note: str = "") -> Origin:
+        return _told(records, deviations[name], note)
 
-
-def _largest(records: Sequence[AxisRecord]) -> float:
-    return max(float(np.abs(record.driven()).max()) for record in records)
-
-
-def _full_scale(records: Sequence[AxisRecord]) -> float:
-    """Return what counts as one of the command, where it is no force: itself, or the largest in the logs."""
-    return 1.0 if records[0].unit in ("", "full_scale") else _largest(records)
-
-
-def _motor_tables(records: Sequence[AxisRecord], fit: DriveFit, deviations: Mapping[str, float]) -> Tables:
-    mass, damping, largest, unit = fit["M"], fit["B"], _largest(records), records[0].unit
-    if unit == "N":
-        plant: _Table = {
-            "kind": ("mass-damper", "", None),
-            "mass": (mass, "kg", _told(records, deviations["plant.mass"])),
-            "damping": (damping, "N*s/m", _told(records, deviations["plant.damping"])),
-            "force_constant": (1.0, "N/A", assumed("the command is counted as newtons")),
-        }
-        return {"plant": plant, "drive": _drive(records, fit, (largest, "A", reached(records[0].source, DRIVE)))}
-    scale = _full_scale(records)
-    own = "" if scale == 1.0 else f"full scale is assumed to be the largest command in the logs, {largest:.4g} {unit}"
-    plant = {
-        "kind": ("rigid-axis", "", None),
-        "gain": (scale / mass, "m/s^2/full_scale", _told(records, deviations["plant.gain"], own)),
-        "damping": (damping / mass, "1/s", _told(records, deviations["plant.damping"])),
-    }
-    return {"plant": plant, "drive": _drive(records, fit, (1.0, "full_scale", assumed("full scale")))}
+    plant = plant_table(forces, 1.0 / fit["M"], fit["B"] / fit["M"], told)
+    return {"plant": plant, "drive": drive_table(forces, fit["delay"], told)}
 
 
 def _inertia_tables(records: Sequence[AxisRecord], fit: DriveFit, lead: float, deviations: Mapping[str, float]) -> Tables:
-    turn = lead / (2.0 * math.pi)
-    rows = {name: (fit[key] * turn**2, unit, _told(records, deviations[f"plant.{name}"])) for name, (key, unit) in PLANT.items()}
-    limit = (_largest(records) * turn, "N*m", reached(records[0].source, DRIVE))
-    plant: _Table = {
+    arm = lead / (2.0 * math.pi)
+
+    def told(name: str, note: str = "") -> Origin:
+        return _told(records, deviations[name], note)
+
+    plant: dict[str, Row] = {
         "kind": ("two-inertia", "", None),
         "lead": (lead, "m", assumed("as given")),
-        **rows,
+        **{name: (fit[key] * arm**2, unit, told(f"plant.{name}")) for name, (key, unit) in PLANT.items()},
         "torque_gain": (1.0, "", assumed("the command is counted as torque, force times lead over 2 pi")),
     }
-    return {"plant": plant, "drive": _drive(records, fit, limit)}
+    return {"plant": plant, "drive": drive_table(forces_of(records), fit["delay"], told, arm)}

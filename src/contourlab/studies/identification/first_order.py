@@ -4,31 +4,16 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
-import numpy as np
-
 from contourlab.analysis.closed_first_order import identify_closed_loop
 from contourlab.analysis.first_order import FirstOrderFit, FirstOrderSettings, identify_first_order
 from contourlab.analysis.identification_remarks import on_mass
 from contourlab.components.origin import Origin
 from contourlab.errors import ResultError
-from contourlab.studies.identification.finding import (
-    Carried,
-    Figure,
-    Finding,
-    Graph,
-    Picture,
-    Row,
-    Tables,
-    assumed,
-    carried,
-    fitted,
-    reached,
-)
+from contourlab.studies.identification.finding import Carried, Figure, Finding, Graph, Picture, Tables, carried, fitted
+from contourlab.studies.identification.plant_tables import Forces, drive_table, forces_of, plant_numbers, plant_table
 from contourlab.studies.identification.signals import AxisRecord, measured_tables
 
 __all__ = ["identify_behind_observer", "identify_open_loop"]
-
-FULL_SCALE = "full_scale"
 
 
 def identify_open_loop(record: AxisRecord, settings: FirstOrderSettings | None = None) -> Finding:
@@ -53,7 +38,8 @@ def identify_open_loop(record: AxisRecord, settings: FirstOrderSettings | None =
     figures = _figures(fit, units, {name: name for name in units})
     pictures = _pictures(fit, "velocity", f"Velocity of axis {record.axis}, {record.source}", ("velocity [mm/s]", "command"))
     lines = (f"velocity over {fit.smoothing} samples; steady {1e3 * fit['a'] / max(fit['b'], 1e-12):.4g} mm/s per {unit or 'command'}",)
-    worth = _worth(record, fit)
+    forces = forces_of([record])
+    worth = _worth(forces, fit)
     told, possible = on_mass(1.0 / fit["a"]) if unit == "N" else ([], True)
     return Finding(
         "first-order",
@@ -63,7 +49,7 @@ def identify_open_loop(record: AxisRecord, settings: FirstOrderSettings | None =
         fit.found.fit,
         fit.usable and possible,
         (*fit.remarks, *told),
-        _tables(record, fit, worth.deviations) if fit.usable else {},
+        _tables(record, forces, fit, worth.deviations) if fit.usable else {},
         pictures,
         lines,
         {"condition_number": fit.found.condition_number, "smoothing": fit.smoothing},
@@ -148,63 +134,31 @@ def _pictures(fit: FirstOrderFit, key: str, title: str, labels: tuple[str, str])
     )
 
 
-def _full_scale(record: AxisRecord) -> float:
-    """Return what counts as one of the command, where it is no force: itself, or the largest in the log."""
-    return 1.0 if record.unit in ("", FULL_SCALE) else float(np.abs(record.driven()).max())
-
-
-def _worth(record: AxisRecord, fit: FirstOrderFit) -> Carried:
+def _worth(forces: Forces, fit: FirstOrderFit) -> Carried:
     """Return what the numbers of the axis file are worth."""
 
     def numbers(x: Mapping[str, float]) -> dict[str, float]:
-        scale = 1.0 if record.unit == "N" else _full_scale(record)
-        plant = {"plant.gain": scale * x["a"], "plant.damping": x["b"]}
-        if record.unit == "N":
-            plant = {"plant.mass": 1.0 / x["a"], "plant.damping": x["b"] / x["a"]}
         own = {"friction.coulomb": "friction", "disturbance.force": "offset"}
         late = {"drive.delay": x["delay"]} if "delay" in x else {}
-        return plant | {name: x[key] / scale for name, key in own.items() if key in x} | late
+        return plant_numbers(forces, x["a"], x["b"]) | {name: x[key] / forces.one for name, key in own.items() if key in x} | late
 
     found = fit.found
     return carried(numbers, found.names, found.values, found.robust_deviations, found.correlation)
 
 
-def _tables(record: AxisRecord, fit: FirstOrderFit, deviations: Mapping[str, float]) -> Tables:
+def _tables(record: AxisRecord, forces: Forces, fit: FirstOrderFit, deviations: Mapping[str, float]) -> Tables:
     """Return the axis: in newtons where the command is a force, else in parts of full scale."""
-    a, b, friction, offset = fit["a"], fit["b"], fit["friction"], fit["offset"]
-    largest = float(np.abs(record.driven()).max())
 
     def told(name: str, note: str = "") -> Origin:
         if name not in deviations:
             return fitted(record.source, note="none is told from the log")
         return fitted(record.source, deviations[name], note)
 
-    if record.unit == "N":
-        mass = 1.0 / a
-        plant: dict[str, Row] = {
-            "kind": ("mass-damper", "", None),
-            "mass": (mass, "kg", told("plant.mass")),
-            "damping": (b * mass, "N*s/m", told("plant.damping")),
-            "force_constant": (1.0, "N/A", assumed("the command is counted as newtons")),
-        }
-        scale, unit, drive = 1.0, "N", (largest, "A", reached(record.source, "the largest in the log, no limit of the drive"))
-    else:
-        scale = _full_scale(record)
-        own = "" if scale == 1.0 else f"full scale is assumed to be the largest command in the log, {largest:.4g} {record.unit}"
-        plant = {
-            "kind": ("rigid-axis", "", None),
-            "gain": (a * scale, f"m/s^2/{FULL_SCALE}", told("plant.gain", own)),
-            "damping": (b, "1/s", told("plant.damping")),
-        }
-        unit, drive = FULL_SCALE, (1.0, FULL_SCALE, assumed("full scale"))
-    tables: dict[str, dict[str, Row]] = {
-        "plant": plant,
-        "friction": {"kind": ("coulomb", "", None), "coulomb": (friction / scale, unit, told("friction.coulomb"))},
-        "disturbance": {"kind": ("constant", "", None), "force": (offset / scale, unit, told("disturbance.force"))},
-        "drive": {"kind": ("saturation", "", None), "limit": drive},
+    friction, offset = fit["friction"] / forces.one, fit["offset"] / forces.one
+    return {
+        "plant": plant_table(forces, fit["a"], fit["b"], told),
+        "friction": {"kind": ("coulomb", "", None), "coulomb": (friction, forces.unit, told("friction.coulomb"))},
+        "disturbance": {"kind": ("constant", "", None), "force": (offset, forces.unit, told("disturbance.force"))},
+        "drive": drive_table(forces, fit["delay"], told),
         **measured_tables(record),
     }
-    if fit["delay"] > 0.0:
-        delayed = (fit["delay"], "s", told("drive.delay"))
-        tables["drive"] = {"kind": ("delayed-saturation", "", None), "limit": drive, "delay": delayed}
-    return tables

@@ -9,11 +9,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from contourlab.analysis.frequency_response import Measured, MeasuredResponse, period_of, periodic_response, spectral_response
+from contourlab.analysis.response_doubts import response_doubts
 from contourlab.analysis.sine_response import sine_responses, sine_stretch
 from contourlab.analysis.swept_response import is_sweep, swept_response
-from contourlab.errors import ResultError
 from contourlab.studies.identification.finding import Finding, Graph, Picture, bars
-from contourlab.studies.identification.signals import AxisRecord
+from contourlab.studies.identification.signals import AxisRecord, one_unit
 
 __all__ = ["bode_graphs", "identify_response", "measured_response", "response_points"]
 
@@ -40,9 +40,7 @@ def measured_response(records: Sequence[AxisRecord]) -> MeasuredResponse:
     ParameterError
         If a record does not move, is too short, or has nothing that can be trusted.
     """
-    units = {record.unit for record in records}
-    if len(units) > 1:
-        raise ResultError(f"commands in {' and '.join(sorted(units))}: logs of one response have one unit")
+    one_unit(records, "one response")
     runs = [Measured(record.period, record.driven(), record.position, _outside(record)) for record in records]
     excitations = [run.command if run.outside is None else run.outside for run in runs]
     if any(sine_stretch(excitation, run.period) is not None for excitation, run in zip(excitations, runs, strict=True)):
@@ -96,7 +94,9 @@ def identify_response(records: Sequence[AxisRecord]) -> Finding:
         remarks.append(
             f"{weak} of {found.frequency.size} points have a coherence below {COHERENT:g}: noise, friction or too little excitation"
         )
-    usable = weak < 0.9 * found.frequency.size
+    doubts = response_doubts(found)
+    remarks += doubts
+    usable = weak < 0.9 * found.frequency.size and not doubts
     chart = Picture("bode", f"Frequency response of axis {records[0].axis}", bode_graphs(found, unit), found.method)
     return Finding(
         "frequency-response",

@@ -8,9 +8,8 @@ import numpy as np
 
 from contourlab.analysis.constant_speed import Stretch, StretchSettings, constant_speed_stretches
 from contourlab.analysis.friction_curve import FrictionCurve, FrictionFit, fit_friction
-from contourlab.errors import ResultError
 from contourlab.studies.identification.finding import Carried, Figure, Finding, Graph, Picture, Row, Tables, bars, carried, fitted
-from contourlab.studies.identification.signals import NO_PLANT, AxisRecord, fits_a_plant
+from contourlab.studies.identification.signals import NO_PLANT, AxisRecord, fits_a_plant, one_unit
 
 __all__ = ["identify_friction"]
 
@@ -31,9 +30,7 @@ def identify_friction(records: Sequence[AxisRecord], settings: StretchSettings |
     ParameterError
         If there are fewer than three stretches of constant speed, or what drives the axis helps its motion.
     """
-    units = {record.unit for record in records}
-    if len(units) > 1:
-        raise ResultError(f"commands in {' and '.join(sorted(units))}: logs of one friction curve have one unit")
+    unit = one_unit(records, "one friction curve")
     stretches: list[Stretch] = []
     silent = []
     for record in records:
@@ -41,7 +38,6 @@ def identify_friction(records: Sequence[AxisRecord], settings: StretchSettings |
         stretches += found
         silent += [] if found else [record.source]
     fit = fit_friction(*_points(stretches))
-    unit = units.pop()
     remarks = [*fit.remarks, *_by_log(records)]
     remarks += [f"no constant speed in {', '.join(silent)}"] if silent else []
     shown = _writable(fit)

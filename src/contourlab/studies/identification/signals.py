@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -12,7 +14,7 @@ from contourlab.logs import Log
 from contourlab.result import Result
 from contourlab.studies.identification.finding import Row, reached
 
-__all__ = ["NO_PLANT", "AxisRecord", "axis_record", "chosen_axis", "fits_a_plant", "measured_tables"]
+__all__ = ["NO_PLANT", "AxisRecord", "axis_pieces", "axis_record", "chosen_axis", "fits_a_plant", "measured_tables", "one_unit"]
 
 Array = NDArray[np.float64]
 POSITIONS = ("position", "motor_position", "axis_position")
@@ -34,6 +36,14 @@ class AxisRecord:
     reference : ndarray (n,) or None [m]
     estimate : ndarray (n,) or None
         Disturbance that an observer took off the command.
+    gain : float [N per unit of the log's command]
+        That was given; 1 without one.
+    logged : str
+        Unit of the command in the log.
+    start : float [s]
+        Time of the first sample behind that of the log.
+    notes : tuple of str
+        What there is to know of the record.
     """
 
     source: str
@@ -44,6 +54,10 @@ class AxisRecord:
     unit: str
     reference: Array | None
     estimate: Array | None
+    gain: float = 1.0
+    logged: str = ""
+    start: float = 0.0
+    notes: tuple[str, ...] = ()
 
     @property
     def time(self) -> Array:
@@ -62,6 +76,10 @@ class AxisRecord:
             raise ResultError(f"no force and no command of {self.axis} in {self.source}: say --column 'command.{self.axis}=NAME [V]'")
         return self.command
 
+    def largest(self) -> float:
+        """Return the largest command, or force, either way; as `driven`."""
+        return float(np.abs(self.driven()).max())
+
     def asked(self) -> Array:
         """Return the reference.
 
@@ -74,6 +92,15 @@ class AxisRecord:
             raise ResultError(f"no reference of {self.axis} in {self.source}: say --column 'reference.{self.axis}=NAME [mm]'")
         return self.reference
 
+    def part(self, start: int, stop: int) -> AxisRecord:
+        """Return the record of the samples [start, stop) alone."""
+
+        def of(values: Array | None) -> Array | None:
+            return None if values is None else values[start:stop]
+
+        signals: dict[str, Any] = {name: of(getattr(self, name)) for name in ("command", "reference", "estimate")}
+        return replace(self, position=self.position[start:stop], start=self.start + start * self.period, **signals)
+
 
 NO_PLANT = "friction in {unit} fits no plant of an axis file: give --gain, or --full-scale, the same for every log of the axis"
 """What is said where a friction is in the command's own unit."""
@@ -82,6 +109,26 @@ NO_PLANT = "friction in {unit} fits no plant of an axis file: give --gain, or --
 def fits_a_plant(unit: str) -> bool:
     """Tell whether forces in the unit of a command can stand in an axis file: newtons, or parts of full scale."""
     return unit in ("", "N", "full_scale")
+
+
+def one_unit(records: Sequence[AxisRecord], what: str) -> str:
+    """Return the unit that the commands of all records have.
+
+    Parameters
+    ----------
+    records : sequence of AxisRecord
+    what : str
+        That the logs are of, for the message.
+
+    Raises
+    ------
+    ResultError
+        If they have several.
+    """
+    units = sorted({record.unit for record in records})
+    if len(units) > 1:
+        raise ResultError(f"commands in {' and '.join(units)}: logs of {what} have one unit")
+    return units[0]
 
 
 def chosen_axis(result: Result, axis: str | None) -> str:
@@ -100,8 +147,8 @@ def chosen_axis(result: Result, axis: str | None) -> str:
     return axis
 
 
-def axis_record(log: Log, axis: str | None = None, gain: float | None = None, full_scale: float | None = None) -> AxisRecord:
-    """Return the signals of an axis of a log.
+def axis_pieces(log: Log, axis: str | None = None, gain: float | None = None, full_scale: float | None = None) -> tuple[AxisRecord, ...]:
+    """Return the signals of an axis of a log, one record for each stretch without a long gap.
 
     Parameters
     ----------
@@ -115,10 +162,32 @@ def axis_record(log: Log, axis: str | None = None, gain: float | None = None, fu
     Raises
     ------
     ResultError
-        If the log has several axes and none is named, or no position.
+        If the log has several axes and none is named, or no position; or a gain is given for a log of forces alone.
     """
+    name = chosen_axis(log.result, axis)
+    whole = _whole(log, name, gain, full_scale)
+    spans = log.stretches(name)
+    if spans == [(0, whole.position.size)]:
+        return (whole,)
+    if not spans:
+        raise ResultError(f"{whole.source} has no stretch without a long gap in it")
+    return tuple(whole.part(*span) for span in spans)
+
+
+def axis_record(log: Log, axis: str | None = None, gain: float | None = None, full_scale: float | None = None) -> AxisRecord:
+    """Return the signals of an axis over the longest stretch of a log that has no long gap; parameters as of `axis_pieces`."""
+    pieces = axis_pieces(log, axis, gain, full_scale)
+    longest = max(pieces, key=lambda piece: piece.position.size)
+    if len(pieces) == 1 and longest.position.size == log.result.n_sample:
+        return longest
+    end = longest.start + longest.position.size * longest.period
+    words = f"{longest.source}: only {longest.start:.4g} s to {end:.4g} s is fitted, the longest stretch without a long gap"
+    return replace(longest, notes=(words,))
+
+
+def _whole(log: Log, axis: str, gain: float | None, full_scale: float | None) -> AxisRecord:
+    """Return the signals of an axis, gaps and all."""
     result = log.result
-    axis = chosen_axis(result, axis)
     column = result.axes.index(axis)
 
     def of(name: str) -> Array | None:
@@ -127,19 +196,20 @@ def axis_record(log: Log, axis: str | None = None, gain: float | None = None, fu
 
     position = next((values for name in POSITIONS if (values := of(name)) is not None), None)
     if position is None:
-        raise ResultError(f"no position of {axis} in {result.scheme}: say --column 'position.{axis}=NAME [mm]'")
-    command, unit = of("command"), _unit(result, "command")
+        said = f"no position of {axis} in {result.scheme}: say --column 'position.{axis}=NAME [mm]'"
+        raise ResultError("; ".join([said, *log.doubtful]))
+    command, force = of("command"), of("force")
+    logged = unit = result.signals["command"].unit if command is not None else ""
+    if command is None and gain is not None and force is not None:
+        raise ResultError(f"{log.record.file.name} has the force of {axis} and no command: leave --gain out")
     if gain is not None and command is not None:
         command, unit = gain * command, "N"
     elif full_scale is not None and command is not None:
         command, unit = command / full_scale, "full_scale"
-    elif gain is None and of("force") is not None:
-        command, unit = of("force"), "N"
-    return AxisRecord(log.record.file.name, axis, result.servo_period, position, command, unit, of("reference"), of("disturbance_estimate"))
-
-
-def _unit(result: Result, name: str) -> str:
-    return result.signals[name].unit if name in result else ""
+    elif gain is None and force is not None:
+        command, unit = force, "N"
+    signals = position, command, unit, of("reference"), of("disturbance_estimate")
+    return AxisRecord(log.record.file.name, axis, result.servo_period, *signals, gain=1.0 if gain is None else gain, logged=logged)
 
 
 def measured_tables(record: AxisRecord) -> dict[str, dict[str, Row]]:
@@ -150,9 +220,10 @@ def measured_tables(record: AxisRecord) -> dict[str, dict[str, Row]]:
     tables: dict[str, dict[str, Row]] = {
         "limits": {"velocity": (float(speed.max()) if speed.size else 0.0, "m/s", reached(record.source))},
     }
-    if steps.any():
+    seen = steps[steps > 1e-12]
+    if seen.size:
         tables["sensor"] = {
             "kind": ("encoder", "", None),
-            "resolution": (float(steps[steps > 1e-12].min()), "m", reached(record.source, "the smallest step in the log")),
+            "resolution": (float(seen.min()), "m", reached(record.source, "the smallest step in the log")),
         }
     return tables

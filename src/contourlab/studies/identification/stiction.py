@@ -4,13 +4,13 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
+from dataclasses import replace
 
 import numpy as np
 
 from contourlab.analysis.stiction import Breakaway, breakaways
-from contourlab.errors import ResultError
 from contourlab.studies.identification.finding import Figure, Finding, Graph, Picture, Row, Tables, assumed, bars, fitted
-from contourlab.studies.identification.signals import NO_PLANT, AxisRecord, fits_a_plant
+from contourlab.studies.identification.signals import NO_PLANT, AxisRecord, fits_a_plant, one_unit
 
 __all__ = ["identify_stiction"]
 
@@ -33,13 +33,11 @@ def identify_stiction(records: Sequence[AxisRecord]) -> Finding:
     ParameterError
         As of `contourlab.analysis.stiction.breakaways`.
     """
-    units = {record.unit for record in records}
-    if len(units) > 1:
-        raise ResultError(f"commands in {' and '.join(sorted(units))}: logs of one axis have one unit")
-    unit, found, remarks = units.pop(), [], []
+    unit = one_unit(records, "one axis")
+    found, remarks = [], []
     for record in records:
         here, said = breakaways(record.time, record.driven(), record.position)
-        found += here
+        found += [replace(one, time=one.time + record.start) for one in here]
         remarks += [f"{record.source}: {words}" for words in said]
     by_way = {name: [one for one in found if one.direction == way] for name, way in (("breakaway+", 1), ("breakaway-", -1))}
     figures = tuple(_figure(name, ones, unit) for name, ones in by_way.items() if ones)

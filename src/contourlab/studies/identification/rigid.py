@@ -1,0 +1,153 @@
+"""Mass, friction and offset of an axis out of one log, by inverse dynamics, and the axis file that they make."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+import numpy as np
+
+from contourlab.analysis.inverse_dynamics import (
+    InverseDynamicsFit,
+    InverseDynamicsSettings,
+    Validation,
+    cross_validate,
+    identify_inverse_dynamics,
+)
+from contourlab.components.origin import Origin
+from contourlab.errors import ResultError
+from contourlab.studies.identification.finding import (
+    Carried,
+    Figure,
+    Finding,
+    Graph,
+    Picture,
+    Row,
+    Tables,
+    assumed,
+    carried,
+    fitted,
+    reached,
+)
+from contourlab.studies.identification.signals import AxisRecord, measured_tables
+
+__all__ = ["identify_rigid"]
+
+MODELS = {"symmetric": "rigid", "asymmetric": "rigid-by-direction"}
+UNITS = {"M": "kg", "Fv": "N*s/m", "Fc": "N", "offset": "N"}
+"""Of the parameters, without the signs of a direction."""
+
+
+def identify_rigid(record: AxisRecord, settings: InverseDynamicsSettings | None = None, second: AxisRecord | None = None) -> Finding:
+    """Find mass, friction and offset of an axis.
+
+    Parameters
+    ----------
+    record : AxisRecord
+        With the force, or a command and its gain.
+    settings : InverseDynamicsSettings, optional
+    second : AxisRecord, optional
+        Another record of the same axis, to see what the parameters are worth there.
+
+    Raises
+    ------
+    ResultError
+        If a log has no force.
+    ParameterError
+        As of `contourlab.analysis.inverse_dynamics.identify_inverse_dynamics`.
+    """
+    fit = identify_inverse_dynamics(record.time, record.position, _force(record), settings)
+    there = None if second is None else cross_validate(fit, second.time, second.position, _force(second))
+    worth = carried(_numbers, fit.names, fit.values, np.maximum(fit.deviations, fit.robust_deviations), fit.correlation)
+    rows = zip(fit.names, fit.values.tolist(), fit.deviations.tolist(), fit.robust_deviations.tolist(), strict=True)
+    return Finding(
+        MODELS[fit.settings.friction],
+        record.axis,
+        (record.source,),
+        tuple(Figure(name, value, UNITS[name.rstrip("+-")], white, robust) for name, value, white, robust in rows),
+        fit.fit,
+        fit.usable,
+        fit.remarks,
+        _tables(record, fit, worth) if fit.usable else {},
+        _pictures(record, fit),
+        _lines(fit, there),
+        _more(fit, there),
+        worth.correlations if fit.usable else (),
+    )
+
+
+def _force(record: AxisRecord) -> np.ndarray:
+    """Return the force [N]."""
+    command = record.driven()
+    if record.unit != "N":
+        raise ResultError(f'{record.source}: how much force is a command? Give --gain, as "35.15 N/V"')
+    return command
+
+
+def _lines(fit: InverseDynamicsFit, there: Validation | None) -> tuple[str, ...]:
+    lines = (f"relative error {fit.relative_error:.4g} %, condition number {fit.condition_number:.4g}",)
+    if there is None:
+        return lines
+    return (*lines, f"on the second log: fit {there.fit:.4g} %, relative error {there.relative_error:.4g} %")
+
+
+def _more(fit: InverseDynamicsFit, there: Validation | None) -> dict[str, object]:
+    checked = None if there is None else {"fit_percent": there.fit, "relative_error_percent": there.relative_error}
+    return {"relative_error_percent": fit.relative_error, "condition_number": fit.condition_number, "validation": checked}
+
+
+def _numbers(x: Mapping[str, float]) -> dict[str, float]:
+    """Return the numbers of the axis file: friction that differs by direction as its mean, since a component has one for both."""
+    if "Fc" in x:
+        viscous, coulomb, offset = x["Fv"], x["Fc"], x["offset"]
+    else:
+        viscous, coulomb, offset = 0.5 * (x["Fv+"] + x["Fv-"]), 0.5 * (x["Fc+"] + x["Fc-"]), 0.5 * (x["Fc+"] - x["Fc-"])
+    return {"plant.mass": x["M"], "plant.damping": viscous, "friction.coulomb": coulomb, "disturbance.force": -offset}
+
+
+def _tables(record: AxisRecord, fit: InverseDynamicsFit, worth: Carried) -> Tables:
+    """Return the axis in newtons. What it cannot do is not in a log: limits are what was reached in it, and are called so."""
+    value = _numbers(fit.parameters())
+
+    def told(name: str) -> Origin:
+        return fitted(record.source, worth.deviations[name])
+
+    tables: dict[str, dict[str, Row]] = {
+        "plant": {
+            "kind": ("mass-damper", "", None),
+            "mass": (value["plant.mass"], "kg", told("plant.mass")),
+            "damping": (value["plant.damping"], "N*s/m", told("plant.damping")),
+            "force_constant": (abs(record.gain), "N/A", assumed("as given; a command counts as so many amperes")),
+        },
+        "friction": {"kind": ("coulomb", "", None), "coulomb": (value["friction.coulomb"], "N", told("friction.coulomb"))},
+        "disturbance": {"kind": ("constant", "", None), "force": (value["disturbance.force"], "N", told("disturbance.force"))},
+        "drive": {"kind": ("saturation", "", None), "limit": (record.largest() / abs(record.gain), "A", reached(record.source))},
+        **measured_tables(record),
+    }
+    fastest = _acceleration(fit)
+    tables["limits"] |= {
+        "acceleration": (fastest, "m/s^2", reached(record.source)),
+        "jerk": (100.0 * fastest, "m/s^3", assumed("the acceleration in 10 ms")),
+    }
+    return tables
+
+
+def _acceleration(fit: InverseDynamicsFit) -> float:
+    """Return the largest acceleration [m/s^2] of the rows that were fitted: force less friction, over the mass."""
+    x, v = fit.parameters(), fit.velocity
+    if "Fc" in x:
+        friction = x["Fv"] * v + x["Fc"] * np.sign(v) + x["offset"]
+    else:
+        friction = np.where(v > 0.0, x["Fv+"] * v + x["Fc+"], x["Fv-"] * v - x["Fc-"])
+    return float(np.abs(fit.predicted - friction).max() / x["M"])
+
+
+def _pictures(record: AxisRecord, fit: InverseDynamicsFit) -> tuple[Picture, ...]:
+    force = {"measured": (fit.time, fit.force), "model": (fit.time, fit.predicted)}
+    rest = fit.force - fit.predicted
+    over_time = Graph("time [s]", "force [N]", {"residual": (fit.time, rest)})
+    over_speed = Graph("velocity [mm/s]", "force [N]", {"residual": (1e3 * fit.velocity, rest)})
+    return (
+        Picture("force", f"Force of axis {record.axis}, {record.source}", (Graph("time [s]", "force [N]", force),)),
+        Picture("residual", "What the model leaves of the force", (over_time,)),
+        Picture("residual-speed", "What the model leaves of the force, over speed", (over_speed,)),
+    )
