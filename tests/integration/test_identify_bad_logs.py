@@ -167,9 +167,9 @@ def test_a_likely_log_is_not_asked_about(tmp_path: Path, capsys: pytest.CaptureF
     assert code == 0 and not any("right?" in remark or "goes against" in remark for remark in found["remarks"])
 
 
-@pytest.mark.parametrize("model", ["rigid", "first-order", "friction"])
+@pytest.mark.parametrize("model", ["rigid", "first-order", "friction", "stiction"])
 def test_nothing_is_fitted_across_a_long_gap(tmp_path: Path, capsys: pytest.CaptureFixture[str], model: str) -> None:
-    log, name = good(model), {"rigid": "M", "first-order": "a", "friction": "Fc"}[model]
+    log, name = good(model), {"rigid": "M", "first-order": "a", "friction": "Fc", "stiction": "breakaway-"}[model]
     whole = identified(tmp_path, model, log, capsys)[1]["parameters"][name]
     n = log["t"].size
     kept = np.ones(n, dtype=bool)
@@ -178,7 +178,8 @@ def test_nothing_is_fitted_across_a_long_gap(tmp_path: Path, capsys: pytest.Capt
     figure = found["parameters"][name]
     assert code == 0 and figure["value"] == pytest.approx(whole["value"], rel=1e-2)
     assert any(f"{n // 30} of {n} samples are missing" in note for note in found["notes"])
-    assert any("the longest stretch without a long gap" in remark for remark in found["remarks"]) == (model != "friction")
+    assert any("the longest stretch without a long gap" in remark for remark in found["remarks"]) == (model in ("rigid", "first-order"))
+    assert found["logs"] == ["log.csv"]
 
 
 def test_columns_that_are_exchanged_are_no_response(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:

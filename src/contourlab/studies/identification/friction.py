@@ -9,7 +9,7 @@ import numpy as np
 from contourlab.analysis.constant_speed import Stretch, StretchSettings, constant_speed_stretches
 from contourlab.analysis.friction_curve import FrictionCurve, FrictionFit, fit_friction
 from contourlab.studies.identification.finding import Carried, Figure, Finding, Graph, Picture, Row, Tables, bars, carried, fitted
-from contourlab.studies.identification.signals import NO_PLANT, AxisRecord, fits_a_plant, one_unit
+from contourlab.studies.identification.signals import NO_PLANT, AxisRecord, fits_a_plant, one_unit, sources_of
 
 __all__ = ["identify_friction"]
 
@@ -32,11 +32,10 @@ def identify_friction(records: Sequence[AxisRecord], settings: StretchSettings |
     """
     unit = one_unit(records, "one friction curve")
     stretches: list[Stretch] = []
-    silent = []
     for record in records:
-        found = constant_speed_stretches(record.period, record.position, record.driven(), record.reference, settings, record.source)
-        stretches += found
-        silent += [] if found else [record.source]
+        stretches += constant_speed_stretches(record.period, record.position, record.driven(), record.reference, settings, record.source)
+    told = {stretch.source for stretch in stretches}
+    silent = [source for source in sources_of(records) if source not in told]
     fit = fit_friction(*_points(stretches))
     remarks = [*fit.remarks, *_by_log(records)]
     remarks += [f"no constant speed in {', '.join(silent)}"] if silent else []
@@ -55,7 +54,7 @@ def identify_friction(records: Sequence[AxisRecord], settings: StretchSettings |
     return Finding(
         "friction",
         records[0].axis,
-        tuple(record.source for record in records),
+        sources_of(records),
         _figures(curve, unit),
         curve.fit,
         fit.usable,
@@ -73,7 +72,7 @@ def _points(stretches: Sequence[Stretch]) -> tuple[list[float], list[float], lis
 
 
 def _by_log(records: Sequence[AxisRecord]) -> list[str]:
-    bare = [record.source for record in records if record.reference is None]
+    bare = sources_of([record for record in records if record.reference is None])
     return [f"no reference in {', '.join(bare)}: constant speed is told from the position"] if bare else []
 
 
@@ -156,7 +155,8 @@ def _worth(curve: FrictionCurve) -> Carried:
 
 
 def _tables(curve: FrictionCurve, unit: str, records: Sequence[AxisRecord], worth: Carried) -> Tables:
-    source = records[0].source if len(records) == 1 else f"{records[0].source} and {len(records) - 1} more"
+    named = sources_of(records)
+    source = named[0] if len(named) == 1 else f"{named[0]} and {len(named) - 1} more"
     shown = unit or "full_scale"
     units = {"friction.viscous": f"{shown}*s/m", "friction.stribeck_velocity": "m/s"}
     tables: dict[str, dict[str, Row]] = {"friction": {"kind": ("coulomb", "", None)}, "disturbance": {"kind": ("constant", "", None)}}

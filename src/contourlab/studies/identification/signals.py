@@ -14,7 +14,17 @@ from contourlab.logs import Log
 from contourlab.result import Result
 from contourlab.studies.identification.finding import Row, reached
 
-__all__ = ["NO_PLANT", "AxisRecord", "axis_pieces", "axis_record", "chosen_axis", "fits_a_plant", "measured_tables", "one_unit"]
+__all__ = [
+    "NO_PLANT",
+    "AxisRecord",
+    "axis_pieces",
+    "axis_record",
+    "chosen_axis",
+    "fits_a_plant",
+    "measured_tables",
+    "one_unit",
+    "sources_of",
+]
 
 Array = NDArray[np.float64]
 POSITIONS = ("position", "motor_position", "axis_position")
@@ -129,6 +139,11 @@ def one_unit(records: Sequence[AxisRecord], what: str) -> str:
     if len(units) > 1:
         raise ResultError(f"commands in {' and '.join(units)}: logs of {what} have one unit")
     return units[0]
+
+
+def sources_of(records: Sequence[AxisRecord]) -> tuple[str, ...]:
+    """Return the names of the logs that records are of, each once."""
+    return tuple(dict.fromkeys(record.source for record in records))
 
 
 def chosen_axis(result: Result, axis: str | None) -> str:

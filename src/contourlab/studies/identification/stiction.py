@@ -9,11 +9,14 @@ from dataclasses import replace
 import numpy as np
 
 from contourlab.analysis.stiction import Breakaway, breakaways
+from contourlab.errors import ParameterError
 from contourlab.studies.identification.finding import Figure, Finding, Graph, Picture, Row, Tables, assumed, bars, fitted
-from contourlab.studies.identification.signals import NO_PLANT, AxisRecord, fits_a_plant, one_unit
+from contourlab.studies.identification.signals import NO_PLANT, AxisRecord, fits_a_plant, one_unit, sources_of
 
 __all__ = ["identify_stiction"]
 
+EXPLAINED = 60.0
+"""Fit [percent] of the first motion below which it is remarked on; below half of it levels cannot be used."""
 SPREAD = 0.1
 """Spread over repeats, relative, from which it is remarked on."""
 
@@ -31,29 +34,38 @@ def identify_stiction(records: Sequence[AxisRecord]) -> Finding:
     ResultError
         If a log has no command, or the commands are in different units.
     ParameterError
-        As of `contourlab.analysis.stiction.breakaways`.
+        As of `contourlab.analysis.stiction.breakaways`; of several records, if none tells a breakaway.
     """
     unit = one_unit(records, "one axis")
     found, remarks = [], []
     for record in records:
-        here, said = breakaways(record.time, record.driven(), record.position)
+        try:
+            here, said = breakaways(record.time, record.driven(), record.position)
+        except ParameterError as error:
+            if len(records) == 1:
+                raise
+            here, said = [], [str(error)]
         found += [replace(one, time=one.time + record.start) for one in here]
         remarks += [f"{record.source}: {words}" for words in said]
+    if not found:
+        raise ParameterError("LOG", f"{len(records)} records", f"one in which the axis leaves on a ramp; {'; '.join(remarks)}")
     by_way = {name: [one for one in found if one.direction == way] for name, way in (("breakaway+", 1), ("breakaway-", -1))}
     figures = tuple(_figure(name, ones, unit) for name, ones in by_way.items() if ones)
     remarks += _remarks(by_way)
     fit = float(np.mean([one.fit for one in found]))
+    if fit < EXPLAINED:
+        remarks.append(f"the first motion is explained by {fit:.3g} % only: it is no breakaway from rest, or lost in noise")
     written = fits_a_plant(unit)
     remarks += [] if written else [NO_PLANT.format(unit=unit)]
     return Finding(
         "stiction",
         records[0].axis,
-        tuple(record.source for record in records),
+        sources_of(records),
         figures,
         fit,
-        True,
+        fit > 0.5 * EXPLAINED,
         tuple(remarks),
-        _tables(by_way, unit, records) if written else {},
+        _tables(by_way, unit, records) if written and fit > 0.5 * EXPLAINED else {},
         _pictures(by_way, unit, records),
         _lines(found, unit),
         {"ramps": [{"time": b.time, "level": b.level, "deviation": b.deviation, "rate": b.rate, "fit_percent": b.fit} for b in found]},
