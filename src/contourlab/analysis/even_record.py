@@ -35,7 +35,9 @@ def even_record(time: ArrayLike, signals: Mapping[str, ArrayLike], shortest: int
         If there are too few samples, a signal is of another length or not finite, or time does not rise evenly.
     """
     t = np.asarray(time, dtype=float)
-    if t.ndim != 1 or t.size < shortest:
+    if t.ndim != 1:
+        raise ParameterError("time", f"shape {t.shape}", "one record, (n,)")
+    if t.size < shortest:
         raise ParameterError("time", f"{t.size} samples", f"a record of at least {shortest}")
     found = []
     for name, values in (("time", t), *signals.items()):
