@@ -23,7 +23,7 @@ from contourlab.loop.feeding import Feed, Learned
 from contourlab.loop.judging import counted, effort_figures, effort_node, error_figures, judge_node, sums_of
 from contourlab.loop.machine import Controller, Machine, parameter_names
 from contourlab.loop.simulate import BLOCK, jit_enabled, sampler
-from contourlab.loop.template import Loop, build
+from contourlab.loop.template import Loop, Signals, build
 from contourlab.loop.watch import NAME
 from contourlab.metrics.streaming import SUMS
 
@@ -135,9 +135,9 @@ def simulate_batch(
     compiled = jit_enabled() if jit is None else jit
     feed = Feed(machine, controller, reference, learned, sampler(compiled))
     first, _ = feed.block(0, min(BLOCK, reference.n_sample))
-    extra: tuple[Node, ...] = (judge_node(machine, reference, view, window),) if judge else ()
+    extra: tuple[Node | Callable[[Signals], Node], ...] = (judge_node(machine, reference, view, window),) if judge else ()
     if effort:
-        extra += (effort_node(machine, controller, columns, counted(reference, window)),)
+        extra += (lambda signals: effort_node(machine, signals["command"], columns, counted(reference, window)),)
     start, progress_at = first.position[0], float(first.arc_length[0])
     speed = first.velocity[0] if moving else None
     loop = build(machine, controller, reference.path, start, progress_at, columns, view, extra, seed, fed=feed.names, velocity=speed)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from typing import Any
 
 import numpy as np
@@ -13,7 +13,7 @@ from contourlab.engine.runner import Group
 from contourlab.engine.schedule import Late, Node
 from contourlab.feed import Reference
 from contourlab.geometry.view import PathView
-from contourlab.loop.machine import Axis, Controller, Machine
+from contourlab.loop.machine import Axis, Machine
 from contourlab.metrics.effort import EFFORT_SUMS, effort_step
 from contourlab.metrics.streaming import SUMS, corner_parts, judge_step
 
@@ -45,12 +45,11 @@ def judge_node(machine: Machine, reference: Reference, view: PathView, window: W
     return Node("judge", step, wires, parameters, {**view.tables, **corner_tables}, {"foot": foot})
 
 
-def effort_node(machine: Machine, controller: Controller, columns: Mapping[str, Array], window: Window) -> Node:
-    """Return the node that adds up what each lane asks of its drives."""
+def effort_node(machine: Machine, commands: Sequence[str], columns: Mapping[str, Array], window: Window) -> Node:
+    """Return the node that adds up what each lane asks of its drives; `commands` are the signals that come to them, one for each axis."""
     rates = {f"rate_{i}": _rate(axis, columns) for i, axis in enumerate(machine.axes)}
-    handed = {name for name, part in controller.axes.items() if part.supervisor is not None}
     wires: dict[str, Any] = {
-        "command": tuple(f"{name}.{'handover' if name in handed else 'controller'}.command" for name in machine.axis_names),
+        "command": tuple(commands),
         "accepted": tuple(f"{axis.name}.drive.{_accepted(axis)}" for axis in machine.axes),
     }
     return Node("effort", effort_step(len(machine.axes)), wires, {**rates, "first": float(window[0]), "last": float(window[1] - 1)})
@@ -63,7 +62,9 @@ def _accepted(axis: Axis) -> str:
 def _rate(axis: Axis, columns: Mapping[str, Array]) -> float | Array:
     """Return one over the limit of a drive, an array where it differs between variants; 1 where it has none."""
     limit = columns.get(f"axes.{axis.name}.drive.limit", getattr(axis.drive, "limit", math.inf))
-    return np.where(np.isfinite(limit), 1.0 / limit, 1.0) if isinstance(limit, np.ndarray) else 1.0 / limit if math.isfinite(limit) else 1.0
+    if isinstance(limit, np.ndarray):
+        return np.where(np.isfinite(limit), 1.0 / limit, 1.0)
+    return 1.0 / limit if math.isfinite(limit) else 1.0
 
 
 def sums_of(groups: list[Group], node: str, n: int) -> Array:

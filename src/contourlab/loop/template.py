@@ -22,7 +22,7 @@ axis, what crosses goes through the nodes of a link: see `contourlab.loop.crossi
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from typing import Any
 
@@ -46,18 +46,20 @@ from contourlab.loop.supervision import TOLD, conditioned, handover_parameters, 
 from contourlab.loop.tool import stream_of
 from contourlab.loop.watch import watch_node
 
-__all__ = ["Loop", "build"]
+__all__ = ["Loop", "Signals", "build"]
 
 Array = NDArray[np.float64]
 Overrides = Mapping[str, Array]
+Signals = Mapping[str, tuple[str, ...]]
+"""Where the signals of a result stand: name -> one for each axis, or one for the machine."""
 
 
 @dataclass(frozen=True)
 class Loop:
-    """A schedule, and where the signals of a result stand in it: name -> one signal per axis, or one for the machine."""
+    """A schedule, and where the signals of a result stand in it."""
 
     schedule: Schedule
-    signals: Mapping[str, tuple[str, ...]]
+    signals: Signals
 
 
 EXTERNALS = ("reference", "reference_velocity", "reference_acceleration")
@@ -319,7 +321,7 @@ def build(
     progress: float = 0.0,
     overrides: Overrides | None = None,
     view: PathView | None = None,
-    extra: tuple[Node, ...] = (),
+    extra: tuple[Node | Callable[[Signals], Node], ...] = (),
     seed: int = 0,
     trial: int = 0,
     fed: tuple[str, ...] = (),
@@ -342,8 +344,8 @@ def build(
         Parameters that differ between variants, by their dotted names.
     view : PathView, optional
         Another view of the path than the default.
-    extra : tuple of Node
-        Nodes that run at the end of the controllers, before the record point: the judge of a batch.
+    extra : tuple of Node, or of what makes one
+        Nodes that run at the end of the controllers, before the record point: the judge of a batch. What makes one is told `Signals`.
     seed, trial : int
         Of all noise: each trial has its own.
     fed : tuple of str
@@ -359,7 +361,8 @@ def build(
     builder.control()
     cross(builder)
     signals = recorded(builder)
-    builder.nodes += (*extra, watch_node(machine, tuple(map(builder.command, machine.axis_names))))
+    builder.nodes += (node if isinstance(node, Node) else node(signals) for node in extra)
+    builder.nodes.append(watch_node(machine, tuple(map(builder.command, machine.axis_names))))
     record_point = len(builder.nodes)
     add_plants(builder)
     n = len(builder.names)

@@ -7,12 +7,10 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Any
 
-import numpy as np
-
 from contourlab.components.link.network import Network
 from contourlab.errors import ParameterError
 from contourlab.feed import Reference
-from contourlab.loop import Controller, Machine, parameter_names, simulate_batch
+from contourlab.loop import Controller, Machine, parameter_names, simulate, simulate_batch
 from contourlab.studies.link_sweep import FIGURES, QUANTITIES, SEEDS, LinkSetting, LinkSweep, divided, swept
 
 __all__ = ["WITHIN", "DivisionCost", "LinkLimit", "allowed_error", "division_cost", "link_limit", "message_rate", "undivided_error"]
@@ -60,12 +58,23 @@ def undivided_error(
     seed: int = 0,
     moving: bool = False,
 ) -> float:
-    """Return a figure of the contour error of the loop without any link."""
+    """Return a figure of the contour error [m, or m s] of the loop without any link, over the last lap or all.
+
+    Raises
+    ------
+    ParameterError
+        If the figure is unknown.
+    DivergenceError
+        If the run leaves its limits even so: it says where and when.
+    """
     if figure not in FIGURES:
         raise ParameterError("figure", repr(figure), "one of " + ", ".join(FIGURES))
     whole = replace(controller, axes={name: replace(mine, link=None) for name, mine in controller.axes.items()})
     name, (part, parameter) = next(iter(parameter_names(machine, whole).items()))
     found = simulate_batch(machine, whole, reference, {name: [part.values()[parameter]]}, seed=seed, moving=moving)
+    if math.isnan(found.figures[figure][0]):
+        # One run by itself says where and when it fails.
+        simulate(machine, whole, reference, seed=seed, moving=moving)
     return float(found.figures[figure][0])
 
 
@@ -170,6 +179,7 @@ class DivisionCost:
     Attributes
     ----------
     division, ways : str
+        Where axes differ in them, all that there are with commas between.
     local : dict of str to tuple of str
         Parameters that may move with each axis.
     error : float
@@ -202,6 +212,8 @@ def division_cost(
 ) -> DivisionCost:
     """Sweep the links of a divided controller, one quantity at a time, the others as they are given.
 
+    What is swept is the same for all links, also where they differ in it as they are given.
+
     Parameters
     ----------
     machine, controller, reference
@@ -214,6 +226,11 @@ def division_cost(
         As of `link_limit`.
     progress : callable, optional
         Told quantities done and quantities in all.
+
+    Raises
+    ------
+    ParameterError
+        If a quantity is unknown, an argument is out of range, or no link is a network.
     """
     unknown = [name for name in quantities if name not in QUANTITIES]
     if unknown:
@@ -224,21 +241,24 @@ def division_cost(
         sweeps[quantity] = swept(setting, quantity, longest)
         if progress is not None:
             progress(i + 1, len(quantities))
-    first = next(part for part in setting.networks.values())
-    asked = setting.errors("delay", np.array([first.delay]))
-    mine = next(mine.link for mine in controller.axes.values() if mine.link is not None)
-    ways = "both" if isinstance(mine.up, Network) else "one"
-    local = {name: each.local_parameters for name, each in controller.axes.items()}
-    return DivisionCost(mine.division, ways, local, float(asked.max()), sweeps, tuple(_remarks(machine, controller, setting)))
+    links = [mine.link for mine in controller.axes.values() if mine.link is not None]
+    divisions = ", ".join(dict.fromkeys(link.division for link in links))
+    ways = ", ".join(dict.fromkeys("both" if isinstance(link.up, Network) else "one" for link in links))
+    local = {name: mine.local_parameters for name, mine in controller.axes.items()}
+    return DivisionCost(divisions, ways, local, setting.as_given(), sweeps, tuple(_remarks(machine, controller, setting)))
 
 
 def _remarks(machine: Machine, controller: Controller, setting: LinkSetting) -> Iterator[str]:
-    period = machine.servo_period
+    period, duration = machine.servo_period, setting.reference.duration
     for (axis, way), part in setting.networks.items():
         ticks = part.message_period / period
         if abs(ticks - round(ticks)) > 1e-6:
             rounded = math.ceil(ticks) * period
             yield f"axis {axis}, {way}: messages each {part.message_period * 1e3:g} ms go each {rounded * 1e3:g} ms, on the servo clock"
+        if part.loss >= 1.0:
+            yield f"axis {axis}, {way}: every message is lost"
+        elif part.delay >= duration:
+            yield f"axis {axis}, {way}: messages take {part.delay:g} s, the motion {duration:g} s: none arrives"
     if controller.coupling is None and any(mine.link is not None and mine.link.up is None for mine in controller.axes.values()):
         yield "the base sees no position: contour estimator and coupling are left out"
     if not setting.loops:

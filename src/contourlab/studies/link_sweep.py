@@ -206,12 +206,22 @@ class LinkSetting:
         return drawn or quantity in ("jitter", "loss")
 
     def columns(self, quantity: str, values: Array, seeds: int) -> dict[str, Array]:
-        """Return what differs between the lanes: each value under each seed."""
+        """Return what differs between the lanes: each value of all links under each seed."""
         found = {f"controller.axes.{a}.link.{w}.{quantity}": np.repeat(values, seeds) for a, w in self.networks}
-        for a, w in self.networks if seeds > 1 else ():
-            streams = [stream_of(self.seed + i, a, f"link.{w}") for i in range(seeds)]
-            found[f"controller.axes.{a}.link.{w}.stream"] = np.tile(streams, len(values))
-        return found
+        return found | self._streams(seeds, len(values))
+
+    def _streams(self, seeds: int, times: int) -> dict[str, Array]:
+        """Return the streams of jitter and loss under each seed, so many times over; none for one seed, which is the run's own."""
+        return {
+            f"controller.axes.{a}.link.{w}.stream": np.tile([stream_of(self.seed + i, a, f"link.{w}") for i in range(seeds)], times)
+            for a, w in (self.networks if seeds > 1 else ())
+        }
+
+    def as_given(self) -> float:
+        """Return the worst error over the seeds with the links as they are; nan where a run left its limits."""
+        seeds = self.seeds if self.by_chance("delay") else 1
+        own = {f"controller.axes.{a}.link.{w}.delay": np.full(seeds, part.delay) for (a, w), part in self.networks.items()}
+        return float(self._run(self.machine, own | self._streams(seeds, 1), None).max())
 
     def errors(self, quantity: str, values: Array) -> Array:
         """Return the error of each value under each seed: (n, n_seed)."""

@@ -11,7 +11,7 @@ import pytest
 import contourlab as cl
 from contourlab.components.link.ideal import IdealLink
 from contourlab.components.link.network import Network
-from contourlab.errors import ParameterError
+from contourlab.errors import DivergenceError, ParameterError
 from contourlab.loop import Division, simulate_batch
 from contourlab.scenario import load_controller, load_machine
 from contourlab.studies.division import allowed_error, division_cost, link_limit, message_rate, undivided_error
@@ -143,3 +143,34 @@ def test_limits_are_read_off_the_values_in_order() -> None:
     assert replace(stable, growth=np.where(np.arange(5) == 4, 1.1, gaps)).stable_linear == 2.0
     lost = replace(sweep, error=np.full(5, np.nan))
     assert math.isnan(lost.most) and lost.seen
+
+
+def test_links_that_differ_are_run_as_they_are_given(machine: cl.Machine, controller: cl.Controller, circle: cl.Reference) -> None:
+    slow, quick = (divided(controller, "observer", link=Network(delay=delay)).axes for delay in (3e-3, 1e-3))
+    made = replace(controller, axes={"1": slow["1"], "3": quick["3"]})
+    cost = division_cost(machine, made, circle, allowed=1e-4, quantities=("delay",), longest=4e-3)
+    found = cl.summarise(cl.judge(cl.simulate(machine, made, circle), circle), circle)
+    assert cost.error == pytest.approx(found.contour_error.rms, rel=1e-6)
+    assert cost.error not in cost.sweeps["delay"].error
+    mixed = replace(controller, axes={"1": slow["1"], "3": divided(controller, "drive", "one").axes["3"]})
+    cost = division_cost(machine, mixed, circle, allowed=1e-4, quantities=("delay",), longest=1e-3)
+    assert (cost.division, cost.ways) == ("observer, drive", "both, one")
+
+
+def test_what_is_asked_of_a_drive_is_what_comes_to_it(machine: cl.Machine, controller: cl.Controller, circle: cl.Reference) -> None:
+    """Not what the base sent some ticks before, nor ahead of the estimate that the axis takes off: the same as the signals of a run say."""
+    for division in ("drive", "observer", "controller"):
+        made = divided(controller, division, link=Network(delay=2e-3))
+        lanes = simulate_batch(machine, made, circle, {"axes.1.plant.damping": [10.1]}, effort=True).figures
+        run = cl.simulate(machine, made, circle)
+        lap = slice(*circle.laps[-1])
+        limits = np.array([axis.drive.limit for axis in machine.axes])  # type: ignore[attr-defined]
+        asked = np.abs(run["command"][lap])
+        assert lanes["limited_share"][0] == np.mean((asked > limits).any(axis=1))
+        assert lanes["command_largest"][0] == pytest.approx((asked / limits).max(), rel=1e-9)
+
+
+def test_a_loop_that_fails_undivided_says_where(machine: cl.Machine, controller: cl.Controller, circle: cl.Reference) -> None:
+    tight = replace(machine, axes=tuple(replace(axis, limits=replace(axis.limits, following_error=1e-6)) for axis in machine.axes))
+    with pytest.raises(DivergenceError, match="sample"):
+        undivided_error(tight, controller, circle)

@@ -5,10 +5,11 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 
-from contourlab.analysis import Margins
-from contourlab.errors import ParameterError
+from contourlab.analysis import Margins, sampled_loop
+from contourlab.errors import ComponentError, ParameterError
+from contourlab.loop import Controller, Machine
 
-__all__ = ["ROUNDING", "SLACK", "Bounds"]
+__all__ = ["ROUNDING", "SLACK", "Bounds", "without_model"]
 
 SLACK = (0.02, 0.05)
 """Margins of a search, read off a grid, are asked for with this much more: dB, degrees."""
@@ -67,3 +68,14 @@ class Bounds:
         gain, phase = 20.0 * math.log10(margins.gain), math.degrees(abs(margins.phase))
         found = [f"gain margin {gain:.2f} dB"] if gain < self.gain_margin - ROUNDING else []
         return ", ".join([*found, *([f"phase margin {phase:.1f} deg"] if phase < self.phase_margin - ROUNDING else [])])
+
+
+def without_model(machine: Machine, controller: Controller) -> dict[str, str]:
+    """Return the axes whose loop has no linear model, and why: their margins cannot be looked at."""
+    found = {}
+    for axis in machine.axes:
+        try:
+            sampled_loop(axis, controller.axes[axis.name], machine.servo_period, machine.carried_mass(axis.name))
+        except ComponentError as error:
+            found[axis.name] = str(error)
+    return found

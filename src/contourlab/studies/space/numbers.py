@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
+from difflib import get_close_matches
 from fnmatch import fnmatchcase
 from functools import cached_property
 
@@ -23,6 +24,8 @@ __all__ = ["Number", "Space"]
 Array = NDArray[np.float64]
 WIDTH = 4.0
 """Bounds are this factor either side of the value where none are given."""
+MOST_NAMES = 8
+"""So many names are listed where one is wrong."""
 
 
 @dataclass(frozen=True)
@@ -55,15 +58,25 @@ class Number:
 
     def __post_init__(self) -> None:
         if not (math.isfinite(self.low) and math.isfinite(self.high) and self.low < self.high):
-            raise ParameterError(self.name, f"bounds {self.low:g} to {self.high:g}", "finite, the lower one first", self.unit)
+            raise ParameterError(self.name, self.bounds, "finite, the lower one first")
         if self.logarithmic and self.low <= 0.0:
-            raise ParameterError(self.name, f"bounds {self.low:g} to {self.high:g}", "above 0 for equal factors", self.unit)
+            raise ParameterError(self.name, self.bounds, "above 0 for equal factors")
 
     @property
     def short(self) -> str:
         """The name as people say it: axis, and the parameter with its slot where that is not the controller."""
         words = self.name.removeprefix("controller.").removeprefix("axes.").split(".")
         return ".".join(word for word in words if word != "controller")
+
+    @property
+    def bounds(self) -> str:
+        """The bounds in words, in the unit that people write."""
+        return f"bounds {self.shown(self.low):g} to {self.shown(self.high):g} {self.display or self.unit}".rstrip()
+
+    @property
+    def nearest(self) -> float:
+        """The value [SI], or the bound that is nearest to it where it lies beyond."""
+        return min(max(self.value, self.low), self.high)
 
     def shown(self, value: float) -> float:
         """Return a value in the unit that people write."""
@@ -137,7 +150,8 @@ class Space:
         Raises
         ------
         ParameterError
-            If a name fits nothing, a bound has the wrong unit or is out of range, or a value of zero is given no bounds.
+            If a name fits nothing, a bound has the wrong unit or is out of range, a number is given two pairs of bounds, or a value of zero
+            is given none.
         """
         if not (width > 1.0 and math.isfinite(width)):
             raise ParameterError("width", f"{width:g}", "above 1 and finite: a factor either side of a value")
@@ -147,12 +161,14 @@ class Space:
             order = calibration_order(machine, controller)
             names = [name for name in order if _value(known[name]) not in (0.0, math.inf)]
             return Space(tuple(_number(name, known[name], units, "", width) for name in names))
-        found: dict[str, Number] = {}
+        asked: dict[str, str] = {}
         for text in texts:
-            wanted, _, bounds = text.partition("=")
-            for name in _fitting(wanted.strip(), known):
-                found[name] = _number(name, known[name], units, bounds.strip(), width)
-        return Space(tuple(found.values()))
+            wanted, _, bounds = (part.strip() for part in text.partition("="))
+            for name in _fitting(wanted, known):
+                if bounds and asked.get(name, bounds) not in ("", bounds):
+                    raise ParameterError(name, f"{asked[name]} and {bounds}", "given bounds once")
+                asked[name] = bounds or asked.get(name, "")
+        return Space(tuple(_number(name, known[name], units, bounds, width) for name, bounds in asked.items()))
 
     def only(self, names: Iterable[str]) -> Space:
         """Return the space of some of the numbers."""
@@ -176,16 +192,27 @@ def _fitting(wanted: str, known: Mapping[str, tuple[Component, str]]) -> list[st
     # "3.position_gain" for controller.axes.3.controller.position_gain: the slot of the controller goes without saying.
     found += [name for name in known if name not in found and fnmatchcase(name.replace(".controller.", "."), f"*.{wanted}")]
     if not wanted or not found:
-        near = ", ".join(name for name in known if name.rpartition(".")[2] == wanted.rpartition(".")[2]) or ", ".join(list(known)[:4])
-        raise ParameterError("parameter", repr(wanted), f"a number of the machine or its controller, such as {near}")
+        raise ParameterError(
+            "parameter", repr(wanted), f"a number of the machine or its controller, such as {', '.join(_near(wanted, known))}"
+        )
     return found
+
+
+def _near(wanted: str, known: Iterable[str]) -> list[str]:
+    """Return the names nearest to one that there is not: those that end alike, or are spelt alike, or else a few of them."""
+    names = list(known)
+    ends = {name: name.rpartition(".")[2] for name in names}
+    word = wanted.rpartition(".")[2]
+    alike = get_close_matches(word, dict.fromkeys(ends.values()), n=3)
+    found = [name for end in (word, *alike) for name in names if ends[name] == end]
+    return list(dict.fromkeys(found))[:MOST_NAMES] or names[:MOST_NAMES]
 
 
 def _number(name: str, known: tuple[Component, str], units: Mapping[str, tuple[str, str]], bounds: str, width: float) -> Number:
     """Return a number between the bounds of a text, or else a factor either side of its value."""
     part, word = known
     axis = next((axis for axis in units if f".axes.{axis}." in f".{name}"), next(iter(units)))
-    parameter = part.parameters[word].for_plant(*units[axis])
+    parameter = replace(part.parameters[word].for_plant(*units[axis]), name=name)
     value = _value(known)
     if bounds:
         low, high = _bounds(name, bounds, parameter.unit, parameter.display)

@@ -10,10 +10,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from contourlab.analysis.loop_lanes import lane_loops, margin_factors, unstable_by
-from contourlab.analysis.sampled_loop import sampled_loop
-from contourlab.errors import ComponentError
 from contourlab.loop import Controller, Machine
-from contourlab.studies.space.bounds import Bounds
+from contourlab.studies.space.bounds import Bounds, without_model
 
 __all__ = ["Guard", "holds"]
 
@@ -36,15 +34,7 @@ class Guard:
     unknown: dict[str, str] = field(init=False, default_factory=dict)
 
     def __post_init__(self) -> None:
-        for axis in self.machine.axes:
-            try:
-                self._loop(axis.name)
-            except ComponentError as error:
-                self.unknown[axis.name] = str(error)
-
-    def _loop(self, name: str) -> object:
-        machine = self.machine
-        return sampled_loop(machine.axis(name), self.controller.axes[name], machine.servo_period, machine.carried_mass(name))
+        self.unknown.update(without_model(self.machine, self.controller))
 
     def excess(self, columns: Mapping[str, Array], known: dict[tuple[object, ...], Array] | None = None) -> Array:
         """Return by how much each design (n,) breaks a margin: above 0 where it does.

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
 from dataclasses import dataclass
 
 import numpy as np
@@ -101,16 +100,12 @@ def _figures(judged: Result, machine: Machine, controller: Controller, reference
 
 
 def _effort(judged: Result, machine: Machine, window: slice) -> dict[str, float]:
-    limits = np.array([_limit(axis.drive.values()) for axis in machine.axes])
-    asked, taken = judged["command"][window] / limits, judged["applied_command"][window] / limits
-    held = [np.abs(asked[:, i] * limits[i]) > limits[i] for i in range(len(limits))]
+    """Return what is asked of the drives, as `contourlab.loop.BatchResult` has it: in parts of their limits, or by itself without one."""
+    limits = np.array([getattr(axis.drive, "limit", math.inf) for axis in machine.axes], dtype=float)
+    scales = np.where(np.isfinite(limits), limits, 1.0)
+    asked, taken = judged["command"][window], judged["applied_command"][window]
     return {
-        "command_energy": float((taken**2).sum() * judged.servo_period),
-        "command_largest": float(np.abs(asked).max()),
-        "limited_share": float(np.any(held, axis=0).mean()),
+        "command_energy": float(((taken / scales) ** 2).sum() * judged.servo_period),
+        "command_largest": float((np.abs(asked) / scales).max()),
+        "limited_share": float((np.abs(asked) > limits).any(axis=1).mean()),
     }
-
-
-def _limit(values: Mapping[str, object]) -> float:
-    limit = values.get("limit", math.inf)
-    return float(limit) if isinstance(limit, float) and math.isfinite(limit) else 1.0

@@ -13,7 +13,7 @@ from contourlab.analysis import Margins, SampledLoop, internal_stability, sample
 from contourlab.analysis.sampled_loops import rough_margins, sampled_loops
 from contourlab.errors import ComponentError
 from contourlab.loop import Controller, Machine
-from contourlab.studies.space.bounds import ROUNDING, SLACK, Bounds
+from contourlab.studies.space.bounds import ROUNDING, SLACK, Bounds, without_model
 from contourlab.studies.space.values import with_values
 from contourlab.studies.tune.values import axes_of
 
@@ -42,12 +42,8 @@ class Guards:
     checks: int = 0
 
     def __post_init__(self) -> None:
-        for machine, controller in self.cases:
-            for axis in machine.axes:
-                try:
-                    sampled_loop(axis, controller.axes[axis.name], machine.servo_period, machine.carried_mass(axis.name))
-                except ComponentError as error:
-                    self.unknown[axis.name] = str(error)
+        for case in self.cases:
+            self.unknown.update(without_model(*case))
 
     @property
     def axes(self) -> tuple[str, ...]:
@@ -92,10 +88,12 @@ class Guards:
                 if axis.name not in self.unknown:
                     carried = machine.carried_mass(axis.name)
                     margins = sampled_loop(axis, controller.axes[axis.name], machine.servo_period, carried).margins()
-                    known = found.get(axis.name)
-                    if known is None or self.bounds.missing(margins) > self.bounds.missing(known) or margins.modulus < known.modulus:
-                        found[axis.name] = margins
+                    found[axis.name] = max(found.get(axis.name, margins), margins, key=self._worse)
         return found
+
+    def _worse(self, margins: Margins) -> tuple[float, float]:
+        """Return what is larger for worse margins: how far they fall short, and where none do, how near the loop comes to -1."""
+        return self.bounds.missing(margins), -margins.modulus if margins.stable else 0.0
 
     def uncoupled(self, values: Mapping[str, float]) -> str:
         """Return in words that the coupling of the axes is unstable with values [SI]; empty where it is not, or where there is none."""

@@ -30,16 +30,6 @@ class Path:
     values: dict[str, float]
     steps: tuple[Step, ...] = field(default=())
 
-    @property
-    def before(self) -> float:
-        """The objective ahead of the first step; nan where there is none."""
-        return self.steps[0].objective_before if self.steps else math.nan
-
-    @property
-    def after(self) -> float:
-        """The objective behind the last step; nan where there is none."""
-        return self.steps[-1].objective_after if self.steps else math.nan
-
 
 def sequential(
     objective: Objective,

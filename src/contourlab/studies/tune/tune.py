@@ -166,20 +166,24 @@ def tune(
     Raises
     ------
     ParameterError
-        If a number is unknown, nothing can be calibrated, or a start cannot be placed.
+        If a number is unknown or the machine's, nothing can be calibrated, or a start cannot be placed.
+
+    Notes
+    -----
+    A number that the scenario has beyond the bounds that are given starts from the nearer one.
     """
     settings = settings or TuneSettings()
     begin = begin or (lambda words: None)
     _known(machine, controller, settings)
     begin("running what there is")
     before = checked(machine, controller, reference, Guards([(machine, controller)], settings.bounds), seed=seed, moving=moving)
-    from_here = controller
+    from_here, placed = controller, 0
     if settings.start == "placed":
         begin("placing poles")
-        from_here = _placed(machine, controller, reference, settings, moving, seed)
+        from_here, placed = _placed(machine, controller, reference, settings, moving, seed), len(FRACTIONS)
     space = Space.chosen(machine, from_here, settings.parameters, settings.width)
     evaluator = Evaluator(machine, from_here, reference, seed=seed, threads=settings.threads, moving=moving)
-    values = {number.name: number.value for number in space.numbers}
+    values = {number.name: number.nearest for number in space.numbers}
     objective = Objective([evaluator], settings.goal, values)
     guards = Guards([(machine, from_here)], settings.bounds)
     found = _Search(objective, guards, space, settings, begin, tell).run(values)
@@ -188,6 +192,7 @@ def tune(
     made = with_values(machine, from_here, answer)[1]
     after = checked(machine, made, reference, guards, seed=seed, moving=moving)
     notes = [f"axis {axis} has no linear model, so its margins are not known: {why}" for axis, why in guards.unknown.items()]
+    notes += [_beyond(number) for number in space.numbers if number.nearest != number.value]
     return Tuned(
         made,
         space,
@@ -199,7 +204,7 @@ def tune(
         found.path,
         found.searched,
         drive_terms(machine, made, after.run),
-        evaluator.runs + 2,
+        evaluator.runs + placed + 2,
         (*notes, *found.notes),
     )
 
@@ -212,27 +217,38 @@ def rounded(number: Number, value: float) -> float:
     return to_si(f"{shown:.6g} {number.display}", number.unit) if number.display and number.display != number.unit else shown
 
 
+def _beyond(number: Number) -> str:
+    """Say that a number was begun at a bound."""
+    value, unit = number.shown(number.value), number.display or number.unit
+    return f"{number.short} = {value:.6g} {unit} lies beyond its {number.bounds}: begun at the nearer one"
+
+
 def _known(machine: Machine, controller: Controller, settings: TuneSettings) -> None:
-    """Refuse at once what names no number, and a controller of which nothing is calibrated."""
+    """Refuse at once what names no number of the controller, and a controller of which nothing is calibrated."""
     if not settings.parameters:
         known = parameter_names(machine, controller)
         order = calibration_order(machine, controller)
         if not any(getattr(*known[name]) not in (0.0, math.inf) for name in order):
             kinds = ", ".join(sorted({part.controller.kind for part in controller.axes.values()}))
             raise ParameterError("parameters", f"none: {kinds} names nothing to calibrate that is not zero", "given, each with its bounds")
-    Space.chosen(machine, controller, settings.parameters, settings.width)
+    space = Space.chosen(machine, controller, settings.parameters, settings.width)
+    of_machine = [number.short for number in space.numbers if number.name.startswith("axes.")]
+    if of_machine:
+        raise ParameterError("parameter", of_machine[0], "a number of the controller: those of the machine are what they are")
 
 
 def _placed(machine: Machine, controller: Controller, reference: Reference, settings: TuneSettings, moving: bool, seed: int) -> Controller:
     """Return the controller with poles placed at that part of the fastest speed at which the objective is least."""
     speeds = fastest(machine, controller, settings.bounds)
-    made = [placed_gains(machine, controller, {name: part * speed for name, speed in speeds.items()}) for part in FRACTIONS]
-    names = parameter_names(machine, made[-1])
+    made = [one for part in FRACTIONS.tolist() if (one := _slowed(machine, controller, speeds, part)) is not None]
+    if not made:
+        raise ParameterError("start", "placed", "scenario: the slowest axis that keeps the margins leaves the others no gains")
+    known = [parameter_names(machine, one) for one in made]
     columns: dict[str, np.ndarray] = {}
-    for name in names:
+    for name in known[-1]:
         if ".controller." in name:
-            values = np.array([getattr(*parameter_names(machine, one)[name]) for one in made], dtype=float)
-            if np.isfinite(values).all() and np.ptp(values) > 0.0:
+            values = np.array([getattr(*names[name]) for names in known], dtype=float)
+            if np.isfinite(values).all():
                 columns[name] = values
     evaluator = Evaluator(machine, made[-1], reference, seed=seed, threads=settings.threads, moving=moving)
     start = {name: float(values[-1]) for name, values in columns.items()}
@@ -242,6 +258,14 @@ def _placed(machine: Machine, controller: Controller, reference: Reference, sett
     if not np.isfinite(ranked).any():
         raise ParameterError("start", "placed", "scenario: at no speed of its poles does a run keep the limits of the drives")
     return made[int(np.argmin(ranked))]
+
+
+def _slowed(machine: Machine, controller: Controller, speeds: Mapping[str, float], part: float) -> Controller | None:
+    """Return the controller with poles at a part of the speeds; None where a plant's own damping is too much for so slow a pole."""
+    try:
+        return placed_gains(machine, controller, {name: part * speed for name, speed in speeds.items()})
+    except ParameterError:
+        return None
 
 
 @dataclass(frozen=True)

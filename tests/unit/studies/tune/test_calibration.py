@@ -15,7 +15,7 @@ from contourlab.components.sensor.encoder import Encoder
 from contourlab.errors import ParameterError
 from contourlab.feed import uniform
 from contourlab.geometry import contour
-from contourlab.studies.reproduce.ghaffari_setup import TABLE_2, Reading, controller, machine
+from contourlab.studies.reproduce.ghaffari_setup import TABLE_2, TABLE_3, Reading, controller, machine
 from contourlab.studies.space import Evaluator, Space
 from contourlab.studies.tune import (
     Bounds,
@@ -60,7 +60,7 @@ def test_each_step_moves_one_number_and_never_up() -> None:
     values = {number.name: number.value for number in space.numbers}
     path = sequential(Objective([evaluator], Goal(), values), Guards([(stage, made)], Bounds()), space, values, LineRule(), passes=2)
     assert [step.number.name for step in path.steps[: len(space.names)]] == list(space.names)
-    reached = [path.before, *(step.objective_after for step in path.steps)]
+    reached = [path.steps[0].objective_before, *(step.objective_after for step in path.steps)]
     assert all(later <= earlier for earlier, later in pairwise(reached))
     now = dict(values)
     for step in path.steps:
@@ -177,6 +177,40 @@ def test_the_worst_of_several_machines_counts() -> None:
     alone = [Guards([(stage, made)], Bounds()).exact(values)["x"] for stage in stages]
     assert worst in alone
     assert worst.modulus == min(one.modulus for one in alone)
+
+
+@pytest.mark.parametrize("order", [(0, 1), (1, 0)])
+def test_of_several_machines_one_that_falls_short_counts_before_one_nearer_to_instability(order: tuple[int, int]) -> None:
+    """A loop may keep its phase margin and yet come nearer to -1 than one that does not."""
+    made, stages = position_control(), [rigid_stage(5.0 * GAIN), rigid_stage()]
+    strong, weak = (Guards([(stage, made)], FREE).exact({})["x"] for stage in stages)
+    assert strong.modulus < weak.modulus and strong.phase > weak.phase
+    wanted = Bounds(gain_margin=0.0, phase_margin=math.degrees(strong.phase + weak.phase) / 2.0)
+    assert Guards([(stages[i], made) for i in order], wanted).exact({})["x"] == weak
+
+
+def test_a_drive_without_a_limit_is_never_at_it() -> None:
+    """Its commands are large numbers, in the plant's own unit."""
+    gains = {"velocity_gain": 4e4, "position_gain": 1.5e6, "model_gain": 1e-3 * GAIN}
+    settings = TuneSettings(parameters=("x.integral_gain",), bounds=FREE)
+    found = tune(rigid_stage(1e-3 * GAIN, 1e-3 * GAIN), position_control(**gains), circle(), settings)
+    assert found.before.figures["command_largest"] > 100.0
+    assert found.before.figures["limited_share"] == found.after.figures["limited_share"] == 0.0
+    assert not found.after.broken
+
+
+def test_a_machine_is_not_calibrated() -> None:
+    with pytest.raises(ParameterError, match=r"x\.plant\.gain.*a number of the controller"):
+        searched(["x.plant.gain"])
+
+
+def test_margins_that_nothing_keeps_leave_a_placed_start_all_the_same() -> None:
+    """The slowest parts of the fastest poles may not be placed at all: these are passed over."""
+    reading = Reading()
+    settings = TuneSettings(start="placed", parameters=("3.integral_gain",), bounds=Bounds(gain_margin=50.0), rule=BEST)
+    laps = uniform(contour("circle", radius=0.02), 0.5, 2, 1e-3)
+    found = tune(machine(1, reading), controller(1, TABLE_3, reading), laps, settings)
+    assert any("gain margin" in words for words in found.after.broken)
 
 
 def test_weights_count_in_parts_of_the_start() -> None:
