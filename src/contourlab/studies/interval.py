@@ -28,8 +28,8 @@ LEVELS = (0.05, 0.95)
 """Shares of the samples below the ends of an interval."""
 FIGURES = {"rms": "contour_error_rms", "max": "contour_error_max"}
 UNKNOWN = "not known: no number of the machine has a deviation"
+EXACT = "of no width: every number of the machine is said to be exactly what it is"
 NO_CHANGES = "not known: the run changes controllers on the way, which the lanes cannot"
-
 TOO_LONG = "not known: with a gap observer, a bank of filters, it takes as long as 64 runs one by one; ask for it with --interval"
 
 
@@ -82,11 +82,14 @@ class Interval:
 
     @property
     def noticeable(self) -> float:
-        """Size from which a rank correlation of so many samples is more than chance, at 5 %."""
+        """Size from which the largest of so many numbers' rank correlations is more than chance, at 5 % for all together (Bonferroni).
+
+        Those of a number with rms and maximum count as one: the two go together.
+        """
         from scipy.stats import t
 
         left = max(self.n - self.failed - 2, 1)
-        quantile = float(t.ppf(0.975, left))
+        quantile = float(t.ppf(1.0 - 0.025 / max(len(self.ranks), 1), left))
         return quantile / float(np.hypot(quantile, np.sqrt(left)))
 
     @property
@@ -138,15 +141,16 @@ def contour_interval(
     Returns
     -------
     Interval
-        With a reason in words where there is none: no deviation, or a machine that cannot run in lanes.
+        With a reason in words where there is none: no deviation, nothing but exact numbers, or a machine that cannot run in lanes.
 
     Notes
     -----
     Contour error here is that of the axes' true positions: the error map of the machine is not in it.
     """
-    uncertain = [number for number in numbers_of(machine, controller) if number.drawn and number.origin and number.origin.uncertain]
+    of_machine = [number for number in numbers_of(machine, controller) if number.drawn]
+    uncertain = [number for number in of_machine if number.origin and number.origin.uncertain]
     if not uncertain:
-        return Interval(UNKNOWN)
+        return Interval(EXACT if all(number.source == "design" for number in of_machine) else UNKNOWN)
     if changes:
         return Interval(NO_CHANGES)
     if not patient and any(controller.axes[name].gap_observer is not None for name in machine.axis_names):

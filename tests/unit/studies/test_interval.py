@@ -19,7 +19,7 @@ from contourlab.components.plant.mass_damper import MassDamper
 from contourlab.feed import Reference
 from contourlab.geometry import Line, Path
 from contourlab.loop import Axis, AxisController, Controller, Limits, Machine, simulate_batch
-from contourlab.studies.interval import SAMPLES, contour_interval, draw
+from contourlab.studies.interval import SAMPLES, Interval, contour_interval, draw
 from contourlab.studies.provenance import numbers_of
 
 PERIOD = 1e-3
@@ -91,6 +91,17 @@ def test_the_size_of_chance_is_that_of_a_test_at_five_percent() -> None:
     assert 0.03 < np.mean(beyond) < 0.07
 
 
+def test_of_many_numbers_that_do_nothing_none_stands_out() -> None:
+    """The largest of thirty correlations by chance is beyond the size in one study of twenty, not in most of them."""
+    rng = np.random.default_rng(2)
+    named = 0
+    for _ in range(400):
+        figure, *numbers = rng.standard_normal((31, SAMPLES))
+        ranks = {f"n{i}": 2 * (float(spearmanr(values, figure).statistic),) for i, values in enumerate(numbers)}
+        named += bool(Interval("", SAMPLES, ranks=dict(sorted(ranks.items(), key=lambda one: -abs(one[1][0])))).main)
+    assert 0.02 < named / 400 < 0.08
+
+
 @pytest.mark.parametrize("threads", [1, 2, 5])
 def test_threads_change_nothing(threads: int) -> None:
     pair = machine(axis("x", mass=Origin(**FITTED, deviation=1.0)), axis("y", 40.0, force=Origin(**FITTED, deviation=5.0)))
@@ -146,6 +157,17 @@ def test_a_controller_computes_with_the_number_it_was_given() -> None:
     found = contour_interval(machine(axis("x"), axis("y", 40.0)), law, along_x(50))
     assert (found.reason, found.n) == ("not known: no number of the machine has a deviation", 0)
     assert found.main == "" and found.rms is None
+
+
+def test_a_machine_of_nothing_but_exact_numbers_has_no_interval_and_says_why() -> None:
+    def exact(one: Axis) -> Axis:
+        stated = {slot: getattr(one, slot) for slot in ("plant", "disturbance")}
+        return replace(one, **{slot: part.traced(dict.fromkeys(part.parameters, Origin("design"))) for slot, part in stated.items()})
+
+    found = contour_interval(machine(exact(axis("x")), exact(axis("y", 40.0))), controller(), along_x(50))
+    assert found.reason == "of no width: every number of the machine is said to be exactly what it is"
+    found = contour_interval(machine(exact(axis("x")), axis("y", 40.0)), controller(), along_x(50))
+    assert found.reason == "not known: no number of the machine has a deviation"
 
 
 def test_samples_are_those_of_a_batch_and_the_tolerance_counts_them() -> None:
