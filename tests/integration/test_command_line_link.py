@@ -6,6 +6,7 @@ import json
 from pathlib import Path
 
 import pytest
+from typed_commands import contents
 
 from contourlab.cli.main import main
 
@@ -22,6 +23,12 @@ frequency = "0.5 Hz"
 laps = 2
 """
 OWN = ', axes = {"*" = {link = {division = "observer", down = {kind = "network", message_period = "2 ms"}, up = "ideal"}}}'
+
+
+@pytest.fixture(autouse=True)
+def elsewhere(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Results go into a folder of the test where no other is named."""
+    monkeypatch.chdir(tmp_path)
 
 
 @pytest.fixture
@@ -91,8 +98,44 @@ def test_a_scenario_with_links_is_taken_as_it_stands(tmp_path: Path, capsys: pyt
 def test_plots_are_written_where_they_are_asked_for(circle: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     words = (circle, "--division", "observer", "--vary", "delay,loss", "--longest", "4 ms", "--seeds", "1")
     said = told(capsys, *words, "--plots", "svg", "--out", str(tmp_path / "out"))
-    assert sorted(file.name for file in (tmp_path / "out").iterdir()) == ["link-delay.svg", "link-loss.svg"]
+    assert sorted(contents(tmp_path / "out")) == ["plots/link-delay.svg", "plots/link-loss.svg", "summary.json"]
     assert said.count("plot: ") == 2
+    told(capsys, *words, "--out", str(tmp_path / "out"))  # results replace older ones together
+    assert sorted(contents(tmp_path / "out")) == ["summary.json"]
+
+
+def test_the_results_are_kept_as_they_are_printed(circle: str, capsys: pytest.CaptureFixture[str]) -> None:
+    words = (circle, "--division", "observer", "--ways", "both", "--vary", "delay", "--longest", "2 ms")
+    printed = json.loads(told(capsys, *words, "--json"))
+    assert json.loads(Path("results/link/summary.json").read_text(encoding="utf-8")) == printed
+
+
+@pytest.mark.parametrize("place", ["file", "file/below"])
+def test_a_folder_that_cannot_be_is_told_before_anything_runs(
+    circle: str, place: str, tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    (tmp_path / "file").write_text("of the user")
+    monkeypatch.setattr("contourlab.studies.division.undivided_error", lambda *_, **__: pytest.fail("it ran"))
+    assert "cannot be written" in told(capsys, circle, "--out", place, code=2)
+    assert (tmp_path / "file").read_text() == "of the user"
+
+
+def test_messages_that_never_arrive_are_told(circle: str, capsys: pytest.CaptureFixture[str]) -> None:
+    words = (circle, "--division", "observer", "--ways", "both", "--vary", "message-period", "--longest", "2 ms", "--seeds", "1")
+    said = told(capsys, *words, "--delay", "9 s")
+    assert "messages take 9 s, the motion 4 s: none arrives" in said and "none" in said
+    assert "every message is lost" in told(capsys, *words, "--loss", "1")
+
+
+def test_a_loop_that_runs_away_undivided_is_3_and_says_where(circle: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    (tmp_path / "wild.toml").write_text(
+        CIRCLE.replace("LINK", "") + '[schemes.wild]\naxes.3.drive.limit = "1e6 full_scale"\n'
+        'controller.axes.3.controller.position_gain = "4000 full_scale/mm"\n',
+        encoding="utf-8",
+    )
+    said = told(capsys, str(tmp_path / "wild.toml"), code=3)
+    assert "axis 3" in said and "scheme 'wild', undivided" in said
+    assert not Path("results").exists()
 
 
 def test_one_axis_may_be_divided_alone(circle: str, capsys: pytest.CaptureFixture[str]) -> None:
@@ -147,6 +190,8 @@ def test_the_network_is_named_as_a_cause(tmp_path: Path, capsys: pytest.CaptureF
         (("--loss", "2"), "<= 1"),
         (("--longest", "0.1 ms"), "servo period"),
         (("--seeds", "0"), ">= 1"),
+        (("--seeds", "100000"), "<= 256"),
+        (("--delay", "11 s"), "<= 10 s"),
         (("--plots", "bmp", "--vary", "delay", "--longest", "2 ms"), "png"),
     ],
 )

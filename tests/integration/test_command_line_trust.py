@@ -41,6 +41,12 @@ axes."*".friction.coulomb = "20.409 N"
 axes."*".disturbance.force = "3.17003 N"
 """
 
+LEARNING = """
+[learning]
+law = {kind = "zero-phase", gain = 0.2, half_width = 11}
+trials = 1
+"""
+
 
 def run(folder: Path, text: str, *words: str) -> dict[str, Any]:
     (folder / "scenario.toml").write_text(text, encoding="utf-8")
@@ -131,6 +137,19 @@ def test_it_is_said_on_the_terminal_and_can_be_left_out(tmp_path: Path, capsys: 
     assert found["schemes"]["base"]["trust"]["provenance"]
     assert 'id="trust"' not in (tmp_path / "out" / "report.html").read_text(encoding="utf-8")
     assert found["command"].endswith("--no-interval")
+
+
+@pytest.mark.parametrize("words", [("compare", "run.toml"), ("learn", "run.toml", "--trials", "1")])
+def test_wherever_schemes_are_run_it_can_be_left_out(
+    words: tuple[str, ...], tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "run.toml").write_text(RUN + LEARNING, encoding="utf-8")
+    for option, known in (("--interval", True), ("--no-interval", False)):
+        assert main([*words, option, "--json"]) in (0, 1)
+        found = json.loads(capsys.readouterr().out)
+        assert option in found["command"].split()
+        assert all((scheme["trust"]["interval"] is not None) == known for scheme in found["schemes"].values())
 
 
 def test_without_deviations_one_line_says_so(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:

@@ -139,6 +139,14 @@ def test_a_scheme_is_chosen_by_its_name(capsys: pytest.CaptureFixture[str]) -> N
         (["--plots", "bmp"], "png"),
         (["--out", "tuned.txt"], ".toml"),
         (["--machine", "xyz"], "leave --machine out"),
+        (["--parameter", "x.position_gian"], "controller.axes.x.controller.position_gain"),
+        (["--parameter", "x.plant.gain"], "a number of the controller"),
+        (["--parameter", "x.integral_gain=9 1/s..2 1/s"], "bounds 9 to 2 1/s: must be finite, the lower one first"),
+        (["--parameter", "x.integral_gain=nan 1/s..2 1/s"], "not a finite number"),
+        (["--parameter", "x.integral_gain=1 1/s..2 1/s", "--parameter", "integral_gain=3 1/s..4 1/s"], "given bounds once"),
+        (["--budget", "0"], "32 to "),
+        (["--width", "nan"], "> 1"),
+        (["--objective", "integral=nan"], "a weight > 0"),
     ],
 )
 def test_wrong_words_are_refused(words: list[str], said: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
@@ -146,6 +154,43 @@ def test_wrong_words_are_refused(words: list[str], said: str, tmp_path: Path, ca
     told = capsys.readouterr().err
     assert said in told
     assert "Traceback" not in told
+
+
+@pytest.mark.parametrize(
+    ("words", "said"),
+    [
+        (["--out", "folder.toml"], "is a folder; name a file with --out"),
+        (["--out", "file/tuned.toml"], "choose another folder with --out"),
+        (["--plots", "svg", "--folder", "file"], "choose another folder with --folder"),
+    ],
+)
+def test_a_place_that_cannot_be_written_is_told_before_anything_runs(
+    words: list[str], said: str, tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    monkeypatch.setattr("contourlab.session.tune.tune", lambda *_, **__: pytest.fail("it ran"))
+    (tmp_path / "folder.toml").mkdir()
+    (tmp_path / "file").write_text("of the user")
+    assert main(["tune", str(written(tmp_path)), *words]) == 2
+    assert said in capsys.readouterr().err
+
+
+def test_pictures_leave_the_results_beside_them_alone(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    (tmp_path / "results").mkdir()
+    (tmp_path / "results" / "report.html").write_text("of a run")
+    words = ["--parameter", "x.integral_gain", "--plots", "svg", "--folder", str(tmp_path / "results")]
+    assert main(["tune", str(written(tmp_path)), *words]) == 0
+    assert f"plot: {tmp_path / 'results' / 'plots' / 'tune-course.svg'}" in capsys.readouterr().out
+    assert (tmp_path / "results" / "report.html").read_text() == "of a run"
+
+
+def test_a_start_beyond_its_bounds_is_begun_within_and_says_so(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    words = ["--parameter", "x.integral_gain=8 1/s..12 1/s", "--json"]
+    assert main(["tune", str(written(tmp_path)), *words]) == 0
+    found = json.loads(capsys.readouterr().out)
+    number = found["parameters"]["controller.axes.x.controller.integral_gain"]
+    assert number["start"] == 5.0 and 8.0 <= number["after"] <= 12.0
+    assert "x.integral_gain = 5 1/s lies beyond its bounds 8 to 12 1/s: begun at the nearer one" in found["notes"]
 
 
 def test_the_scenario_itself_is_not_written_over(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:

@@ -7,13 +7,30 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from typed_commands import CIRCLE, SCHEMES
+from typed_commands import CIRCLE, SCHEMES, Run
 
 from contourlab.cli.main import main
 from contourlab.studies.space import evaluator
 
 TWO = ["--parameter", "3.model_gain", "--parameter", "3.velocity_gain=0.05 full_scale*s/mm..0.2 full_scale*s/mm"]
 SMALL = [*TWO, "--values", "9", "--base", "16", "--trajectories", "4"]
+
+DRAG = """
+from contourlab.components.contract import Component, param
+
+
+class Drag(Component):
+    family = "friction"
+    kind = "drag-of-sensitivity"
+    law = "smooth"
+    example = {"coefficient": 1.0}
+    reference = "F = c v"
+    coefficient: float = param(unit="{force}*s/m", minimum=0.0, doc="force at unit speed")
+
+    @staticmethod
+    def force(par, v):
+        return par.coefficient * v
+"""
 
 
 @pytest.fixture
@@ -88,6 +105,21 @@ def test_runs_of_another_scenario_are_left_alone_and_told(circle: Path, capsys: 
     assert "left alone and not used" in said and "not made again" not in said
 
 
+def test_runs_of_a_plugin_that_has_changed_are_not_taken_for_its_own(contourlab: Run, circle: Path) -> None:
+    circle.write_text(
+        CIRCLE + '[axes.3]\nfriction = {kind = "drag-of-sensitivity", coefficient = "0.02 full_scale*s/m"}\n', encoding="utf-8"
+    )
+    words = ["sensitivity", circle, "--plugin", "drag.py", "--parameter", "3.model_gain", "--parts", "local", "--out", "out", "--json"]
+    found = []
+    for text in (DRAG, DRAG, DRAG.replace("return par", "return 20.0 * par")):  # each in a process of its own: a plugin is loaded once
+        circle.with_name("drag.py").write_text(text, encoding="utf-8")
+        said = contourlab(*words)
+        assert (said.code, said.err) == (0, "")
+        found.append(json.loads(said.out))
+    assert [one["runs"]["kept_from_before"] > 0 for one in found] == [False, True, False]
+    assert found[1]["figure"] == found[0]["figure"] != found[2]["figure"]
+
+
 def test_one_scheme_is_studied_and_the_period_may_be_another(circle: Path, capsys: pytest.CaptureFixture[str]) -> None:
     circle.write_text(CIRCLE + SCHEMES, encoding="utf-8")
     assert main(["sensitivity", str(circle), *TWO, "--parts", "local"]) == 0
@@ -113,6 +145,9 @@ def test_a_scenario_that_runs_away_says_where(circle: Path, capsys: pytest.Captu
         (["--parameter", "3.nothing"], "such as"),
         (["--parameter", "3.model_gain=1 mm..2 mm"], "mm/s^2"),
         ([*TWO, "--base", "100"], "64 or 128"),
+        ([*TWO, "--deviation", "nan %"], "above 0, as 5 %"),
+        ([*TWO, "--deviation", "-5 %"], "above 0, as 5 %"),
+        ([*TWO, "--plots", "gif"], "--plots"),
         ([*TWO, "--values", "3"], "5 or more"),
         ([*TWO, "--trajectories", "1"], "4 or more"),
         ([*TWO, "--figure", "mean"], "integral, rms, max"),

@@ -1,4 +1,4 @@
-"""Options that `contourlab compare` and `contourlab learn` share."""
+"""Options that commands on a scenario share."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ from typing import Annotated, TypeAlias
 
 import typer
 
-__all__ = ["Json", "Out", "Plots", "Plugins", "ScenarioFile", "Schemes", "Signals", "Trials", "listed"]
+__all__ = ["Json", "Out", "Plots", "Plugins", "ScenarioFile", "Schemes", "Signals", "Trials", "WithInterval", "listed"]
 
 ScenarioFile: TypeAlias = Annotated[
     str, typer.Argument(metavar="SCENARIO", help="A scenario (.toml), or the name of a shipped one.", show_default=False)
@@ -25,6 +25,15 @@ Json: TypeAlias = Annotated[bool, typer.Option("--json", help="Print JSON alone 
 Plots: TypeAlias = Annotated[list[str] | None, typer.Option(help="Also write plots as png, svg or pdf; may be given again.")]
 Signals: TypeAlias = Annotated[list[str] | None, typer.Option(help="Write this signal only; may be given again; all by default.")]
 Plugins: TypeAlias = Annotated[list[Path] | None, typer.Option("--plugin", help="Load components from a Python file; may be given again.")]
+
+WithInterval: TypeAlias = Annotated[
+    bool | None,
+    typer.Option(
+        "--interval/--no-interval",
+        help="Draw machines from the stated deviations, for the interval of the contour error; by default where it is quick.",
+        show_default=False,
+    ),
+]
 
 
 def listed(schemes: str | None) -> tuple[str, ...]:

@@ -150,46 +150,43 @@ def _rounded(part: Component, units: tuple[str, str]) -> Component:
 
 
 def _summary(study: BacklashStudy, machine: Machine) -> dict[str, Any]:
-    axes = {}
-    for one in study.axes:
-        pair = one.pair
-        axes[one.axis] = {
-            "backlash_gap": one.gap,
-            "lost_motion": one.lost_motion,
-            "from_motor_and_load": None
-            if pair is None
-            else {"lost_motion": pair.lost_motion, "deviation": pair.lost_motion_deviation, "gap": pair.gap},
-            "from_motor_alone": None
-            if one.motor_side is None
-            else dict(zip(("gap", "deviation", "confidence"), one.motor_side, strict=True)),
-            "describing_function": None
-            if one.prediction is None
-            else [
-                {"frequency": c.frequency / (2.0 * math.pi), "amplitude": c.amplitude, "stable": c.stable, "validity": c.validity}
-                for c in one.prediction.cycles
-            ],
-            "limit_cycles": None
-            if one.orbits is None
-            else [{"frequency": o.frequency / (2.0 * math.pi), "amplitude": o.amplitude, "stable": o.stable} for o in one.orbits.orbits],
-            "remarks": list(one.remarks),
-        }
-    trials = [
-        {
-            "name": t.name,
-            "part_error_rms": None if t.metrics is None else t.metrics.part_error.rms,
-            "part_error_max": None if t.metrics is None else t.metrics.part_error.max,
-        }
-        for t in study.trials
-    ]
-    recommended = study.recommended
-    text = _snippet(recommended, machine) if recommended.parts else None
-    circle = study.circle
-    on_circle = None if circle is None else dict(zip(circle.axes, zip(circle.backlash, circle.deviation, strict=True), strict=True))
+    """Return a study as JSON holds it, SI throughout, frequencies in Hz."""
+    circle, recommended = study.circle, study.recommended
     return {
-        "axes": axes,
-        "on_circle": on_circle,
-        "trials": trials,
+        "axes": {one.axis: _axis_summary(one) for one in study.axes},
+        "on_circle": None if circle is None else dict(zip(circle.axes, zip(circle.backlash, circle.deviation, strict=True), strict=True)),
+        "trials": [_trial_summary(trial) for trial in study.trials],
         "recommended": recommended.name,
-        "toml": text,
+        "toml": _snippet(recommended, machine) if recommended.parts else None,
         "remarks": list(study.remarks),
+    }
+
+
+def _axis_summary(one: AxisGap) -> dict[str, Any]:
+    pair, seen = one.pair, one.motor_side
+    return {
+        "backlash_gap": one.gap,
+        "lost_motion": one.lost_motion,
+        "from_motor_and_load": None
+        if pair is None
+        else {"lost_motion": pair.lost_motion, "deviation": pair.lost_motion_deviation, "gap": pair.gap},
+        "from_motor_alone": None if seen is None else dict(zip(("gap", "deviation", "confidence"), seen, strict=True)),
+        "describing_function": None
+        if one.prediction is None
+        else [_cycle_summary(cycle) | {"validity": cycle.validity} for cycle in one.prediction.cycles],
+        "limit_cycles": None if one.orbits is None else [_cycle_summary(orbit) for orbit in one.orbits.orbits],
+        "remarks": list(one.remarks),
+    }
+
+
+def _cycle_summary(cycle: LimitCycle | PeriodicOrbit) -> dict[str, Any]:
+    return {"frequency": cycle.frequency / (2.0 * math.pi), "amplitude": cycle.amplitude, "stable": cycle.stable}
+
+
+def _trial_summary(trial: Trial) -> dict[str, Any]:
+    error = None if trial.metrics is None else trial.metrics.part_error
+    return {
+        "name": trial.name,
+        "part_error_rms": None if error is None else error.rms,
+        "part_error_max": None if error is None else error.max,
     }

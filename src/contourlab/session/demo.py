@@ -10,7 +10,7 @@ from typing import Any
 
 from contourlab.result import write_text_atomic
 from contourlab.scenario import builtin_file, load_scenario
-from contourlab.session.run import RunOutcome, run_session
+from contourlab.session.run import RunOutcome, interval_words, run_session
 
 __all__ = ["DEMOS", "run_demo"]
 
@@ -22,7 +22,7 @@ DEMOS = {
 """Folder of each part of the demonstration -> the shipped scenario that it runs."""
 
 
-def run_demo(out: str | Path, *, progress: bool = False) -> RunOutcome:
+def run_demo(out: str | Path, *, progress: bool = False, interval: bool | None = None) -> RunOutcome:
     """Run the demonstration; each part gets a folder of its own, the whole an index page and a summary.
 
     Parameters
@@ -31,6 +31,8 @@ def run_demo(out: str | Path, *, progress: bool = False) -> RunOutcome:
         Folder of the results.
     progress : bool
         Whether to show a bar.
+    interval : bool, optional
+        As of `contourlab.session.run.run_scenario`.
 
     Returns
     -------
@@ -41,7 +43,8 @@ def run_demo(out: str | Path, *, progress: bool = False) -> RunOutcome:
     titles, tables, summaries = {}, {}, {}
     for name, shipped in DEMOS.items():
         scenario = load_scenario(builtin_file(shipped))
-        found = run_session(scenario, folder / name, command=f"contourlab run builtin:{shipped}", progress=progress)
+        words = " ".join(["contourlab", "run", f"builtin:{shipped}", *interval_words(interval)])
+        found = run_session(scenario, folder / name, command=words, progress=progress, interval=interval)
         titles[name], tables[name], summaries[name] = scenario.name, found.table, found.summary
     passed = all(_last(summary)["verdict"]["passed"] for summary in summaries.values())
     summary: dict[str, Any] = {"schema": "contourlab-demo/1", "passed": passed, "parts": summaries}

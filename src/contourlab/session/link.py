@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import math
 import re
 from collections.abc import Iterator, Mapping, Sequence
@@ -9,13 +10,18 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from contourlab.errors import ParameterError, UnitError
-from contourlab.session.stages import shown
+from contourlab.errors import DivergenceError, ParameterError, UnitError
+from contourlab.result import write_text_atomic
+from contourlab.session.folder import staged
+from contourlab.session.plain import plain
+from contourlab.session.stages import Stages, shown
 from contourlab.units import to_si
 
 if TYPE_CHECKING:
     from contourlab.components.link.network import Network
+    from contourlab.feed import Reference
     from contourlab.loop import Controller
+    from contourlab.report.charts import Chart
     from contourlab.scenario import Case
     from contourlab.studies.division import DivisionCost
     from contourlab.studies.link_sweep import LinkSweep
@@ -30,6 +36,8 @@ SHOWN = {
 """Figures as they are asked for, with the unit in which they are printed."""
 LONGEST = 10.0
 """Seconds: the longest message period and delay of a network."""
+MOST_SEEDS = 256
+"""All seeds of 32 values run at once."""
 
 
 @dataclass(frozen=True)
@@ -87,7 +95,7 @@ def link_scenario(
     folder: str | Path = "results",
     progress: bool = False,
 ) -> LinkOutcome:
-    """Divide the controllers of a scenario's schemes, and vary the links between.
+    """Divide the controllers of a scenario's schemes, vary the links between, and write ``summary.json`` and pictures into a folder.
 
     Parameters
     ----------
@@ -99,34 +107,45 @@ def link_scenario(
     plugins : sequence of str or Path
         Python files with components.
     plots : sequence of str
-        png, svg or pdf, into `folder`.
+        png, svg or pdf, into ``plots`` in `folder`.
     folder : str or Path
+        Of the results.
     progress : bool
         Whether to show a bar.
 
     Raises
     ------
-    ParameterError
-        If an option is out of range.
+    ScenarioError, ParameterError
+        If the scenario cannot be read, or an option is out of range.
+    OutputError
+        If the folder cannot be made or written to; found before anything is simulated.
+    DivergenceError
+        If a loop runs away even undivided.
     """
+    from contourlab.session.run import check_plots
     from contourlab.session.schemes import loaded
 
+    check_plots(plots)
     asked = read_options(options)
     scenario = loaded(file, schemes, plugins)
-    texts, found = [], {}
-    files: list[Path] = []
-    with shown(progress) as stages:
-        for case in scenario.cases():
-            stages.begin(f"planning {case.name}")
-            reference = case.reference()
-            whole, allowed, costs = _costs(case, reference, options, asked, stages)
-            texts.append("\n".join(_lines(case.name, whole, allowed, costs, options)))
-            found[case.name] = _summary(whole, allowed, costs, options)
-            if plots:
-                label = case.name if len(scenario.cases()) > 1 else ""
-                files += _draw(label, whole, allowed, costs, options, folder, plots)
-    text = "\n\n".join(texts) + "".join(f"\nplot: {file}" for file in files)
-    return LinkOutcome({"name": scenario.name, "schemes": found}, text)
+    found: dict[str, Any] = {"name": scenario.name, "schemes": {}}
+    texts: list[str] = []
+    charts: list[Chart] = []
+    with staged(folder) as stage:
+        with shown(progress) as stages:
+            for case in scenario.cases():
+                stages.begin(f"planning {case.name}")
+                whole, allowed, costs = _costs(case, case.reference(), options, asked, stages)
+                texts.append("\n".join(_lines(case.name, whole, allowed, costs, options)))
+                found["schemes"][case.name] = _summary(whole, allowed, costs, options)
+                charts += _charts(case.name if len(scenario.cases()) > 1 else "", whole, allowed, costs, options)
+        write_text_atomic(stage / "summary.json", json.dumps(plain(found), indent=2, allow_nan=False) + "\n")
+        if plots:
+            from contourlab.report.plots import write_charts
+
+            files = write_charts(charts, stage / "plots", plots)
+            texts.append("\n".join(f"plot: {Path(folder) / one.relative_to(stage)}" for one in files))
+    return LinkOutcome(found, "\n\n".join(texts))
 
 
 # --- what is asked -----------------------------------------------------------------------------------------------------------------------
@@ -159,8 +178,8 @@ def read_options(options: LinkOptions) -> Asked:
 
     if options.figure not in SHOWN:
         raise ParameterError("--figure", repr(options.figure), "one of " + ", ".join(SHOWN))
-    if options.seeds < 1:
-        raise ParameterError("--seeds", f"{options.seeds}", ">= 1")
+    if not 1 <= options.seeds <= MOST_SEEDS:
+        raise ParameterError("--seeds", f"{options.seeds}", f">= 1 and <= {MOST_SEEDS}")
     given = {name: _value(name, text) for name, text in (options.network or {}).items()}
     allowed = None
     if options.tolerance is not None:
@@ -213,17 +232,27 @@ def _positive(option: str, text: str, unit: str, example: str) -> float:
     return value
 
 
-def _costs(case: Case, reference: Any, options: LinkOptions, asked: Asked, stages: Any) -> tuple[float, float, list[DivisionCost]]:
+def _costs(case: Case, reference: Reference, options: LinkOptions, asked: Asked, stages: Stages) -> tuple[float, float, list[DivisionCost]]:
+    """Return the undivided loop's error [m, or m s], what is allowed, and what each division costs."""
     from contourlab.studies.division import allowed_error, division_cost, undivided_error
 
     figure = SHOWN[options.figure][0]
     same: dict[str, Any] = {"seed": case.seed, "moving": case.moving}
-    whole = undivided_error(case.machine, case.controller, reference, figure, **same)
+    try:
+        whole = undivided_error(case.machine, case.controller, reference, figure, **same)
+    except DivergenceError as error:
+        error.add_note(f"That is scheme {case.name!r}, undivided: --schemes takes others.")
+        raise
     allowed = allowed_error(whole, asked.within, asked.allowed)
     costs = []
     for label, controller in _controllers(case.controller, options, asked):
         stages.begin(f"{case.name}: {label}")
-        swept = {"quantities": asked.quantities, "longest": asked.longest, "seeds": options.seeds, "progress": stages.advance}
+        swept: dict[str, Any] = {
+            "quantities": asked.quantities,
+            "longest": asked.longest,
+            "seeds": options.seeds,
+            "progress": stages.advance,
+        }
         costs.append(division_cost(case.machine, controller, reference, allowed=allowed, figure=figure, **same, **swept))
     return whole, allowed, costs
 
@@ -311,24 +340,14 @@ def _summary(whole: float, allowed: float, costs: Sequence[DivisionCost], option
     return {"figure": SHOWN[options.figure][0], "undivided": whole, "allowed": allowed, "divisions": divisions}
 
 
-def _draw(
-    name: str,
-    whole: float,
-    allowed: float,
-    costs: Sequence[DivisionCost],
-    options: LinkOptions,
-    folder: str | Path,
-    plots: Sequence[str],
-) -> tuple[Path, ...]:
+def _charts(name: str, whole: float, allowed: float, costs: Sequence[DivisionCost], options: LinkOptions) -> Iterator[Chart]:
+    """Yield a picture for each quantity: the error of every division over it."""
     from contourlab.report.link_pictures import link_chart
-    from contourlab.report.plots import write_charts
 
     _, unit, scale = SHOWN[options.figure]
     slug = re.sub(r"[^a-z0-9]+", "-", name.lower()).strip("-")
     levels = {f"allowed; undivided {whole * scale:.3g}": allowed}
-    charts = []
+    label = f"contour error, {options.figure} [{unit.replace('um', 'µm')}]"
     for quantity in costs[0].sweeps:
         curves = {f"{cost.division}, {cost.ways}": (cost.sweeps[quantity].values, cost.sweeps[quantity].error) for cost in costs}
-        shown_unit = unit.replace("um", "µm")
-        charts.append(link_chart(quantity, curves, levels, f"contour error, {options.figure} [{shown_unit}]", scale, slug))
-    return write_charts(charts, folder, plots)
+        yield link_chart(quantity, curves, levels, label, scale, slug)

@@ -21,7 +21,7 @@ from contourlab.studies.switch_file import switch_file
 if TYPE_CHECKING:
     from contourlab.scenario import Scenario
 
-__all__ = ["RunOutcome", "check_plots", "refuse_drawing", "run_scenario", "run_session"]
+__all__ = ["RunOutcome", "check_plots", "interval_words", "refuse_drawing", "run_scenario", "run_session"]
 
 
 @dataclass(frozen=True)
@@ -93,9 +93,14 @@ def run_scenario(
     words += [word for file in plugins for word in ("--plugin", str(file))]
     for option, value in parts.items():
         words += [] if value is None else [option] if isinstance(value, bool) else [option, str(value)]
-    words += {None: [], True: ["--interval"], False: ["--no-interval"]}[interval]
+    words += interval_words(interval)
     rest: dict[str, Any] = {"plots": plots, "signals": signals, "progress": progress, "interval": interval}
     return run_session(scenario, out, command=shlex.join(words), **rest)
+
+
+def interval_words(interval: bool | None) -> list[str]:
+    """Return what is typed for an interval of the contour error, for none, or to leave it open."""
+    return [] if interval is None else ["--interval" if interval else "--no-interval"]
 
 
 def _option(name: str, value: Any) -> str:

@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from contourlab.errors import ParameterError, ScenarioError
-from contourlab.session.run import RunOutcome, run_session
+from contourlab.session.run import RunOutcome, interval_words, run_session
 
 if TYPE_CHECKING:
     from contourlab.scenario import Case, Scenario
@@ -27,6 +27,7 @@ def compare_schemes(
     plots: Sequence[str] = (),
     signals: Sequence[str] = (),
     progress: bool = False,
+    interval: bool | None = None,
 ) -> RunOutcome:
     """Run schemes of a scenario and measure what each costs at run time; those that learn are driven trial after trial.
 
@@ -40,12 +41,12 @@ def compare_schemes(
         Schemes of the scenario, or parts joined by + (`contourlab.scenario.FEATURES`); by default all schemes of the scenario.
     trials : int, optional
         Largest number of trials, in place of the scenario's own.
-    plugins, plots, signals, progress
+    plugins, plots, signals, progress, interval
         As of `contourlab.session.run.run_scenario`.
     """
     scenario = _with_trials(loaded(file, schemes, plugins), trials)
-    command = _command("compare", file, schemes, trials, plugins)
-    return run_session(scenario, out, command=command, plots=plots, signals=signals, progress=progress, costs=True)
+    command = _command("compare", file, schemes, trials, plugins, interval_words(interval))
+    return run_session(scenario, out, command=command, plots=plots, signals=signals, progress=progress, costs=True, interval=interval)
 
 
 def learn_schemes(
@@ -59,12 +60,13 @@ def learn_schemes(
     plots: Sequence[str] = (),
     signals: Sequence[str] = (),
     progress: bool = False,
+    interval: bool | None = None,
 ) -> RunOutcome:
     """Drive the schemes that learn, trial after trial, beside the same without learning; write what was learned beside the results.
 
     Parameters
     ----------
-    file, out, schemes, trials, plugins, plots, signals, progress
+    file, out, schemes, trials, plugins, plots, signals, progress, interval
         As of `compare_schemes`; by default all schemes that learn.
     table : str or Path, optional
         A learned table to start with.
@@ -82,8 +84,9 @@ def learn_schemes(
     scenario = _with_trials(replace(scenario, all_cases=_with_first(learning)), trials)
     if table is not None:
         scenario = _changed(scenario, table=Path(table))
-    command = _command("learn", file, schemes, trials, plugins) + (f" --table {shlex.quote(str(table))}" if table is not None else "")
-    return run_session(scenario, out, command=command, plots=plots, signals=signals, progress=progress, foretell=True)
+    more = [*interval_words(interval), *([] if table is None else ["--table", str(table)])]
+    command = _command("learn", file, schemes, trials, plugins, more)
+    return run_session(scenario, out, command=command, plots=plots, signals=signals, progress=progress, foretell=True, interval=interval)
 
 
 def _with_first(cases: Sequence[Case]) -> tuple[Case, ...]:
@@ -128,7 +131,10 @@ def _changed(scenario: Scenario, **settings: object) -> Scenario:
     return replace(scenario, all_cases=cases)
 
 
-def _command(name: str, file: str | Path, schemes: Sequence[str], trials: int | None, plugins: Sequence[str | Path]) -> str:
+def _command(
+    name: str, file: str | Path, schemes: Sequence[str], trials: int | None, plugins: Sequence[str | Path], more: Sequence[str]
+) -> str:
     words = ["contourlab", name, str(file), *(word for plugin in plugins for word in ("--plugin", str(plugin)))]
     words += ["--schemes", ",".join(schemes)] if schemes else []
-    return shlex.join([*words, *(["--trials", str(trials)] if trials is not None else [])])
+    words += ["--trials", str(trials)] if trials is not None else []
+    return shlex.join([*words, *more])

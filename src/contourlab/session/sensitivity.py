@@ -5,6 +5,7 @@ from __future__ import annotations
 import hashlib
 import json
 import shlex
+import sys
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
@@ -116,9 +117,9 @@ def sensitivity_of(
     ContourlabError
         If the scenario, an option or the folder is at fault, or the scenario's own run fails.
     """
-    from contourlab.report.plots import write_charts
+    from contourlab.session.run import check_plots
 
-    write_charts((), out, plots)  # an unknown format is told ahead of all runs
+    check_plots(plots)
     case, notes = _case(file, request, plugins)
     with staged(out) as stage:
         try:
@@ -132,6 +133,7 @@ def sensitivity_of(
         summary = plain(summary_of(study, runs, case, notes, command))
         write_text_atomic(stage / "summary.json", json.dumps(summary, indent=2, allow_nan=False) + "\n")
         if plots:
+            from contourlab.report.plots import write_charts
             from contourlab.session.sensitivity_charts import charts_of
 
             write_charts(charts_of(study), stage / "plots", plots)
@@ -218,7 +220,7 @@ def _model(case: Case, reference: Reference) -> str:
     from contourlab.scenario.dump import dump
 
     words = [dump(case.machine), dump(case.controller, case.machine), reference.digest, f"seed {case.seed}", f"moving {case.moving}"]
-    return "\n".join([*words, _program()])
+    return "\n".join([*words, _program(), *_strangers(case)])
 
 
 def _program() -> str:
@@ -234,6 +236,19 @@ def _program() -> str:
     return f"contourlab {contourlab.__version__} {text.hexdigest()}"
 
 
+def _strangers(case: Case) -> list[str]:
+    """Return a digest of the file of each component that is not contourlab's own: of a plugin, whose text may change between two runs."""
+    from contourlab.loop.machine import AXIS_SLOTS, CONTROLLER_SLOTS
+
+    parts = [getattr(axis, slot) for axis in case.machine.axes for slot in AXIS_SLOTS]
+    for mine in case.controller.axes.values():
+        parts += [*(getattr(mine, slot) for slot in CONTROLLER_SLOTS), *(part for _, part in mine.others)]
+        parts += [] if mine.link is None else [mine.link.down, mine.link.up]
+    modules = {type(part).__module__ for part in (*parts, case.controller.estimator, case.controller.coupling) if part is not None}
+    files = [sys.modules[name].__file__ for name in sorted(modules) if name.partition(".")[0] != "contourlab"]
+    return [f"{Path(file).name} {hashlib.sha256(Path(file).read_bytes()).hexdigest()}" for file in files if file is not None]
+
+
 def _kept_notes(runs: Runs) -> list[str]:
     kept: Kept | None = runs.kept
     if kept is None:
@@ -242,7 +257,7 @@ def _kept_notes(runs: Runs) -> list[str]:
     if runs.found:
         notes.append(f"{runs.found} runs were kept from an earlier time in {kept.home} and not made again")
     if kept.others:
-        what = "of another scenario, motion, seed or version of contourlab"
+        what = "of another scenario, motion, seed, plugin or version of contourlab"
         notes.append(f"{kept.folder} also keeps runs {what}: they were left alone and not used; the folder may be deleted")
     if kept.damaged:
         notes.append(f"{kept.damaged} files of kept runs could not be read; their runs were made again")

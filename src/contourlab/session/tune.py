@@ -4,12 +4,14 @@ from __future__ import annotations
 
 import tempfile
 from collections.abc import Sequence
+from contextlib import nullcontext
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from contourlab.errors import ParameterError, ScenarioError
 from contourlab.result import write_text_atomic
+from contourlab.session.folder import check_file, staged
 from contourlab.session.stages import shown
 from contourlab.session.tune_text import summary_of, text_of
 from contourlab.studies.tune import FIGURES, Tuned, TuneSettings, tune
@@ -58,7 +60,8 @@ def tune_scenario(
     out : str or Path, optional
         The controller file; none is written by default, nor where bounds are not kept.
     plots : sequence of str
-        png, svg or pdf, into `folder`.
+        png, svg or pdf, into ``plots`` in `folder`; what else is there stays.
+    folder : str or Path
     plugins : sequence of str or Path
         Python files with components.
     progress : bool
@@ -68,38 +71,37 @@ def tune_scenario(
     ------
     ScenarioError, ProgramError, ParameterError
         If the scenario cannot be read, has no such scheme, or an option is out of range.
+    OutputError
+        If `out` or `folder` cannot be written; found before anything is simulated.
     """
     from contourlab.session.run import check_plots
 
     check_plots(plots)
     _check_out(out, file)
     name, case = _case(file, scheme, machine, controller, tolerance, plugins)
+    with staged(folder, alone=False, option="--folder") if plots else nullcontext() as stage:
+        found = _calibrated(case, settings, progress)
+        passed = not found.after.broken and not _beyond(case, found)
+        summary = summary_of(name, case, settings, found, passed)
+        text = text_of(name, case, settings, found) + _write(found, case, out, name, plugins)
+        summary["controller_file"] = str(out) if out is not None and not found.after.broken else None
+        if stage is not None:
+            from contourlab.report.plots import write_charts
+
+            files = write_charts(_charts(settings, found), stage / "plots", tuple(plots))
+            text += "".join(f"\nplot: {Path(folder) / one.relative_to(stage)}" for one in files)
+    return Calibration(passed, summary, text)
+
+
+def _calibrated(case: Case, settings: TuneSettings, progress: bool) -> Tuned:
     with shown(progress) as stages:
         stages.begin("planning")
         reference = case.reference()
-        found = tune(
-            case.machine,
-            case.controller,
-            reference,
-            settings,
-            moving=case.moving,
-            seed=case.seed,
-            begin=stages.begin,
-            tell=stages.advance,
-        )
-    if case.learning is not None:
-        found = replace(found, notes=(*found.notes, "what it learns from trial to trial is left out: gains are calibrated for one run"))
-    passed = not found.after.broken and not _beyond(case, found)
-    summary = summary_of(name, case, settings, found, passed)
-    text = text_of(name, case, settings, found)
-    written = _write(found, case, out, name, plugins)
-    summary["controller_file"] = str(out) if out is not None and not found.after.broken else None
-    if plots:
-        from contourlab.report.plots import write_charts
-
-        files = write_charts(_charts(settings, found), Path(folder) / "plots", tuple(plots))
-        written += "".join(f"\nplot: {one}" for one in files)
-    return Calibration(passed, summary, text + written)
+        told: dict[str, Any] = {"begin": stages.begin, "tell": stages.advance}
+        found = tune(case.machine, case.controller, reference, settings, moving=case.moving, seed=case.seed, **told)
+    if case.learning is None:
+        return found
+    return replace(found, notes=(*found.notes, "what it learns from trial to trial is left out: gains are calibrated for one run"))
 
 
 def _check_out(out: str | Path | None, file: str | Path) -> None:
@@ -109,6 +111,7 @@ def _check_out(out: str | Path | None, file: str | Path) -> None:
         raise ParameterError("--out", repr(str(out)), "a controller file, which ends in .toml")
     if Path(out).exists() and Path(file).exists() and Path(out).samefile(file):
         raise ParameterError("--out", repr(str(out)), "another file than the scenario itself")
+    check_file(out)
 
 
 def _case(

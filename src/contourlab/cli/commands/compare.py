@@ -9,7 +9,7 @@ from typing import Annotated
 import typer
 
 from contourlab.cli.output import conclude, wants_progress
-from contourlab.cli.scheme_options import Json, Out, Plots, Plugins, ScenarioFile, Schemes, Signals, Trials, listed
+from contourlab.cli.scheme_options import Json, Out, Plots, Plugins, ScenarioFile, Schemes, Signals, Trials, WithInterval, listed
 
 __all__ = ["compare"]
 
@@ -26,13 +26,15 @@ def compare(
     as_json: Json = False,
     plots: Plots = None,
     signals: Signals = None,
+    interval: WithInterval = None,
     plugin: Plugins = None,
 ) -> int:
     """Run schemes of a scenario side by side, those that learn trial after trial; or tell what changed between runs from files."""
     if others:
         from contourlab.session.measure import compare_runs
 
-        for option, value in (("--schemes", schemes), ("--trials", trials), ("--signals", signals), ("--plugin", plugin)):
+        for_scenario = {"--schemes": schemes, "--trials": trials, "--signals": signals, "--interval": interval, "--plugin": plugin}
+        for option, value in for_scenario.items():
             if value is not None:
                 raise typer.BadParameter("is for a scenario: leave it out where runs from files are compared", param_hint=option)
         runs = [str(file), *others]
@@ -49,5 +51,6 @@ def compare(
         plots=tuple(plots or ()),
         signals=tuple(signals or ()),
         progress=wants_progress(as_json),
+        interval=interval,
     )
     return conclude(outcome, as_json)

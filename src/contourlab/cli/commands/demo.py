@@ -8,16 +8,18 @@ from typing import Annotated
 import typer
 
 from contourlab.cli.output import conclude, wants_progress
+from contourlab.cli.scheme_options import Json, WithInterval
 
 __all__ = ["demo"]
 
 
 def demo(
     out: Annotated[Path, typer.Option(help="Folder for the results; made if it is not there.")] = Path("results/demo"),
-    as_json: Annotated[bool, typer.Option("--json", help="Print JSON alone on standard output.")] = False,
+    as_json: Json = False,
+    interval: WithInterval = None,
 ) -> int:
     """Run a shipped part on a shipped machine under several controllers, and compare them."""
     from contourlab.session.demo import run_demo
 
-    outcome = run_demo(out, progress=wants_progress(as_json))
+    outcome = run_demo(out, progress=wants_progress(as_json), interval=interval)
     return conclude(outcome, as_json)

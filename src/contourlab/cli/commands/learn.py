@@ -8,7 +8,7 @@ from typing import Annotated
 import typer
 
 from contourlab.cli.output import conclude, wants_progress
-from contourlab.cli.scheme_options import Json, Out, Plots, Plugins, ScenarioFile, Schemes, Signals, Trials, listed
+from contourlab.cli.scheme_options import Json, Out, Plots, Plugins, ScenarioFile, Schemes, Signals, Trials, WithInterval, listed
 
 __all__ = ["learn"]
 
@@ -22,6 +22,7 @@ def learn(
     as_json: Json = False,
     plots: Plots = None,
     signals: Signals = None,
+    interval: WithInterval = None,
     plugin: Plugins = None,
 ) -> int:
     """Repeat the motion of a scenario and learn from trial to trial; say beforehand whether it converges, and keep what was learned."""
@@ -37,5 +38,6 @@ def learn(
         plots=tuple(plots or ()),
         signals=tuple(signals or ()),
         progress=wants_progress(as_json),
+        interval=interval,
     )
     return conclude(outcome, as_json)

@@ -32,7 +32,7 @@ def link(
     extrapolate: Annotated[bool, typer.Option("--extrapolate", help="Follow the last two messages instead of holding the last.")] = False,
     longest: Annotated[str, typer.Option(help="Up to where times are varied.")] = "100 ms",
     seeds: Annotated[int, typer.Option(help="Runs of which the worst counts where chance plays a part.")] = 8,
-    out: Out = Path("results"),
+    out: Out = Path("results/link"),
     as_json: Json = False,
     plots: Plots = None,
     plugin: Plugins = None,

@@ -8,6 +8,7 @@ from typing import Annotated, Any
 import typer
 
 from contourlab.cli.output import conclude, wants_progress
+from contourlab.cli.scheme_options import WithInterval
 
 __all__ = ["run"]
 
@@ -31,14 +32,7 @@ def run(
     check: Annotated[bool, typer.Option("--check", help="Read and check everything, simulate nothing.")] = False,
     plots: Annotated[list[str] | None, typer.Option(help="Also write plots as png, svg or pdf; may be given again.")] = None,
     signals: Annotated[list[str] | None, typer.Option(help="Write this signal only; may be given again; all by default.")] = None,
-    interval: Annotated[
-        bool | None,
-        typer.Option(
-            "--interval/--no-interval",
-            help="Draw machines from the stated deviations, for the interval of the contour error; by default where it is quick.",
-            show_default=False,
-        ),
-    ] = None,
+    interval: WithInterval = None,
     plugin: Annotated[list[Path] | None, typer.Option(help="Load components from a Python file; may be given again.")] = None,
 ) -> int:
     """Simulate a scenario or a part program, judge the contour, write report and results."""

@@ -9,24 +9,17 @@ import typer
 
 from contourlab.cli.output import emit_json, say, wants_progress
 from contourlab.cli.scheme_options import Json, Out, Plots, Plugins, ScenarioFile, listed
+from contourlab.cli.study_options import Parameters, Seed, Threads, Width
 
 __all__ = ["sensitivity"]
 
 
 def sensitivity(
     file: ScenarioFile,
-    parameter: Annotated[
-        list[str] | None,
-        typer.Option(
-            metavar="NAME[=LOW..HIGH]",
-            help='A number to move, as "3.position_gain=2 full_scale/mm..8 full_scale/mm"; may be given again; by default all '
-            "that is calibrated.",
-            show_default=False,
-        ),
-    ] = None,
+    parameter: Parameters = None,
     scheme: Annotated[str, typer.Option(help="A scheme of the scenario; its first by default.", show_default=False)] = "",
     figure: Annotated[str, typer.Option(help="integral, rms or max of the contour error.")] = "integral",
-    width: Annotated[float, typer.Option(help="Bounds are the value divided and multiplied by this where none are given.")] = 2.0,
+    width: Width = 2.0,
     parts: Annotated[
         str | None, typer.Option(help="With commas between: curves, local, morris, sobol; all by default.", show_default=False)
     ] = None,
@@ -47,8 +40,8 @@ def sensitivity(
         str, typer.Option(help="log or none: morris and sobol look at the figure's decimal logarithm, or at itself.")
     ] = "log",
     servo_period: Annotated[str, typer.Option(help='In place of the machine\'s own, as "0.1 ms".', show_default=False)] = "",
-    seed: Annotated[int, typer.Option(help="Of the samplings.")] = 0,
-    threads: Annotated[int | None, typer.Option(help="One for each processor by default.", show_default=False)] = None,
+    seed: Seed = 0,
+    threads: Threads = None,
     out: Out = Path("results/sensitivity"),
     as_json: Json = False,
     plots: Plots = None,

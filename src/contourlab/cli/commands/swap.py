@@ -9,6 +9,7 @@ import typer
 
 from contourlab.cli.output import conclude, wants_progress
 from contourlab.cli.scheme_options import Json, Out, Plots, Plugins, ScenarioFile, listed
+from contourlab.cli.study_options import GainMargin, Parameters, PhaseMargin, Seed, Threads, Width
 
 __all__ = ["swap"]
 
@@ -24,10 +25,8 @@ def swap(
         str, typer.Option(help="contour_error_integral, contour_error_rms or contour_error_max.")
     ] = "contour_error_integral",
     floor: Annotated[str | None, typer.Option(help='J_tol: "2 um*s" for the integral, "1 um" else.', show_default=False)] = None,
-    parameter: Annotated[
-        list[str] | None, typer.Option(help="A number that is searched, or NAME=LOW..HIGH; by default all gains.", show_default=False)
-    ] = None,
-    width: Annotated[float, typer.Option(help="Bounds are this factor either side where none are given.")] = 4.0,
+    parameter: Parameters = None,
+    width: Width = 4.0,
     local: Annotated[
         list[str] | None,
         typer.Option(
@@ -36,12 +35,10 @@ def swap(
     ] = None,
     exhaustive: Annotated[bool, typer.Option("--exhaustive", help="Try all sets of local numbers by size, not one that grows.")] = False,
     budget: Annotated[int, typer.Option(help="Candidates of each search.")] = 8000,
-    seed: Annotated[int, typer.Option(help="The same seed gives the same study.")] = 0,
-    threads: Annotated[
-        int | None, typer.Option(help="One for each processor by default; results do not hang on it.", show_default=False)
-    ] = None,
-    gain_margin: Annotated[float, typer.Option(help="Gain margin that a design has to keep on every axis, in dB.")] = 6.0,
-    phase_margin: Annotated[float, typer.Option(help="Phase margin likewise, in degrees.")] = 30.0,
+    seed: Seed = 0,
+    threads: Threads = None,
+    gain_margin: GainMargin = 6.0,
+    phase_margin: PhaseMargin = 30.0,
     region: Annotated[
         list[str] | None,
         typer.Option(help="Coverage over a number of the machine, as axes.x.plant.gain=LOW..HIGH; may be given again.", show_default=False),

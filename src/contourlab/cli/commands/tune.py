@@ -9,6 +9,7 @@ import typer
 
 from contourlab.cli.output import emit_json, say, wants_progress
 from contourlab.cli.scheme_options import Json, Plots, Plugins
+from contourlab.cli.study_options import GainMargin, Parameters, PhaseMargin, Seed, Threads, Width
 
 __all__ = ["tune"]
 
@@ -22,13 +23,10 @@ def tune(
     method: Annotated[str, typer.Option(help="sequential, global, or both.")] = "sequential",
     start: Annotated[str, typer.Option(help="scenario, or placed: poles as fast as the margins let them.")] = "scenario",
     objective: Annotated[str, typer.Option(help="integral, max, rms, tracking, energy; or a sum, integral=1,energy=0.1.")] = "integral",
-    parameter: Annotated[
-        list[str] | None,
-        typer.Option(help="NAME or NAME=LOW..HIGH with units; may be given again; all that is calibrated by default.", show_default=False),
-    ] = None,
-    width: Annotated[float, typer.Option(help="Factor either side of a start without bounds.")] = 4.0,
-    gain_margin: Annotated[float, typer.Option(help="Least gain margin of an axis, in dB.")] = 6.0,
-    phase_margin: Annotated[float, typer.Option(help="Least phase margin of an axis, in degrees.")] = 30.0,
+    parameter: Parameters = None,
+    width: Width = 4.0,
+    gain_margin: GainMargin = 6.0,
+    phase_margin: PhaseMargin = 30.0,
     limited: Annotated[float, typer.Option(help="Largest part of the time at a limit of a drive, 0 to 1.")] = 0.0,
     command: Annotated[float | None, typer.Option(help="Largest command, in parts of the drive.", show_default=False)] = None,
     passes: Annotated[int, typer.Option(help="How often the sequential procedure goes through all numbers, at most.")] = 1,
@@ -37,8 +35,8 @@ def tune(
     within: Annotated[float, typer.Option(help="Part by which a value counts as good as the best.")] = 0.01,
     budget: Annotated[int, typer.Option(help="Runs of the global search.")] = 6000,
     starts: Annotated[int, typer.Option(help="Starts of the global search.")] = 5,
-    seed: Annotated[int, typer.Option(help="Of the global search.")] = 0,
-    threads: Annotated[int | None, typer.Option(help="One for each processor by default.", show_default=False)] = None,
+    seed: Seed = 0,
+    threads: Threads = None,
     out: Annotated[Path | None, typer.Option(help="The controller file to write.", show_default=False)] = None,
     folder: Annotated[Path, typer.Option(help="Folder of the pictures.")] = Path("results"),
     as_json: Json = False,

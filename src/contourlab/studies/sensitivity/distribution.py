@@ -97,12 +97,15 @@ def _called(number: Number, name: str) -> bool:
 
 
 def _deviation(number: Number, text: str) -> float:
+    shown = number.display or number.unit
+    wanted = f"a deviation of {number.short} above 0, as 5 %{f' or 2 {shown}' if shown else ''}"
     try:
         if text.endswith("%"):
-            return abs(number.value) * float(text[:-1]) / 100.0
-        return float(read_number(text if number.unit else float(text), number.unit, number.display))
+            found = abs(number.value) * float(text[:-1]) / 100.0
+        else:
+            found = float(read_number(text if number.unit else float(text), number.unit, number.display))
     except (UnitError, ValueError) as error:
-        shown = number.display or number.unit
-        raise ParameterError(
-            "--deviation", repr(text), f"a deviation of {number.short}, as 5 %{f' or 2 {shown}' if shown else ''}"
-        ) from error
+        raise ParameterError("--deviation", repr(text), wanted) from error
+    if not 0.0 < found < math.inf:
+        raise ParameterError("--deviation", repr(text), wanted)
+    return found
