@@ -5,7 +5,6 @@ from __future__ import annotations
 import hashlib
 import json
 import shlex
-import sys
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
@@ -13,6 +12,7 @@ from typing import TYPE_CHECKING, Any
 
 from contourlab.errors import ParameterError
 from contourlab.result import write_text_atomic
+from contourlab.session.component_sources import plugin_digests
 from contourlab.session.folder import staged
 from contourlab.session.plain import plain
 from contourlab.session.sensitivity_text import summary_of, text_of
@@ -193,7 +193,8 @@ def _studied(case: Case, request: Request, folder: Path, stages: Stages) -> tupl
     evaluator = Evaluator(
         machine, controller, reference, moving=case.moving, seed=case.seed, threads=_threads(request.threads), effort=False
     )
-    runs = study.Runs(evaluator, study.Kept(folder, _model(case, reference)), stages.advance)
+    model = "\n".join([_model(case, reference), *plugin_digests(case)])
+    runs = study.Runs(evaluator, study.Kept(folder, model), stages.advance)
     level = study.failure_level(machine, reference, figure)
     if not study.holds(space, runs):
         # One run by itself says where and when it fails.
@@ -220,7 +221,7 @@ def _model(case: Case, reference: Reference) -> str:
     from contourlab.scenario.dump import dump
 
     words = [dump(case.machine), dump(case.controller, case.machine), reference.digest, f"seed {case.seed}", f"moving {case.moving}"]
-    return "\n".join([*words, _program(), *_strangers(case)])
+    return "\n".join([*words, _program()])
 
 
 def _program() -> str:
@@ -234,19 +235,6 @@ def _program() -> str:
         for file in [single] if single.exists() else sorted((root / room).rglob("*.py")):
             text.update(file.relative_to(root).as_posix().encode() + b"\0" + file.read_bytes())
     return f"contourlab {contourlab.__version__} {text.hexdigest()}"
-
-
-def _strangers(case: Case) -> list[str]:
-    """Return a digest of the file of each component that is not contourlab's own: of a plugin, whose text may change between two runs."""
-    from contourlab.loop.machine import AXIS_SLOTS, CONTROLLER_SLOTS
-
-    parts = [getattr(axis, slot) for axis in case.machine.axes for slot in AXIS_SLOTS]
-    for mine in case.controller.axes.values():
-        parts += [*(getattr(mine, slot) for slot in CONTROLLER_SLOTS), *(part for _, part in mine.others)]
-        parts += [] if mine.link is None else [mine.link.down, mine.link.up]
-    modules = {type(part).__module__ for part in (*parts, case.controller.estimator, case.controller.coupling) if part is not None}
-    files = [sys.modules[name].__file__ for name in sorted(modules) if name.partition(".")[0] != "contourlab"]
-    return [f"{Path(file).name} {hashlib.sha256(Path(file).read_bytes()).hexdigest()}" for file in files if file is not None]
 
 
 def _kept_notes(runs: Runs) -> list[str]:
