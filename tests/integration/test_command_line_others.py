@@ -184,7 +184,7 @@ def test_the_last_line_counts_printed_derived_and_differing_figures_apart(
     reproduction: tuple[int, str, str], monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
     rows = json.loads(reproduction[1])
-    monkeypatch.setattr(ghaffari, "reproduce", lambda: rows)
+    monkeypatch.setattr(ghaffari, "reproduce", lambda stage: rows)
     assert main(["reproduce", "ghaffari"]) == 0
     said = capsys.readouterr()
     assert said.err == ""

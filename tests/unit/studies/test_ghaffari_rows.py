@@ -17,7 +17,7 @@ from contourlab.studies.reproduce.ghaffari_bench import PERIOD, drive_open_loop,
 from contourlab.studies.reproduce.ghaffari_linear import closed_loop, crossing, equation_16, linear_rows
 from contourlab.studies.reproduce.ghaffari_observer import compensated_axis, exact_compensated, first_order_fit, observer_rows
 from contourlab.studies.reproduce.ghaffari_setup import AXES, TABLE_2, TABLE_3, Gains, Reading
-from contourlab.studies.reproduce.rows import Row, derived, ours, printed, tally
+from contourlab.studies.reproduce.rows import Row, asked, derived, measured, ours, printed, tally
 
 AGREES = printed("gain", "axis 1", 2.0, 2.1, "1/s", 0.1000001, "as printed", reason="unused")
 DIFFERS = printed("gain", "axis 2", 2.0, 2.2, "1/s", 0.1, "as printed", reason="other parameters")
@@ -54,12 +54,29 @@ def test_the_tally_keeps_the_kinds_apart() -> None:
     )
 
 
+def test_figures_of_a_log_and_figures_asked_for_are_called_what_they_are(
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    beside = measured("contour rms", "seen", 84.8, 84.6, "um", 1.0), measured("contour rms", "unseen", 84.8, 60.0, "um", None)
+    rows = (*beside, asked("explained", "x", 80.0, 98.7, "%", 100.0), asked("explained", "y", 80.0, 79.9, "%", 100.0))
+    assert [row.verdict for row in rows] == ["agrees", "", "agrees", "fails"]
+    monkeypatch.setattr(ghaffari, "reproduce", lambda stage: [row.as_dict() for row in rows])
+    assert main(["reproduce", "ghaffari"]) == 1
+    lines = [" ".join(line.split()) for line in capsys.readouterr().out.splitlines()]
+    assert "case measured here difference its source verdict" in lines
+    assert "case asked for here difference its source verdict" in lines
+    assert lines[-1] == (
+        "1 of 1 figures beside measured ones agree; 1 of 2 figures that are asked for are reached, 1 do not. 0 are ours alone."
+    )
+    assert tally([]) == "0 are ours alone."
+
+
 @pytest.mark.parametrize(("rows", "code"), [((AGREES, DIFFERS, OURS), 0), ((AGREES, FAILS), 1)])
 @pytest.mark.parametrize("words", [[], ["--json"]])
 def test_only_a_failure_without_a_reason_changes_the_exit_code(
     rows: tuple[Row, ...], code: int, words: list[str], monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    monkeypatch.setattr(ghaffari, "reproduce", lambda: [row.as_dict() for row in rows])
+    monkeypatch.setattr(ghaffari, "reproduce", lambda stage: [row.as_dict() for row in rows])
     assert main(["reproduce", "ghaffari", *words]) == code
     shown = capsys.readouterr().out
     if words:

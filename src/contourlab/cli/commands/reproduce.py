@@ -1,4 +1,4 @@
-"""``contourlab reproduce``: a paper's figures beside ours."""
+"""``contourlab reproduce``: figures of papers and logs beside ours."""
 
 from __future__ import annotations
 
@@ -8,15 +8,17 @@ from typing import Annotated, Any
 
 import typer
 
-from contourlab.cli.output import emit_json, show
+from contourlab.cli.output import emit_json, show, wants_progress
 
 __all__ = ["reproduce"]
 
 Json = Annotated[bool, typer.Option("--json", help="Print JSON alone on standard output.")]
 Rows = list[dict[str, Any]]
+Work = Callable[[Callable[[str], None]], Rows]
+"""Computes rows; says in words what it is busy with."""
 Draw = Callable[[Rows, Path, tuple[str, ...]], Any]
 """Writes pictures of rows into a folder, in some formats."""
-reproduce = typer.Typer(no_args_is_help=True, help="Compute a paper's figures again and compare.")
+reproduce = typer.Typer(no_args_is_help=True, help="Compute the figures of a paper or a log again and compare.")
 
 
 @reproduce.command()
@@ -70,7 +72,7 @@ def emps(
     from contourlab.session.reproduce import write_emps
     from contourlab.studies.reproduce.emps import reproduce as rows_of
 
-    return _compared(lambda: rows_of(log, validation), lambda _, *where: write_emps(log, *where), as_json, plots, out)
+    return _compared(lambda stage: rows_of(log, validation, stage=stage), lambda _, *where: write_emps(log, *where), as_json, plots, out)
 
 
 @reproduce.command()
@@ -85,18 +87,25 @@ def ubc(
     from contourlab.session.reproduce import write_ubc
     from contourlab.studies.reproduce.ubc import reproduce as rows_of
 
-    return _compared(lambda: rows_of(log_folder, with_unseen=unseen), lambda _, *where: write_ubc(log_folder, *where), as_json, plots, out)
+    def work(stage: Callable[[str], None]) -> Rows:
+        return rows_of(log_folder, with_unseen=unseen, stage=stage)
+
+    return _compared(work, lambda _, *where: write_ubc(log_folder, *where), as_json, plots, out)
 
 
-def _compared(rows_of: Callable[[], Rows], draw: Draw, as_json: bool, plots: Sequence[str] | None, out: Path) -> int:
+def _compared(rows_of: Work, draw: Draw, as_json: bool, plots: Sequence[str] | None, out: Path) -> int:
     """Compute the rows, draw them where that is asked for, and print them; return 1 where one fails."""
+    from contourlab.session.stages import shown
+
     if plots:
         from contourlab.session.reproduce import check_choice
 
         check_choice(out, tuple(plots))  # ahead of what takes a minute
-    rows = rows_of()
-    if plots:
-        draw(rows, out, tuple(plots))
+    with shown(wants_progress(as_json)) as stages:
+        rows = rows_of(stages.begin)
+        if plots:
+            stages.begin("drawing")
+            draw(rows, out, tuple(plots))
     return _told(rows, as_json)
 
 
@@ -133,14 +142,17 @@ def _print_rows(rows: Sequence[Mapping[str, Any]]) -> None:
 def _group_table(rows: Sequence[Mapping[str, Any]], *, with_notes: bool) -> Any:
     from rich.table import Table
 
+    from contourlab.studies.reproduce.rows import KINDS
+
     compared = any(row["paper"] is not None for row in rows)
     table = Table(box=None, pad_edge=False, header_style="dim")
     table.add_column("case", min_width=40)
-    titles = ("paper", "here", "difference") if compared else ("here",)
+    beside = " or ".join(dict.fromkeys(KINDS[row["source"]][0] for row in rows if row["source"] in KINDS and row["paper"] is not None))
+    titles = (beside, "here", "difference") if compared else ("here",)
     for title in titles:
         table.add_column(title, min_width=11, justify="right")
     if compared:
-        table.add_column("paper's figure", min_width=14)
+        table.add_column("its source", min_width=10)
         table.add_column("verdict", min_width=8)
     if with_notes:
         table.add_column("")

@@ -21,7 +21,7 @@ from contourlab.errors import LogError
 from contourlab.studies.reproduce.emps_engine import simulate_in_engine
 from contourlab.studies.reproduce.emps_log import WANTED, EmpsLog, read_emps
 from contourlab.studies.reproduce.emps_simulation import EmpsRun, axis_of, percent_errors, simulate_as_published, simulate_emps
-from contourlab.studies.reproduce.rows import Row, ours, printed
+from contourlab.studies.reproduce.rows import Part, Row, Stage, in_parts, ours, printed
 
 __all__ = ["SETTINGS", "Identified", "identified", "reproduce"]
 
@@ -87,7 +87,7 @@ def identified(log: str | Path | None) -> Identified:
     return Identified(held, *fits)
 
 
-def reproduce(log: str | Path | None = None, validation: str | Path | None = None) -> list[dict[str, Any]]:
+def reproduce(log: str | Path | None = None, validation: str | Path | None = None, *, stage: Stage | None = None) -> list[dict[str, Any]]:
     """Return every published figure beside ours: rows with the keys of `contourlab.studies.reproduce.rows.Row.as_dict`.
 
     Parameters
@@ -96,6 +96,8 @@ def reproduce(log: str | Path | None = None, validation: str | Path | None = Non
         DATA_EMPS.mat.
     validation : str or Path, optional
         DATA_EMPS_PULSES.mat, a second record with pulses on the drive: the parameters of the first are held against it.
+    stage : callable, optional
+        Told in words what is begun.
 
     Raises
     ------
@@ -103,11 +105,20 @@ def reproduce(log: str | Path | None = None, validation: str | Path | None = Non
         If a log is not given or cannot be read.
     """
     second = None if validation is None else read_emps(validation)  # a file that is not there is told ahead of the work
+    if stage is not None:
+        stage("identifying")
     found = identified(log)
-    parts = [_parameters(found), _simulated(found, found.log, SIMULATED, ""), _tracking(found)]
+    parts: list[Part] = [
+        ("parameters", lambda: _parameters(found)),
+        ("simulating the closed loop", lambda: _simulated(found, found.log, SIMULATED, "")),
+        ("tracking in the engine", lambda: _tracking(found)),
+    ]
     if second is not None:
-        parts += [_validated(found, second), _simulated(found, second, SIMULATED_VALIDATION, "validation: ")]
-    return [row.as_dict() for part in parts for row in part]
+        parts += [
+            ("the second record", lambda: _validated(found, second)),
+            ("simulating the second record", lambda: _simulated(found, second, SIMULATED_VALIDATION, "validation: ")),
+        ]
+    return list(in_parts(parts, stage))
 
 
 def _parameters(found: Identified) -> Iterator[Row]:

@@ -9,10 +9,25 @@ from contourlab.studies.reproduce.gecer_ulu_axis import axis_rows
 from contourlab.studies.reproduce.gecer_ulu_learning import learning_rows
 from contourlab.studies.reproduce.gecer_ulu_pictures import convergence_rows
 from contourlab.studies.reproduce.gecer_ulu_tables import table_rows
+from contourlab.studies.reproduce.rows import Part, Stage, in_parts
 
 __all__ = ["reproduce"]
 
 
-def reproduce() -> list[dict[str, Any]]:
-    """Return every figure of the paper beside ours: rows with the keys of `contourlab.studies.reproduce.rows.Row.as_dict`."""
-    return [found.as_dict() for found in (*table_rows(), *axis_rows(), *convergence_rows(), *learning_rows())]
+PARTS: tuple[Part, ...] = (
+    ("Tables 2 and 3", table_rows),
+    ("one axis", axis_rows),
+    ("convergence over trials, Figs 9 and 10", convergence_rows),
+    ("learning and coupling", learning_rows),
+)
+
+
+def reproduce(stage: Stage | None = None) -> list[dict[str, Any]]:
+    """Return every figure of the paper beside ours: rows with the keys of `contourlab.studies.reproduce.rows.Row.as_dict`.
+
+    Parameters
+    ----------
+    stage : callable, optional
+        Told in words what is begun.
+    """
+    return list(in_parts(PARTS, stage))

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from typing import Any
 
 from contourlab.studies.reproduce.ghaffari_bench import bench_rows
@@ -13,22 +12,28 @@ from contourlab.studies.reproduce.ghaffari_observer import observer_rows
 from contourlab.studies.reproduce.ghaffari_runs import run_rows
 from contourlab.studies.reproduce.ghaffari_sensitivity import sensitivity_rows
 from contourlab.studies.reproduce.ghaffari_swap import swap_rows
-from contourlab.studies.reproduce.rows import Row
+from contourlab.studies.reproduce.rows import Part, Stage, in_parts
 
 __all__ = ["reproduce"]
 
-PARTS: tuple[Callable[[], list[Row]], ...] = (
-    linear_rows,
-    observer_rows,
-    bench_rows,
-    identified_rows,
-    run_rows,
-    sensitivity_rows,
-    calibration_rows,
-    swap_rows,
+PARTS: tuple[Part, ...] = (
+    ("gains and poles", linear_rows),
+    ("the disturbance observer", observer_rows),
+    ("the drive in open loop and behind its observer", bench_rows),
+    ("identification behind the observer", identified_rows),
+    ("the circle, Fig 9", run_rows),
+    ("sensitivity, Figs 6 and 7", sensitivity_rows),
+    ("Table III from Table II", calibration_rows),
+    ("the swap", swap_rows),
 )
 
 
-def reproduce() -> list[dict[str, Any]]:
-    """Return every figure of the paper beside ours: rows with the keys of `contourlab.studies.reproduce.rows.Row.as_dict`."""
-    return [row.as_dict() for part in PARTS for row in part()]
+def reproduce(stage: Stage | None = None) -> list[dict[str, Any]]:
+    """Return every figure of the paper beside ours: rows with the keys of `contourlab.studies.reproduce.rows.Row.as_dict`.
+
+    Parameters
+    ----------
+    stage : callable, optional
+        Told in words what is begun.
+    """
+    return list(in_parts(PARTS, stage))

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from typing import Any
 
 from contourlab.studies.reproduce import shahin_setup as setup
-from contourlab.studies.reproduce.rows import Row, derived, ours, printed
+from contourlab.studies.reproduce.rows import Part, Row, Stage, derived, in_parts, ours, printed
 from contourlab.studies.reproduce.shahin_ramps import ramp_rows
 from contourlab.studies.reproduce.shahin_runs import WINDOW, circular, prepare
 from contourlab.studies.reproduce.shahin_setup import Setting
@@ -27,11 +27,22 @@ SHORT = 4.0
 FEEDS = (1000.0, 2000.0, 4000.0, 6000.0, 8000.0, 10000.0)
 
 
-def reproduce() -> list[dict[str, Any]]:
-    """Return every figure of the paper beside ours: rows with the keys of `contourlab.studies.reproduce.rows.Row.as_dict`."""
+def reproduce(stage: Stage | None = None) -> list[dict[str, Any]]:
+    """Return every figure of the paper beside ours: rows with the keys of `contourlab.studies.reproduce.rows.Row.as_dict`.
+
+    Parameters
+    ----------
+    stage : callable, optional
+        Told in words what is begun.
+    """
+    return list(in_parts(PARTS, stage))
+
+
+def _circles() -> Iterator[Row]:
+    """Yield the rows of all circular tests, which run side by side."""
     prepare(_needed())
-    parts = (_tables(), _baseline(), _schemes(), _readings(), _reduction(), _feedrates(), _over_feeds(), ramp_rows(), theory_rows())
-    return [found.as_dict() for part in parts for found in part]
+    for part in (_tables, _baseline, _schemes, _readings, _reduction, _feedrates, _over_feeds):
+        yield from part()
 
 
 def _needed() -> list[tuple[str, Setting, float, float]]:
@@ -170,3 +181,6 @@ def _over_feeds() -> Iterator[Row]:
         for name in ("PI", *setup.SCHEMES):
             found = circular(name, Setting(), feed / 60e3, SHORT)
             yield ours(f"{name} max error over feeds", f"{feed:g} mm/min", found.largest * 1e6, "um", f"from 1 to {SHORT:g} s")
+
+
+PARTS: tuple[Part, ...] = (("circular tests", _circles), ("ramps", ramp_rows), ("stability", theory_rows))

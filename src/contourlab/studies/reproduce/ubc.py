@@ -7,8 +7,8 @@ from pathlib import Path
 from typing import Any
 
 from contourlab.studies.log_run import LogRun
-from contourlab.studies.reproduce.rows import Row, derived, ours
-from contourlab.studies.reproduce.ubc_runs import read_runs, unseen
+from contourlab.studies.reproduce.rows import Part, Row, Stage, asked, in_parts, measured, ours
+from contourlab.studies.reproduce.ubc_runs import Unseen, read_runs, unseen
 
 __all__ = ["MEASURED", "reproduce"]
 
@@ -20,11 +20,10 @@ EXPLAINED = {"lead-lag": 80.0, "pole-placement": 99.0}
 """Least share [percent] of the variance of the tracking errors that a model of the table has to explain."""
 CONTOUR = {"lead-lag": 0.25, "pole-placement": 0.15}
 """Share within which its contour rms has to be the measured one."""
-FITTED = "the library's machine along the log's own reference; the left column is the measured figure"
-LEFT_OUT = "the left column is the measured figure over the same part of the run"
+FITTED = "the library's machine along the log's own reference"
 
 
-def reproduce(folder: str | Path | None = None, *, with_unseen: bool = True) -> list[dict[str, Any]]:
+def reproduce(folder: str | Path | None = None, *, with_unseen: bool = True, stage: Stage | None = None) -> list[dict[str, Any]]:
     """Return the figures of the measured runs, of the simulated ones, and of fits that left something out.
 
     Parameters
@@ -33,6 +32,8 @@ def reproduce(folder: str | Path | None = None, *, with_unseen: bool = True) -> 
         With line_circle_lli.mat and line_circle_pp.mat.
     with_unseen : bool
         Whether fits are made that leave parts of the runs out; they take a few minutes.
+    stage : callable, optional
+        Told in words what is begun.
 
     Raises
     ------
@@ -40,10 +41,13 @@ def reproduce(folder: str | Path | None = None, *, with_unseen: bool = True) -> 
         If a log is not given or cannot be read.
     """
     runs = read_runs(folder)
-    rows = [*_measured(runs), *_explained(runs), *_contour(runs)]
+    parts: list[Part] = [
+        ("judging the measured runs", lambda: _measured(runs)),
+        ("simulating along the logs' references", lambda: [*_explained(runs), *_contour(runs)]),
+    ]
     if with_unseen:
-        rows += _unseen(runs)
-    return [row.as_dict() for row in rows]
+        parts.append(("fitting with parts of the runs left out", lambda: _unseen(unseen(runs, stage))))
+    return list(in_parts(parts, stage))
 
 
 def _measured(runs: dict[str, LogRun]) -> Iterator[Row]:
@@ -56,19 +60,16 @@ def _measured(runs: dict[str, LogRun]) -> Iterator[Row]:
     for k, title in enumerate(titles):
         for name, here in figures.items():
             known = MEASURED[name][k]
-            yield derived(
+            yield measured(
                 title, name, known, here[k], "um", WITHIN * known, "over the move; beside it what another program makes of the log"
             )
 
 
 def _explained(runs: dict[str, LogRun]) -> Iterator[Row]:
     found = [one for run in runs.values() for one in run.agreement(run.once())]
-    note = "of the measured tracking error over the move; 100 would be all, and {} are asked for"
+    note = "of the measured tracking error over the move; 100 would be all"
     for one in found:
-        asked = EXPLAINED[one.run]
-        yield derived(
-            "variance explained", f"{one.run}, {one.axis}", 100.0, 100.0 * one.explained, "%", 100.0 - asked, note.format(f"{asked:g}")
-        )
+        yield asked("variance explained", f"{one.run}, {one.axis}", EXPLAINED[one.run], 100.0 * one.explained, "%", 100.0, note)
     for one in found:
         yield ours("left of the tracking error, rms", f"{one.run}, {one.axis}", 1e6 * one.rms, "um")
 
@@ -76,13 +77,12 @@ def _explained(runs: dict[str, LogRun]) -> Iterator[Row]:
 def _contour(runs: dict[str, LogRun]) -> Iterator[Row]:
     figures = {name: (run.judged().metrics.contour_error, run.judged(run.once()).metrics.contour_error) for name, run in runs.items()}
     for name, (there, here) in figures.items():
-        yield derived("simulated contour rms", name, 1e6 * there.rms, 1e6 * here.rms, "um", CONTOUR[name] * 1e6 * there.rms, FITTED)
+        yield measured("simulated contour rms", name, 1e6 * there.rms, 1e6 * here.rms, "um", CONTOUR[name] * 1e6 * there.rms, FITTED)
     for name, (there, here) in figures.items():
-        yield derived("simulated contour maximum", name, 1e6 * there.max, 1e6 * here.max, "um", CONTOUR[name] * 1e6 * there.max, FITTED)
+        yield measured("simulated contour maximum", name, 1e6 * there.max, 1e6 * here.max, "um", CONTOUR[name] * 1e6 * there.max, FITTED)
 
 
-def _unseen(runs: dict[str, LogRun]) -> Iterator[Row]:
-    found = unseen(runs)
+def _unseen(found: list[Unseen]) -> Iterator[Row]:
     for one in found:
         for axis in one.agreement:
             yield ours("unseen: variance explained", f"{one.case}: {axis.axis}", 100.0 * axis.explained, "%")
@@ -92,6 +92,5 @@ def _unseen(runs: dict[str, LogRun]) -> Iterator[Row]:
         yield _beside("unseen: contour maximum", one.case, one.measured_largest, one.largest)
 
 
-def _beside(name: str, case: str, measured: float, here: float) -> Row:
-    note = f"{LEFT_OUT}; {100.0 * (here / measured - 1.0):+.0f} %"
-    return Row(name, case, 1e6 * measured, 1e6 * here, "um", None, note, "ours", "")
+def _beside(name: str, case: str, there: float, here: float) -> Row:
+    return measured(name, case, 1e6 * there, 1e6 * here, "um", None, f"over the part left out; {100.0 * (here / there - 1.0):+.0f} %")

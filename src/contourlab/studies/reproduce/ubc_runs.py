@@ -15,6 +15,7 @@ from contourlab.loop import Machine
 from contourlab.scenario import load_scenario
 from contourlab.studies.log_run import Agreement, LogRun, log_run
 from contourlab.studies.refine import RefineSettings, Window, refine
+from contourlab.studies.reproduce.rows import Stage
 from contourlab.studies.space.values import with_values
 
 __all__ = ["CONTROLLERS", "FILES", "PHYSICS", "WANTED", "Unseen", "contour_errors", "read_runs", "tracking_errors", "unseen"]
@@ -93,20 +94,24 @@ def read_runs(folder: str | Path | None) -> dict[str, LogRun]:
     return found
 
 
-def unseen(runs: dict[str, LogRun]) -> list[Unseen]:
+def unseen(runs: dict[str, LogRun], stage: Stage | None = None) -> list[Unseen]:
     """Return what fits that leave something out are worth on what they leave out.
 
     Halves: physics and gains from the lines of both runs, held against both circles, and the other way round. Other runs: physics from one
     run alone; of the other run only the gains, which nobody has recorded, from its lines, and its circle is what was not seen. Friction and
     ripple begin as if these logs were not known; the gains begin at the library's, and which orders of ripple there are is taken from it.
+    `stage` is told what each fit is.
     """
     begun = {name: _forgotten(run) for name, run in runs.items()}
+    tell = stage or (lambda words: None)
     found = []
     for words, take in (("lines fitted, circle unseen", _lines), ("circle fitted, lines unseen", _circle)):
+        tell(words)
         wanted = [*PHYSICS, *CONTROLLERS["lead-lag"], *CONTROLLERS["pole-placement"]]
         fit = refine(list(begun.values()), wanted, windows=[take(run) for run in runs.values()], settings=QUICK)
         found += [_judged(f"{run.label}, {words}", run, _other(run, take(run))) for run in fit.runs]
     for one, other in (("pole-placement", "lead-lag"), ("lead-lag", "pole-placement")):
+        tell(f"physics of the {one} run, held against the other")
         physics = refine([begun[one]], [*PHYSICS, *CONTROLLERS[one]], settings=QUICK).runs[0].machine
         gains = refine([replace(runs[other], machine=physics)], CONTROLLERS[other], windows=[_lines(runs[other])], settings=QUICK)
         words = f"{other}, physics of the {one} run, gains of its lines, circle unseen"
