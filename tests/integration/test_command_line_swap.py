@@ -9,6 +9,7 @@ import pytest
 
 from contourlab.cli.main import main
 from contourlab.scenario.load import load_controller, load_machine
+from contourlab.studies.swap import course
 
 SCENARIO = """\
 name = "circle"
@@ -46,6 +47,8 @@ WORDS = ["--parameter", "model_gain=300 mm/s^2/full_scale..4000 mm/s^2/full_scal
 def typed(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     monkeypatch.chdir(tmp_path)
     files = {"circle.toml": SCENARIO, "stage.toml": STAGE, "plain.toml": PLAIN, "strong.toml": PLAIN.replace("1000", "2000")}
+    gains = SCENARIO[SCENARIO.index("[controller") : SCENARIO.index("[contour]")].replace("0.06", "0.6")
+    files["gains.toml"] = gains
     files["ampere.toml"] = '[plant]\nkind = "mass-damper"\nmass = "1 kg"\ndamping = "1 N*s/m"\nforce_constant = "1 N/A"\n'
     for name, text in files.items():
         (tmp_path / name).write_text(text)
@@ -64,7 +67,7 @@ def test_one_local_number_restores_what_a_stronger_axis_takes(typed: Path, capsy
     assert found["local"] == ["controller.axes.x.controller.model_gain"] and not found["full_modularity"] and found["restorable"]
     assert set(found["variants"]) == {"x = as it is", "x = strong"}
     # What was recommended can be read again, and says what moves with the axis.
-    files = sorted((results / "controllers").glob("*.toml"))
+    files = sorted((results / "controllers").glob("x*.toml"))
     machine = load_machine(typed / "stage.toml")
     gains = [load_controller(file, machine).axes["x"].controller.values()["model_gain"] for file in files]
     assert gains[0] < 1.3 < 1.7 < gains[1]
@@ -83,7 +86,64 @@ def test_json_alone_and_exit_code_of_what_cannot_be_restored(typed: Path, capsys
     found = json.loads(capsys.readouterr().out)
     assert found["floor"] == pytest.approx(1e-9) and not found["restorable"] and found["local"] is None
     assert "not modular" in found["verdict"] and found["swap_loss"] > 0.03
-    assert (typed / "results" / "plots" / "swap.svg").exists() and not (typed / "results" / "controllers").exists()
+    assert (typed / "results" / "plots" / "swap.svg").exists()
+    # Nothing is recommended; what was found is there to go on from.
+    files = {file.stem for file in (typed / "results" / "controllers").glob("*.toml")}
+    assert files == {"own-x---as-it-is", "own-x---strong", "shared"}
+
+
+def test_a_study_goes_on_where_another_one_ended(typed: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    words = ["swap", "circle.toml", "--axis", "x", "--with", "strong.toml", *WORDS, "--plots", "svg", "--json"]
+    assert main(words) == 0
+    first = json.loads(capsys.readouterr().out)
+    (typed / "results" / "controllers").rename(typed / "earlier")
+    own = ",".join(f"earlier/own-x---{name}.toml" for name in ("as-it-is", "strong"))
+    assert main([*words, "--budget", "100", "--seed", "1", "--from", own, "--from", "earlier/shared.toml"]) == 0
+    second = json.loads(capsys.readouterr().out)
+    assert second["search"]["from"] == [own, "earlier/shared.toml"]
+    for name, mine in second["variants"].items():
+        assert mine["best"] <= first["variants"][name]["best"]
+    # The scenario's own run and each given design are of the same bits: the shared one is never lost.
+    nothing = [found["choices"][0]["values"] for found in (first, second)]
+    assert max(nothing[1]) <= max(nothing[0])
+
+
+def test_an_axis_by_another_name_stands_for_the_swapped_one(typed: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    gains = SCENARIO[SCENARIO.index("kind = ") : SCENARIO.index("[contour]")]
+    blocks = [f"[controller.axes.{name}.controller]\n{gains}" for name in ("z", "y")]
+    (typed / "z.toml").write_text("\n".join(blocks).replace("1050 mm", "2000 mm", 1))
+    words = ["swap", "circle.toml", "--axis", "x", "--with", "strong.toml", *WORDS, "--budget", "100", "--plots", "svg", "--json"]
+    assert main([*words, "--from", "z.toml"]) in (0, 1)
+    assert json.loads(capsys.readouterr().out)["search"]["from"] == ["z.toml"]
+    (typed / "z.toml").write_text((typed / "z.toml").read_text().replace("axes.y", "axes.w"))
+    assert main([*words, "--from", "z.toml"]) == 2
+    told = capsys.readouterr().err
+    assert "z.toml" in told and "there are: x, y" in told and "start from" in told
+
+
+def test_an_interrupted_study_is_taken_up_by_the_same_command(
+    typed: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    words = ["swap", "circle.toml", "--axis", "x", "--with", "strong.toml", *WORDS, "--plots", "svg"]
+    assert main([*words, "--out", "whole"]) == 0
+
+    def interrupted(*_: object, **__: object) -> None:
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr(course, "shared", interrupted)
+    assert main(words) == 130
+    assert "the same command goes on from there" in capsys.readouterr().err
+    assert [path.name for path in (typed / "results").iterdir()] == ["searches"]
+    monkeypatch.undo()
+    monkeypatch.chdir(typed)
+    assert main(words) == 0
+    assert "2 searches were kept from an earlier time" in capsys.readouterr().out
+    files = [file.relative_to("whole") for file in Path("whole").rglob("*") if file.suffix in (".json", ".toml")]
+    assert len(files) == 6 and all((Path("whole") / file).read_bytes() == (Path("results") / file).read_bytes() for file in files)
+    # Another seed is another study.
+    assert main([*words, "--seed", "1"]) == 0
+    said = capsys.readouterr().out
+    assert "also keeps searches of another scenario" in said and "not made again" not in said
 
 
 def test_a_network_that_is_too_late_is_part_of_the_verdict(typed: Path, capsys: pytest.CaptureFixture[str]) -> None:
@@ -122,6 +182,15 @@ def test_a_scenario_with_links_of_its_own_keeps_in_the_base_what_they_leave_ther
         (["--axis", "x", "--with", "strong.toml", "--region", "model_gain"], "numbers of the machine"),
         (["--axis", "x", "--with", "strong.toml", "--linear", "magic"], "three-step"),
         (["--axis", "x", "--with", "strong.toml", "--budget", "1"], "100 or more"),
+        (["--axis", "x", "--with", "strong.toml", "--from", "none.toml"], "none.toml"),
+        (
+            ["--axis", "x", "--with", "strong.toml", "--from", "a.toml,b.toml,c.toml"],
+            "or 2 of them with commas between, for x = as it is; x =",
+        ),
+        (["--axis", "x", "--with", "strong.toml", "--from", "gains.toml,"], "one file for all variants"),
+        (["--axis", "x", "--with", "strong.toml", "--from", "gains.toml"], "x.velocity_gain is 0.6, its bounds are 0.015 to 0.24"),
+        (["--axis", "x", "--with", "strong.toml", "--from", "gains.toml"], "--width 10 gives wider ones"),
+        (["--axis", "x", "--with", "strong.toml", "--from", "circle.toml"], "circle.toml"),
         (["--axis", "x", "--with", "strong.toml", "--seed", "-1"], "0 or more"),
         (["--axis", "x", "--with", "strong.toml", "--threads", "0"], "1 or more"),
         (["--axis", "x", "--with", "strong.toml", "--width", "0.5"], "a factor either side"),

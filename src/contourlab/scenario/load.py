@@ -20,7 +20,16 @@ from contourlab.scenario.tables import ScenarioTable, read_table
 from contourlab.scenario.tree import Leaf, Node, Table, from_mapping, hint, merge, parse_tree, settle
 from contourlab.scenario.values import Contour, Motion
 
-__all__ = ["load_axis", "load_controller", "load_machine", "load_scenario", "named_file", "parse_scenario", "scenario_from_parts"]
+__all__ = [
+    "controller_axes",
+    "load_axis",
+    "load_controller",
+    "load_machine",
+    "load_scenario",
+    "named_file",
+    "parse_scenario",
+    "scenario_from_parts",
+]
 
 SCHEME_KEYS = ("machine", "axes", "controller", "feed", "run", "learning")
 COMMAND_LINE = "<arguments>"
@@ -117,7 +126,23 @@ def load_machine(file: str | Path, plugins: Sequence[str | Path] = ()) -> Machin
     return build_machine(settle(reader.machine_file(content)))
 
 
-def load_controller(file: str | Path, machine: Machine, plugins: Sequence[str | Path] = ()) -> Controller:
+def controller_axes(file: str | Path, plugins: Sequence[str | Path] = ()) -> tuple[str, ...]:
+    """Return the names of the axes that a controller's file speaks of, those that stand for every axis left out.
+
+    Raises
+    ------
+    ScenarioError
+        With file and key of what is wrong.
+    """
+    _load_plugins(plugins)
+    path, reader = _open(file)
+    axes = reader.controller_file(reader.file(path)).get("axes")
+    return tuple(name for name in axes.entries if name != EVERY) if isinstance(axes, Table) else ()
+
+
+def load_controller(
+    file: str | Path, machine: Machine, plugins: Sequence[str | Path] = (), *, called: Mapping[str, str] | None = None
+) -> Controller:
     """Read a controller from its own file, for a machine whose commands decide the units of the gains.
 
     Parameters
@@ -127,6 +152,8 @@ def load_controller(file: str | Path, machine: Machine, plugins: Sequence[str | 
     machine : Machine
     plugins : sequence of str or Path
         Python files with further components.
+    called : mapping of str to str, optional
+        What the file calls axes that have another name in the machine.
 
     Raises
     ------
@@ -135,8 +162,12 @@ def load_controller(file: str | Path, machine: Machine, plugins: Sequence[str | 
     """
     _load_plugins(plugins)
     path, reader = _open(file)
-    reader = replace(reader, names=machine.axis_names)
-    found = _spread_controller(reader.controller_file(reader.file(path)), machine.axis_names)
+    there = {(called or {}).get(name, name): name for name in machine.axis_names}
+    reader = replace(reader, names=tuple(there))
+    found = _spread_controller(reader.controller_file(reader.file(path)), tuple(there))
+    axes = found.get("axes")
+    if called and isinstance(axes, Table):
+        found = found.having(axes=replace(axes, entries={there.get(name, name): node for name, node in axes.entries.items()}))
     return build_controller(settle(found), machine)
 
 

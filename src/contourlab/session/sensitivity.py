@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import hashlib
 import json
 import shlex
 from collections.abc import Sequence
@@ -15,6 +14,7 @@ from contourlab.result import write_text_atomic
 from contourlab.session.component_sources import plugin_digests
 from contourlab.session.folder import staged
 from contourlab.session.plain import plain
+from contourlab.session.program_version import DECIDES_RUNS, program_version
 from contourlab.session.sensitivity_text import summary_of, text_of
 from contourlab.session.stages import Stages, shown
 
@@ -221,20 +221,7 @@ def _model(case: Case, reference: Reference) -> str:
     from contourlab.scenario.dump import dump
 
     words = [dump(case.machine), dump(case.controller, case.machine), reference.digest, f"seed {case.seed}", f"moving {case.moving}"]
-    return "\n".join([*words, _program()])
-
-
-def _program() -> str:
-    """Return the version of contourlab and a digest of the rooms that decide a run's figures."""
-    import contourlab
-
-    root = Path(contourlab.__file__).parent
-    text = hashlib.sha256()
-    for room in ("native", "primitives", "geometry", "feed", "engine", "components", "metrics", "loop"):
-        single = root / f"{room}.py"
-        for file in [single] if single.exists() else sorted((root / room).rglob("*.py")):
-            text.update(file.relative_to(root).as_posix().encode() + b"\0" + file.read_bytes())
-    return f"contourlab {contourlab.__version__} {text.hexdigest()}"
+    return "\n".join([*words, program_version(DECIDES_RUNS)])
 
 
 def _kept_notes(runs: Runs) -> list[str]:

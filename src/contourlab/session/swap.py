@@ -2,20 +2,21 @@
 
 from __future__ import annotations
 
-import json
 import math
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from contourlab.errors import ParameterError, ScenarioError
-from contourlab.result import write_text_atomic
 from contourlab.scenario.quantities import read_number
 from contourlab.session.folder import staged
 from contourlab.session.link import Asked, LinkOptions, read_options
-from contourlab.session.run import RunOutcome, check_plots, file_names
+from contourlab.session.run import RunOutcome, check_plots
 from contourlab.session.stages import Stages, shown
+from contourlab.session.swap_files import written
+from contourlab.session.swap_kept import KEPT, kept_notes, kept_searches
+from contourlab.session.swap_known import known_designs
 from contourlab.session.swap_report import WORDS, SwapReport
 from contourlab.studies.space import Space
 from contourlab.studies.space.bounds import Bounds
@@ -24,8 +25,8 @@ from contourlab.studies.swap.final import final
 from contourlab.studies.swap.fleet import OBJECTIVES, Fleet
 from contourlab.studies.swap.linear import METHODS, linear_swap
 from contourlab.studies.swap.network import NetworkCost, least_division, network_cost
-from contourlab.studies.swap.numbers import divided_controller
-from contourlab.studies.swap.study import BASE, GROWN, SHARED, SwapSettings, SwapStudy, swap_study
+from contourlab.studies.swap.settings import SwapSettings
+from contourlab.studies.swap.study import SwapStudy, swap_study
 from contourlab.studies.swap.variants import variants_of
 
 if TYPE_CHECKING:
@@ -53,6 +54,8 @@ class SwapOptions:
         Numbers of the machine with bounds.
     tolerance : str, optional
         J that is good enough in the region.
+    origins : sequence of str
+        Controllers that every search starts from as well, as of `contourlab.session.swap_known.known_designs`.
     linear : sequence of str
         Methods of linear design to report, of `contourlab.studies.swap.linear.METHODS`.
     network : LinkOptions
@@ -74,9 +77,22 @@ class SwapOptions:
     region: tuple[str, ...] = ()
     tolerance: str | None = None
     places: int = 8
+    origins: tuple[str, ...] = ()
     linear: tuple[str, ...] = ()
     network: LinkOptions = field(default_factory=LinkOptions)
     plugins: tuple[str | Path, ...] = field(default=())
+
+
+@dataclass(frozen=True)
+class _Prepared:
+    """A study, all of it checked, before anything runs; coverage asks for a region, and for J that is good enough there or none."""
+
+    fleet: Fleet
+    candidates: tuple[str, ...]
+    settings: SwapSettings
+    region: Space | None
+    tolerance: float | None
+    notes: tuple[str, ...]
 
 
 def swap_scenario(
@@ -98,7 +114,8 @@ def swap_scenario(
     swaps : sequence of (str, sequence of str)
         Axis, and the files of the axes that take its place.
     out : str or Path
-        Folder of ``swap.json``, of the controller of the recommended division for each variant, and of the picture.
+        Folder of ``swap.json``, of controllers, and of the picture. Searches are kept in its folder ``searches``: those that are there from
+        an earlier time are not made again, and after an interrupt the same study goes on.
     options : SwapOptions
     scheme : str, optional
         Of the scenario; by default its base.
@@ -112,21 +129,24 @@ def swap_scenario(
         If a file or an option is wrong; before anything runs.
     """
     check_plots(plots)
-    study_of, region, tolerance = _prepared(file, swaps, options, scheme)
-    fleet, candidates, settings = study_of
+    ready = _prepared(file, swaps, options, scheme)
+    fleet, settings = ready.fleet, ready.settings
     asked = read_options(options.network)
     period = fleet.variants[0].machine.servo_period
     if asked.longest < period:
         raise ParameterError("--longest", options.network.longest, f"the servo period, {period * 1e3:g} ms, or longer")
     with shown(progress) as stages, staged(out) as folder:
-        study = swap_study(fleet, candidates, settings, _told(stages, fleet, settings))
+        kept = kept_searches(Path(out) / KEPT, fleet, ready.candidates, settings, options.plugins)
+        try:
+            study = swap_study(fleet, ready.candidates, settings, _told(stages, fleet), kept)
+        except KeyboardInterrupt as stop:
+            stop.add_note(f"The searches that had ended are kept in {kept.folder}: the same command goes on from there.")
+            raise
         over = None
-        if region is not None:
+        if ready.region is not None:
             stages.begin("coverage of the region")
-            point = study.base.design.points[0]
-            over = coverage(
-                fleet, point, region, full=settings.full, tolerance=tolerance, places=options.places, budget=max(options.budget // 4, 200)
-            )
+            point, few = study.base.design.points[0], max(options.budget // 4, 200)
+            over = coverage(fleet, point, ready.region, full=settings.full, tolerance=ready.tolerance, places=options.places, budget=few)
         stages.begin("linear designs")
         swapped = [name for name, _ in swaps] if options.linear else []
         linear = tuple(found for name in swapped for found in linear_swap(fleet.variants, fleet.controller, name, options.linear))
@@ -134,7 +154,8 @@ def swap_scenario(
         ended = final(fleet, (study.recommended or study.base).design.points)
         networks = _networks(study, options.network, asked, stages)
         stages.begin("writing")
-        return _written(SwapReport(study, ended, networks, over, linear), folder, Path(out), plots)
+        report = SwapReport(study, ended, networks, over, linear, options.origins, (*ready.notes, *kept_notes(kept)))
+        return written(report, folder, Path(out), plots)
 
 
 def _networks(study: SwapStudy, options: LinkOptions, asked: Asked, stages: Stages) -> tuple[NetworkCost, ...]:
@@ -155,9 +176,7 @@ def _own_division(controller: Controller) -> str | None:
     return next((mine.link.division for mine in controller.axes.values() if mine.link is not None), None)
 
 
-def _prepared(
-    file: str | Path, swaps: Sequence[tuple[str, Sequence[str]]], options: SwapOptions, scheme: str | None
-) -> tuple[tuple[Fleet, tuple[str, ...], SwapSettings], Space | None, float | None]:
+def _prepared(file: str | Path, swaps: Sequence[tuple[str, Sequence[str]]], options: SwapOptions, scheme: str | None) -> _Prepared:
     """Return all that is checked before anything runs."""
     from contourlab.scenario import load_scenario
 
@@ -186,15 +205,14 @@ def _prepared(
         threads=options.threads,
     )
     candidates = tuple(name for name in fleet.space.names if variants[0].module(name) and _may_move(controller, name))
-    settings = SwapSettings(
-        budget=options.budget, seed=options.seed, exhaustive=options.exhaustive, local=_local_sets(fleet, candidates, options.local)
-    )
+    local, origins = _local_sets(fleet, candidates, options.local), known_designs(fleet, options.origins, options.plugins)
+    settings = SwapSettings(options.budget, options.seed, exhaustive=options.exhaustive, local=local, known=origins.known)
     region = Space.chosen(machine, controller, options.region, options.width) if options.region else None
     if region is not None and any(not name.startswith("axes.") for name in region.names):
         raise ParameterError("--region", ", ".join(options.region), "numbers of the machine, such as axes.x.plant.gain")
     tolerance = None if options.tolerance is None else _quantity("--tolerance", options.tolerance, unit, 0.0)
     _methods(options.linear)
-    return (fleet, candidates, settings), region, tolerance
+    return _Prepared(fleet, candidates, settings, region, tolerance, origins.notes)
 
 
 def _may_move(controller: Controller, name: str) -> bool:
@@ -267,51 +285,13 @@ def _local_sets(fleet: Fleet, candidates: Sequence[str], texts: Sequence[str]) -
     return tuple(found)
 
 
-def _told(stages: Stages, fleet: Fleet, settings: SwapSettings) -> Any:
+def _told(stages: Stages, fleet: Fleet) -> Callable[[str, int], None]:
     """Return what shows a stage, and how far it is in candidates."""
-    at = {"tried": 0, "of": settings.budget}
+    at = {"tried": 0, "of": 0}
 
-    def begin(words: str) -> None:
-        at["tried"], at["of"] = fleet.tried, settings.budget
-        if words == SHARED:
-            at["of"] = int(BASE * settings.budget * fleet.n_variant)
-        elif words.startswith("local: "):
-            at["of"] = int((GROWN if settings.local is None else 1.0) * settings.budget * fleet.n_variant)
+    def begin(words: str, most: int) -> None:
+        at["tried"], at["of"] = fleet.tried, most
         stages.begin(words)
 
     fleet.progress = lambda tried: stages.advance(min(tried - at["tried"], at["of"]), at["of"])
     return begin
-
-
-def _written(report: SwapReport, folder: Path, out: Path, plots: Sequence[str]) -> RunOutcome:
-    """Write everything; return what is printed."""
-    from contourlab.report.swap_picture import write_matrices
-    from contourlab.session.swap_text import matrices, summary_of, text_of
-
-    study, lines = report.study, [text_of(report)]
-    if plots:
-        write_matrices(matrices(study), study.settings.full, "What a swap loses", folder / "plots", plots)
-        lines += [f"picture: {out / 'plots' / f'swap.{name}'}" for name in plots]
-    best = study.recommended
-    if best is not None:
-        from contourlab.scenario.dump import dump
-
-        (folder / "controllers").mkdir()
-        names = file_names([variant.name for variant in study.fleet.variants])
-        for variant, point in zip(study.fleet.variants, best.design.points, strict=True):
-            made = divided_controller(study.fleet.controller, study.fleet.space.values(point), sorted(best.design.local))
-            head = f"# For {variant.name}; J and the guards were met on the motion of the study. `local` moves with the axis.\n\n"
-            write_text_atomic(folder / "controllers" / f"{names[variant.name]}.toml", head + dump(made, variant.machine))
-            lines.append(f"controller for {variant.name}: {out / 'controllers' / f'{names[variant.name]}.toml'}")
-    summary = summary_of(report)
-    write_text_atomic(folder / "swap.json", json.dumps(_strict(summary), indent=2, allow_nan=False) + "\n")
-    return RunOutcome(report.passed, summary, "\n".join(lines))
-
-
-def _strict(value: Any) -> Any:
-    """Return a value as JSON has it: what is not finite is null."""
-    if isinstance(value, dict):
-        return {key: _strict(item) for key, item in value.items()}
-    if isinstance(value, list):
-        return [_strict(item) for item in value]
-    return value if not isinstance(value, float) or math.isfinite(value) else None

@@ -32,6 +32,10 @@ class SwapReport:
         Of the same design; none where it breaks a guard.
     over : Coverage, optional
     linear : tuple of LinearSwap
+    origins : tuple of str
+        Files that searches started from, as they were given.
+    notes : tuple of str
+        On these files, and on searches that were kept.
     """
 
     study: SwapStudy
@@ -39,6 +43,8 @@ class SwapReport:
     networks: tuple[NetworkCost, ...] = ()
     over: Coverage | None = None
     linear: tuple[LinearSwap, ...] = ()
+    origins: tuple[str, ...] = ()
+    notes: tuple[str, ...] = ()
 
     @property
     def unit(self) -> str:

@@ -15,11 +15,12 @@ from contourlab.report.swap_picture import LossMatrix
 from contourlab.session.margin_words import decibel, degrees
 from contourlab.session.swap_report import UNITS, WORDS, SwapReport
 from contourlab.studies.swap.coverage import Coverage
+from contourlab.studies.swap.design import Choice
 from contourlab.studies.swap.fleet import OBJECTIVES
 from contourlab.studies.swap.linear import LinearSwap
 from contourlab.studies.swap.loss import losses
 from contourlab.studies.swap.network import NetworkCost
-from contourlab.studies.swap.study import Choice, SwapStudy
+from contourlab.studies.swap.study import SwapStudy
 from contourlab.studies.swap.verdict import on_bounds, search_words
 
 __all__ = ["matrices", "summary_of", "text_of"]
@@ -49,7 +50,7 @@ def text_of(report: SwapReport) -> str:
     lines += ["", f"exact margins of the {which}", *_margins(report)]
     if report.networks:
         lines += ["", *_networks(report, which)]
-    lines += ["", *_notes(study)]
+    lines += ["", *_notes(study), *(f"note: {words}" for words in report.notes)]
     if report.over is not None:
         lines += ["", *_coverage(study, report.over)]
     for found in report.linear:
@@ -180,7 +181,13 @@ def summary_of(report: SwapReport) -> dict[str, Any]:
             "phase_margin": fleet.bounds.phase_margin,
             "limited_share": fleet.bounds.limited_share,
         },
-        "search": {"budget": settings.budget, "seed": settings.seed, "runs": fleet.runs, "exhaustive": settings.exhaustive},
+        "search": {
+            "budget": settings.budget,
+            "seed": settings.seed,
+            "runs": fleet.runs,
+            "exhaustive": settings.exhaustive,
+            "from": list(report.origins),
+        },
         "bounds": numbers,
         "variants": {
             variant.name: {"best": float(value), "per_start": own.per_start.tolist(), "numbers": fleet.space.values(point)}

@@ -33,7 +33,17 @@ def swap(
             help="Local numbers to look at, with commas between, in place of searching a set; may be given again.", show_default=False
         ),
     ] = None,
-    exhaustive: Annotated[bool, typer.Option("--exhaustive", help="Try all sets of local numbers by size, not one that grows.")] = False,
+    exhaustive: Annotated[
+        bool, typer.Option("--exhaustive", help="Try all sets of local numbers by size, in place of dropping one number after another.")
+    ] = False,
+    origins: Annotated[
+        list[str] | None,
+        typer.Option(
+            "--from",
+            help="Controller file that every search starts from as well, or one for each variant with commas between; may be given again.",
+            show_default=False,
+        ),
+    ] = None,
     budget: Annotated[int, typer.Option(help="Candidates of each search.")] = 8000,
     seed: Seed = 0,
     threads: Threads = None,
@@ -87,6 +97,7 @@ def swap(
         width=width,
         local=tuple(local or ()),
         exhaustive=exhaustive,
+        origins=tuple(origins or ()),
         budget=budget,
         seed=seed,
         threads=threads,

@@ -12,7 +12,8 @@ from contourlab.studies.reproduce.ghaffari_setup import TABLE_3, Reading, axis, 
 from contourlab.studies.reproduce.rows import Row, ours, printed
 from contourlab.studies.space import Space
 from contourlab.studies.swap.fleet import Fleet
-from contourlab.studies.swap.study import SwapSettings, SwapStudy, swap_study
+from contourlab.studies.swap.settings import SwapSettings
+from contourlab.studies.swap.study import SwapStudy, swap_study
 from contourlab.studies.swap.variants import variants_of
 from contourlab.studies.swap.verdict import verdict
 

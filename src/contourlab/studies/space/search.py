@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import warnings
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -62,6 +63,7 @@ def search(
     population: int = 32,
     spread: float = SPREAD,
     tolerance: float = 1e-3,
+    target: float = -math.inf,
     progress: Callable[[int], None] | None = None,
 ) -> Found:
     """Return the smallest value found in the box from 0 to 1.
@@ -82,6 +84,8 @@ def search(
         First standard deviation.
     tolerance : float
         A start ends when its best value has moved by less than this part over ten generations and its points lie as close together.
+    target : float
+        The search ends at the generation that comes to this value: it is good enough.
     progress : callable, optional
         Told the number of points tried.
 
@@ -100,7 +104,7 @@ def search(
     best = _Best(starts, _finite(objective(starts)))
     strategies = [_strategy(start, seed + i, population, spread) for i, start in enumerate(starts)]
     running = list(range(len(starts)))
-    while running and best.runs + population * len(running) <= budget:
+    while running and best.values.min() > target and best.runs + population * len(running) <= budget:
         asked = {i: np.clip(np.asarray(strategies[i].ask()), 0.0, 1.0) for i in running}
         values = _finite(objective(np.concatenate(list(asked.values()))))
         for i, mine in zip(running, np.split(values, len(running)), strict=True):

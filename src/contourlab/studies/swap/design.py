@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 
@@ -14,7 +15,7 @@ from contourlab.studies.swap.division import Division
 from contourlab.studies.swap.fleet import BROKEN, Fleet
 from contourlab.studies.swap.loss import losses
 
-__all__ = ["Design", "Own", "best_of_its_own", "evaluated", "shared", "starts_around"]
+__all__ = ["Choice", "Design", "Own", "best_of_its_own", "evaluated", "shared", "starts_around", "within"]
 
 Array = NDArray[np.float64]
 Objective = Callable[[Array], Array]
@@ -79,6 +80,33 @@ class Design:
         return bool(np.isfinite(self.values).all())
 
 
+@dataclass(frozen=True, eq=False)
+class Choice:
+    """A choice of local numbers and what it leaves.
+
+    Attributes
+    ----------
+    name : str
+        In words.
+    design : Design
+    losses : ndarray (n_variant,)
+    """
+
+    name: str
+    design: Design
+    losses: Array
+
+    @property
+    def loss(self) -> float:
+        """The swap loss."""
+        return float(self.losses.max())
+
+    @property
+    def effort(self) -> int:
+        """How many numbers are local."""
+        return len(self.design.local)
+
+
 def starts_around(start: Array, number: int, seed: int, distance: float = 0.15) -> Array:
     """Return starts (number, n): a point, and others at a distance from it that is normal with a standard deviation in parts of the box."""
     generator = np.random.default_rng([seed, number])
@@ -103,7 +131,17 @@ def best_of_its_own(fleet: Fleet, i: int, *, budget: int, seed: int, starts: Arr
     )
 
 
-def shared(fleet: Fleet, local: frozenset[str], starts: Sequence[Array], *, budget: int, seed: int, spread: float = 0.2) -> Design:
+def shared(
+    fleet: Fleet,
+    local: frozenset[str],
+    starts: Sequence[Array],
+    *,
+    budget: int,
+    seed: int,
+    spread: float = 0.2,
+    near: Sequence[Array] = (),
+    most: int | None = None,
+) -> Design:
     """Search the shared design with the least swap loss.
 
     Parameters
@@ -118,17 +156,46 @@ def shared(fleet: Fleet, local: frozenset[str], starts: Sequence[Array], *, budg
     seed : int
     spread : float
         First step of the search, in parts of the box.
+    near : sequence of ndarray (n_variant, n_number)
+        Designs near which a good one may be: half of the budget goes on around them, in small steps.
+    most : int, optional
+        How many of the starts are taken, the best ones; by default all.
     """
     division = Division(fleet.space, fleet.variants, local)
     objective, rows = _objective(fleet, division), np.array([division.gathered(points) for points in starts])
-    # What fewer local numbers came to stands first: half of the budget goes on from there, as more freedom seldom leads far away.
-    near = _polished(objective, rows[:1], budget // 2, seed + 7, spread) if local else None
-    found = _thorough(objective, rows, budget - (near.runs if near is not None else 0), seed, spread)
-    if near is not None:
-        best = near if near.value < found.value else found
-        found = replace(found, point=best.point, value=best.value, runs=found.runs + near.runs)
+    if most is not None and len(rows) > most:
+        rows = rows[np.argsort(objective(rows), kind="stable")[:most]]
+    first = None
+    if near:
+        first = _polished(objective, np.array([division.gathered(points) for points in near]), budget // 2, seed + 7, spread)
+    found = _thorough(objective, rows, budget - (first.runs if first is not None else 0), seed, spread)
+    if first is not None:
+        best = first if first.value < found.value else found
+        found = replace(found, point=best.point, value=best.value, runs=found.runs + first.runs)
+    return _found(fleet, division, found)
+
+
+def within(fleet: Fleet, local: frozenset[str], starts: Sequence[Array], *, budget: int, seed: int, limit: float = -math.inf) -> Design:
+    """Search on around the best of some designs, until one loses less than a limit.
+
+    Parameters
+    ----------
+    fleet, local, starts, budget, seed
+        As of `shared`.
+    limit : float
+        Swap loss that is good enough, against J* as it is known at the beginning; by default all of the budget is spent.
+    """
+    division = Division(fleet.space, fleet.variants, local)
+    objective, rows = _objective(fleet, division), np.array([division.gathered(points) for points in starts])
+    rows = rows[[int(np.argmin(objective(rows)))]]
+    found = _polished(objective, rows, max(budget - len(starts), 2 * POPULATION), seed, limit=limit / (1.0 + EVENNESS))
+    assert found is not None  # the budget is enough for a generation
+    return _found(fleet, division, replace(found, runs=found.runs + len(starts)))
+
+
+def _found(fleet: Fleet, division: Division, found: Found) -> Design:
     points = division.spread(found.point[None])[:, 0]
-    return _design(fleet, local, points, np.where(found.per_start < BROKEN, found.per_start, np.inf), found.runs)
+    return _design(fleet, division.local, points, np.where(found.per_start < BROKEN, found.per_start, np.inf), found.runs)
 
 
 def _thorough(objective: Objective, starts: Array, budget: int, seed: int, spread: float = 0.2) -> Found:
@@ -139,12 +206,12 @@ def _thorough(objective: Objective, starts: Array, budget: int, seed: int, sprea
     return found if more is None else replace(found, point=more.point, value=more.value, runs=found.runs + more.runs)
 
 
-def _polished(objective: Objective, starts: Array, budget: int, seed: int, spread: float = 0.2) -> Found | None:
+def _polished(objective: Objective, starts: Array, budget: int, seed: int, spread: float = 0.2, limit: float = -math.inf) -> Found | None:
     """Search on around some points in small steps, with ever larger generations, until the budget is spent; None where it is too small."""
     found, size, turn = None, POPULATION, 0
-    while budget > len(starts) * (size + 1):
+    while budget > len(starts) * (size + 1) and (found is None or found.value > limit):
         step = min(spread, STEPS[min(turn, len(STEPS) - 1)])
-        more = search(objective, starts, budget=budget, seed=seed + 1000 * size, spread=step, population=size)
+        more = search(objective, starts, budget=budget, seed=seed + 1000 * size, spread=step, population=size, target=limit)
         budget -= more.runs
         starts, size, turn = more.point[None], 2 * size, turn + 1
         found = more if found is None else replace(more, runs=found.runs + more.runs)

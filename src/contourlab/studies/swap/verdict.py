@@ -7,8 +7,9 @@ from collections.abc import Iterator
 
 import numpy as np
 
+from contourlab.studies.swap.design import Choice
 from contourlab.studies.swap.fleet import OBJECTIVES
-from contourlab.studies.swap.study import Choice, SwapStudy
+from contourlab.studies.swap.study import SwapStudy
 
 __all__ = ["on_bounds", "search_words", "verdict"]
 
@@ -25,7 +26,7 @@ def verdict(study: SwapStudy) -> str:
         least = min(study.choices, key=lambda choice: choice.loss)
         found = f"the least is {_percent(least.loss)}, with {least.name} local" if least.effort else _percent(least.loss)
         return f"not modular: no choice of local numbers that was tried brings the swap loss under {limit}; {found}"
-    how = "found by growing one set, not by trying all"
+    how = "found by dropping one number after another, not by trying all sets"
     if study.settings.exhaustive:
         how = "all smaller sets were tried"
     elif study.settings.local is not None:
@@ -53,7 +54,7 @@ def search_words(study: SwapStudy) -> Iterator[str]:
     for name, why in {name: why for keeper in fleet.keepers for name, why in keeper.unknown.items()}.items():
         yield f"margins of axis {name} were not looked at: {why}"
     yield (
-        f"{fleet.runs} runs; {settings.budget} candidates a search (twice for the shared design, half for a set that grows) from "
+        f"{fleet.runs} runs; {settings.budget} candidates a search (twice for the shared design, up to half for a set that is tried) from "
         f"{len(study.owns[0].per_start)} starts, seed {settings.seed}; shared designs make the largest loss small, then the mean"
     )
     for variant, own in zip(fleet.variants, study.owns, strict=True):

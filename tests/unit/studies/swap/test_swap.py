@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -23,9 +24,11 @@ from contourlab.studies.swap.coverage import coverage
 from contourlab.studies.swap.design import evaluated
 from contourlab.studies.swap.division import Division
 from contourlab.studies.swap.fleet import Fleet
+from contourlab.studies.swap.kept import Kept
 from contourlab.studies.swap.loss import losses, swap_loss
 from contourlab.studies.swap.numbers import divided_controller
-from contourlab.studies.swap.study import SwapSettings, SwapStudy, swap_study
+from contourlab.studies.swap.settings import SwapSettings
+from contourlab.studies.swap.study import SwapStudy, swap_study
 from contourlab.studies.swap.variants import Variant, variants_of
 from contourlab.studies.swap.verdict import verdict
 
@@ -197,3 +200,81 @@ def test_numbers_are_put_in_their_places() -> None:
     assert made.axes["y"].controller.values()["model_gain"] == 1.05 and made.axes["y"].local == ()
     assert machine_with(machine, {"axes.x.plant.gain": 3.0}).axis("x").plant.values()["gain"] == 3.0
     assert isinstance(Variant("a", machine), Variant)
+
+
+def kept_study(folder: Path, stop_after: int | None = None, model: str = "one") -> tuple[SwapStudy, Kept]:
+    """Return a study of which the searches are kept, or stop at the beginning of a stage."""
+    fleet, kept, begun = fleet_of([("strong", rigid("other", 2.0))], ("*.x.controller.*_gain",)), Kept(folder, model), []
+
+    def stage(said: str, most: int) -> None:
+        if len(begun) == stop_after:
+            raise KeyboardInterrupt
+        begun.append(said)
+
+    candidates = tuple(name for name in fleet.space.names if ".axes.x." in name)
+    return swap_study(fleet, candidates, SwapSettings(budget=200), stage, kept), kept
+
+
+def told(study: SwapStudy) -> list[object]:
+    """Return all that a study says, bit by bit."""
+    fleet = study.fleet
+    designs = [
+        [choice.name, choice.design.points.tobytes(), choice.design.values.tobytes(), choice.design.per_start.tobytes(), choice.design.runs]
+        for choice in study.choices
+    ]
+    owns = [[own.point.tobytes(), own.value, own.per_start.tobytes(), own.runs] for own in study.owns]
+    return [
+        designs,
+        owns,
+        fleet.best.tobytes(),
+        fleet.best_points.tobytes(),
+        fleet.runs,
+        fleet.tried,
+        study.crossed.tobytes(),
+        study.ranking,
+    ]
+
+
+def test_an_interrupted_study_goes_on_to_the_same_bits(tmp_path: Path) -> None:
+    whole, kept = kept_study(tmp_path / "whole")
+    stages = len(list(kept.home.iterdir()))
+    assert kept.found == 0 and stages >= 5
+    for after in range(1, stages):
+        folder = tmp_path / str(after)
+        with pytest.raises(KeyboardInterrupt):
+            kept_study(folder, stop_after=after)
+        resumed, kept = kept_study(folder)
+        assert kept.found == after and told(resumed) == told(whole)
+
+
+def test_searches_of_another_study_are_left_alone_and_damaged_ones_made_again(tmp_path: Path) -> None:
+    whole, first = kept_study(tmp_path)
+    other, second = kept_study(tmp_path, model="two")
+    assert second.found == 0 and second.others == 1 and told(other) == told(whole)
+    file = sorted(first.home.iterdir())[0]
+    file.write_bytes(file.read_bytes()[:-40])
+    again, kept = kept_study(tmp_path)
+    assert kept.damaged == 1 and kept.found == len(list(first.home.iterdir())) - 1 and told(again) == told(whole)
+
+
+def test_numbers_that_are_not_missed_are_dropped() -> None:
+    # The other gains of a rigid frictionless axis do not move with its strength, only a' does.
+    fleet = fleet_of([("strong", rigid("other", 2.0))], ("x.*_gain",))
+    names = tuple(name for name in fleet.space.names if ".axes.x." in name)
+    study = swap_study(fleet, names, SwapSettings(budget=600))
+    assert len(names) == 4 and study.recommended is not None and study.recommended.design.local == {AHEAD}
+    assert study.choices[0].effort == 0 and study.choices[-1].effort == 4
+    assert "found by dropping" in verdict(study)
+    # Nothing was tried within a set that failed.
+    tried = [choice for choice in study.choices if 0 < choice.effort < 4]
+    failed = [choice.design.local for choice in tried if choice.loss >= 0.03]
+    assert not any(one < other for one in failed for other in failed)
+
+
+def test_a_known_design_is_started_from() -> None:
+    fleet = fleet_of([("strong", rigid("other", 2.0))])
+    known = ({AHEAD: 1.0, "controller.axes.y.controller.model_gain": 1.0}, {AHEAD: 2.0, "controller.axes.y.controller.model_gain": 1.0})
+    points = np.vstack([fleet.space.points(one) for one in known])
+    values = fleet.values(points[:, None])[0][:, 0]
+    study = swap_study(replace(fleet), (AHEAD,), SwapSettings(budget=100, known=(known,)))
+    assert (study.fleet.best <= values).all() and (study.choices[-1].design.values <= 1.1 * values).all()

@@ -1,0 +1,47 @@
+"""Searches of a swap that are kept: what decides them, and what is said of them."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from importlib.metadata import version
+from pathlib import Path
+
+from contourlab.session.program_version import DECIDES_RUNS, program_version
+from contourlab.studies.swap.fleet import Fleet
+from contourlab.studies.swap.kept import Kept
+from contourlab.studies.swap.settings import SwapSettings
+
+__all__ = ["KEPT", "kept_notes", "kept_searches"]
+
+KEPT = "searches"
+"""Folder of the searches that are kept, in that of the results."""
+
+
+def kept_searches(
+    folder: Path, fleet: Fleet, candidates: Sequence[str], settings: SwapSettings, plugins: Sequence[str | Path] = ()
+) -> Kept:
+    """Return where the searches of a study are kept: under all that decides it, the content of its files rather than their names."""
+    from contourlab.scenario.dump import dump
+
+    words = [f"{variant.name} {variant.modules}\n{dump(variant.machine)}" for variant in fleet.variants]
+    words += [dump(fleet.controller, fleet.variants[0].machine), fleet.reference.digest, f"seed {fleet.seed}, moving {fleet.moving}"]
+    words += [f"{fleet.objective} {fleet.floor!r} {fleet.bounds}", *map(repr, fleet.space.numbers), f"candidates {list(candidates)}"]
+    # Sets have no order of their own.
+    local = None if settings.local is None else [sorted(names) for names in settings.local]
+    known = [[sorted(values.items()) for values in design] for design in settings.known]
+    words.append(f"{settings.budget} {settings.seed} {settings.full!r} {settings.exhaustive} {local} {known}")
+    words += [Path(plugin).read_text(encoding="utf-8") for plugin in plugins]
+    words += [f"{name} {version(name)}" for name in ("cma", "numpy")]
+    words.append(program_version((*DECIDES_RUNS, "analysis", "studies/space", "studies/swap")))
+    return Kept(folder, "\n".join(words))
+
+
+def kept_notes(kept: Kept) -> Iterator[str]:
+    """Yield what was taken from an earlier time, and what was not."""
+    if kept.found:
+        yield f"{kept.found} searches were kept from an earlier time in {kept.home} and not made again"
+    if kept.others:
+        what = "of another scenario, axis, options or version of contourlab"
+        yield f"{kept.folder} also keeps searches {what}: they were left alone and not used; the folder may be deleted"
+    if kept.damaged:
+        yield f"{kept.damaged} files of kept searches could not be read; their searches were made again"

@@ -1,0 +1,205 @@
+"""A study of a swap while it goes on: what was searched so far, and where the next search starts from."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable
+from dataclasses import dataclass, field, replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from contourlab.studies.swap.design import Choice, Design, Own, best_of_its_own, shared, starts_around, within
+from contourlab.studies.swap.fleet import Fleet
+from contourlab.studies.swap.kept import Kept, Result
+from contourlab.studies.swap.loss import losses, swap_loss
+from contourlab.studies.swap.settings import SwapSettings
+
+__all__ = ["ALL", "BASE", "TRIAL", "Course", "Stage", "words"]
+
+Array = NDArray[np.float64]
+STARTS = 5
+BASE, TRIAL = 2.0, 0.5
+"""Budget of the shared design, which has to please all variants, and of each set that is tried on the way, over that of a variant's own."""
+ENOUGH = 0.9
+"""Part of the limit at which a set that is tried on the way is good enough: J* may fall yet."""
+ALL = "all of the axis"
+SHARED = "shared design"
+AGAIN = 0.1
+"""First step of the second search of the shared design."""
+Stage = Callable[[str, int], None]
+"""Told what is done next, and how many candidates of variants it takes at most."""
+
+
+@dataclass(eq=False)
+class Course:
+    """The state of a study while it goes on.
+
+    Attributes
+    ----------
+    fleet : Fleet
+    settings : SwapSettings
+    stage : Stage
+    kept : Kept, optional
+        Where searches are kept, and looked for; nowhere by default.
+    designs : list of (str, Design)
+        What was looked at, with its name, each set of local numbers once.
+    """
+
+    fleet: Fleet
+    settings: SwapSettings
+    stage: Stage
+    kept: Kept | None = None
+    designs: list[tuple[str, Design]] = field(default_factory=list)
+
+    @property
+    def known(self) -> Array:
+        """Designs from elsewhere (n, n_variant, n_number)."""
+        space, n = self.fleet.space, self.fleet.n_variant
+        found = [np.vstack([space.points(values) for values in design]) for design in self.settings.known]
+        return np.array([np.broadcast_to(points, (n, len(space.numbers))) for points in found]).reshape(-1, n, len(space.numbers))
+
+    def _searched(self, said: str, candidates: float, kind: type[Result], make: Callable[[int], Result]) -> Result:
+        """Return what a search of so many candidates comes to, which may be kept."""
+        budget = max(int(candidates), 1)
+        self.stage(said, budget * (self.fleet.n_variant if kind is Design else 1))
+        if self.kept is None:
+            return make(budget)
+        return self.kept.search(self.fleet, said, kind, lambda: make(budget))
+
+    def own(self) -> tuple[Own, ...]:
+        """Search the best design of each variant alone."""
+        fleet, settings, found = self.fleet, self.settings, []
+        for i, variant in enumerate(fleet.variants):
+            starts = np.vstack([self.known[:, i], starts_around(fleet.space.start, STARTS, settings.seed)])[:STARTS]
+
+            def make(budget: int, i: int = i, starts: Array = starts) -> Own:
+                return best_of_its_own(fleet, i, budget=budget, seed=settings.seed + i, starts=starts)
+
+            found.append(self._searched(f"best of {variant.name}", settings.budget, Own, make))
+        return tuple(found)
+
+    def _starts(self, local: frozenset[str]) -> list[Array]:
+        """Designs to start from: the best with fewer local numbers, each variant's own for all, and those with each its own local part."""
+        fleet, n = self.fleet, self.fleet.n_variant
+        fewer = [design for _, design in self.designs if design.local <= local and design.holds]
+        fewer.sort(key=lambda design: swap_loss(design.values, fleet.best, fleet.floor))
+        mine = np.array([name in local for name in fleet.space.names])
+        found = [design.points for design in fewer[:1]] or [*self.known, np.tile(fleet.space.start, (n, 1))]
+        if local:
+            found += list(self.known)
+        found += [np.where(mine, fleet.best_points, point) for point in fleet.best_points[: STARTS - 1]]
+        if len(found) < STARTS:
+            found.append(fleet.best_points)  # base numbers: the average of the variants' own
+        extra = starts_around(fleet.space.start, STARTS + 1, self.settings.seed + 1)
+        found += [np.tile(point, (n, 1)) for point in extra[1 : STARTS - len(found) + 1]]
+        return found
+
+    def look(self, name: str, local: Iterable[str], *, share: float = 1.0) -> float:
+        """Search one choice; return its loss as J* stands."""
+        chosen = frozenset(local)
+        done = self.of(chosen)
+        if done is None:
+            seed, starts = self._seed, self._starts(chosen)
+            # What fewer local numbers came to stands first: more freedom seldom leads far away.
+            near = starts[:1] if chosen else []
+
+            def make(budget: int) -> Design:
+                return shared(self.fleet, chosen, starts, budget=budget, seed=seed, near=near)
+
+            done = self._searched(f"local: {name}" if chosen else SHARED, share * self.settings.budget, Design, make)
+            self.designs.append((name, done))
+        return self.loss(done)
+
+    def drop(self, held: Design, names: frozenset[str]) -> Design:
+        """Search on from a design with fewer of its numbers local, until that is good enough or `TRIAL` is spent."""
+        local = held.local - names
+        seed, starts = self._seed, [*made_one(self.fleet, held, names), *self.known]
+        name = words(self.fleet, local)
+
+        def make(budget: int) -> Design:
+            return within(self.fleet, local, starts, budget=budget, seed=seed, limit=ENOUGH * self.settings.full)
+
+        done = self._searched(f"local: {name}", TRIAL * self.settings.budget, Design, make)
+        self.designs.append((name, done))
+        return done
+
+    def refine(self, design: Design, turn: int = 0) -> Design:
+        """Search on from a design, with all of `TRIAL`; what comes out takes its place."""
+        at = next(k for k, (_, one) in enumerate(self.designs) if one is design)
+        name, seed = self.designs[at][0], self._seed + 3 + turn
+
+        def make(budget: int) -> Design:
+            return within(self.fleet, design.local, [design.points], budget=budget, seed=seed)
+
+        more = self._searched(f"local: {name}, to the end", TRIAL * self.settings.budget, Design, make)
+        better = min((more, design), key=lambda one: swap_loss(one.values, self.fleet.best, self.fleet.floor))
+        made = replace(better, runs=design.runs + more.runs)
+        self.designs[at] = (name, made)
+        return made
+
+    def share(self, held: Design) -> None:
+        """Search the shared design from one with local numbers, whose values are made one in several ways."""
+        seed, starts = self._seed, [*made_one(self.fleet, held, held.local), *self.known]
+
+        def make(budget: int) -> Design:
+            return shared(self.fleet, frozenset(), starts, budget=budget, seed=seed, spread=AGAIN, most=STARTS)
+
+        self.designs.append(("none", self._searched(SHARED, BASE * self.settings.budget, Design, make)))
+
+    def again(self) -> None:
+        """Search the shared design once more, from the average of what designs with local numbers came to: one that stuck is no verdict."""
+        name, before = self.designs[0]
+        others = sorted((design for _, design in self.designs[1:] if design.local and design.holds), key=self.loss)
+        if not others:
+            return
+        starts = [before.points, *(design.points for design in others[:4])]
+
+        def make(budget: int) -> Design:
+            return shared(self.fleet, frozenset(), starts, budget=budget, seed=self.settings.seed + 4, spread=AGAIN)
+
+        more = self._searched(f"{SHARED}, once more", self.settings.budget, Design, make)
+        better = more if self.loss(more) < self.loss(before) else before
+        self.designs[0] = (name, replace(better, per_start=before.per_start, runs=before.runs + more.runs))
+
+    @property
+    def _seed(self) -> int:
+        return self.settings.seed + 10 * len(self.designs) + 5
+
+    def of(self, local: frozenset[str]) -> Design | None:
+        """Return the design with such local numbers, if it was looked at."""
+        return next((design for _, design in self.designs if design.local == local), None)
+
+    def loss(self, design: Design) -> float:
+        """Return the loss of a choice as J* stands: that of the best design that has no more local numbers."""
+        fewer = [design, *(one for _, one in self.designs if one.local < design.local)]
+        return min(swap_loss(one.values, self.fleet.best, self.fleet.floor) for one in fewer)
+
+    def good(self, loss: float) -> bool:
+        """Tell whether a loss is under the limit."""
+        return loss < self.settings.full
+
+    def choices(self) -> tuple[Choice, ...]:
+        """Return what was looked at, each with the best design that it allows: more local numbers never lose more."""
+        fleet, found = self.fleet, []
+        for name, design in self.designs:
+            allowed = [one for _, one in self.designs if one.local <= design.local]
+            best = min(allowed, key=lambda one: swap_loss(one.values, fleet.best, fleet.floor))
+            merged = Design(design.local, best.points, best.values, design.per_start, design.runs)
+            found.append(Choice(name, merged, losses(best.values, fleet.best, fleet.floor)))
+        return tuple(found)
+
+
+def made_one(fleet: Fleet, design: Design, names: Iterable[str]) -> list[Array]:
+    """Return designs (n_variant, n_number) in which numbers have one value: of all variants, leaning to one of them, or its own."""
+    n, chosen = fleet.n_variant, set(names)
+    columns = np.array([name in chosen for name in fleet.space.names])
+    even, found = np.full(n, 1.0 / n), []
+    for weights in (even, *(0.5 * (even + one) for one in np.eye(n)), *np.eye(n)):
+        found.append(np.where(columns, weights @ design.points, design.points))
+    return found
+
+
+def words(fleet: Fleet, names: Iterable[str]) -> str:
+    """Return names as people say them, in the order of the space."""
+    wanted = set(names)
+    return ", ".join(number.short for number in fleet.space.numbers if number.name in wanted) or "none"
