@@ -20,7 +20,7 @@ KEPT = "searches"
 def kept_searches(
     folder: Path, fleet: Fleet, candidates: Sequence[str], settings: SwapSettings, plugins: Sequence[str | Path] = ()
 ) -> Kept:
-    """Return where the searches of a study are kept: under all that decides it, the content of its files rather than their names."""
+    """Return where the searches of a study are kept: under all that decides it, the content of its files included."""
     from contourlab.scenario.dump import dump
 
     words = [f"{variant.name} {variant.modules}\n{dump(variant.machine)}" for variant in fleet.variants]
