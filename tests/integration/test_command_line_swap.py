@@ -89,7 +89,7 @@ def test_json_alone_and_exit_code_of_what_cannot_be_restored(typed: Path, capsys
     assert (typed / "results" / "plots" / "swap.svg").exists()
     # Nothing is recommended; what was found is there to go on from.
     files = {file.stem for file in (typed / "results" / "controllers").glob("*.toml")}
-    assert files == {"own-x---as-it-is", "own-x---strong", "shared"}
+    assert files == {"own-x-as-it-is", "own-x-strong", "shared"}
 
 
 def test_a_study_goes_on_where_another_one_ended(typed: Path, capsys: pytest.CaptureFixture[str]) -> None:
@@ -97,7 +97,7 @@ def test_a_study_goes_on_where_another_one_ended(typed: Path, capsys: pytest.Cap
     assert main(words) == 0
     first = json.loads(capsys.readouterr().out)
     (typed / "results" / "controllers").rename(typed / "earlier")
-    own = ",".join(f"earlier/own-x---{name}.toml" for name in ("as-it-is", "strong"))
+    own = ",".join(f"earlier/own-x-{name}.toml" for name in ("as-it-is", "strong"))
     assert main([*words, "--budget", "100", "--seed", "1", "--from", own, "--from", "earlier/shared.toml"]) == 0
     second = json.loads(capsys.readouterr().out)
     assert second["search"]["from"] == [own, "earlier/shared.toml"]

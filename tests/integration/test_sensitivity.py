@@ -124,7 +124,7 @@ def test_one_scheme_is_studied_and_the_period_may_be_another(circle: Path, capsy
     circle.write_text(CIRCLE + SCHEMES, encoding="utf-8")
     assert main(["sensitivity", str(circle), *TWO, "--parts", "local"]) == 0
     said = capsys.readouterr().out
-    assert "this is the first, 'position loop'" in said
+    assert "without its schemes 'position loop'" in said
     words = ["--scheme", "all of it", "--servo-period", "0.5 ms", "--json"]
     assert main(["sensitivity", str(circle), *TWO, "--parts", "local", *words]) == 0
     found = json.loads(capsys.readouterr().out)

@@ -35,7 +35,7 @@ from contourlab.cli.commands.sensitivity import sensitivity
 from contourlab.cli.commands.swap import swap
 from contourlab.cli.commands.tune import tune
 from contourlab.cli.output import say, silence
-from contourlab.errors import ContourlabError
+from contourlab.errors import ContourlabError, ParameterError
 
 __all__ = ["app", "main"]
 
@@ -120,7 +120,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
             import traceback
 
             traceback.print_exc()
-        return _explain(error, debug)
+        return _explain(error, debug, given)
 
 
 def _take_debug(arguments: Sequence[str]) -> tuple[list[str], bool]:
@@ -141,9 +141,19 @@ def _call(arguments: list[str]) -> int:
         return int(done.exit_code)
 
 
-def _explain(error: BaseException, debug: bool) -> int:
+def _in_typed_words(error: BaseException, typed: Sequence[str]) -> str:
+    """Return the message of an error, in which a parameter that was typed as an option is called so."""
+    text = str(error)
+    if not isinstance(error, ParameterError) or not text.startswith(error.name):
+        return text
+    option = "--" + error.name.replace("_", "-")
+    given = any(word.partition("=")[0] == option for word in typed)
+    return option + text.removeprefix(error.name) if given else text
+
+
+def _explain(error: BaseException, debug: bool, typed: Sequence[str] = ()) -> int:
     """Say on standard error what went wrong; return the exit code."""
-    code, lines = BAD_INPUT, [f"{NAME}: {error}"]
+    code, lines = BAD_INPUT, [f"{NAME}: {_in_typed_words(error, typed)}"]
     if isinstance(error, ContourlabError):
         code = error.exit_code
     elif isinstance(error, KeyboardInterrupt | typer.Abort):

@@ -17,7 +17,7 @@ Array = NDArray[np.float64]
 _WORDS = {
     "message_period": ("message period [ms]", 1e3, "Messages less often"),
     "delay": ("delay each way [ms]", 1e3, "Messages later"),
-    "jitter": ("jitter [ms]", 1e3, "Messages at odds"),
+    "jitter": ("jitter [ms]", 1e3, "Messages with jitter"),
     "loss": ("messages lost [%]", 100.0, "Messages lost"),
 }
 

@@ -202,7 +202,7 @@ def read_options(options: LinkOptions) -> Asked:
 def _named(option: str, names: tuple[str, ...], known: tuple[str, ...]) -> tuple[str, ...]:
     for name in names:
         if name not in known:
-            raise ParameterError(option, repr(name), "of " + ", ".join(known))
+            raise ParameterError(option, repr(name), "of " + ", ".join(one.replace("_", "-") for one in known))
     return names or known
 
 

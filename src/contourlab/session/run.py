@@ -312,8 +312,9 @@ def _write_signals(outcome: Outcome, file: Path, wanted: Sequence[str]) -> None:
 
 
 def file_name(name: str) -> str:
-    """Return a scheme's name as a file name that every system takes."""
-    return "".join(c if c.isalnum() or c in "-_." else "-" for c in name).strip("-.") or "scheme"
+    """Return a scheme's name as a file name that every system takes, one dash for whatever stands between words."""
+    words = "".join(c if c.isalnum() or c in "-_." else " " for c in name).split()
+    return "-".join(words).strip("-.") or "scheme"
 
 
 def file_names(names: Sequence[str]) -> dict[str, str]:

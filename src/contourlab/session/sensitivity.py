@@ -36,7 +36,7 @@ class Request:
     Attributes
     ----------
     scheme : str
-        Of the scenario; its first if empty.
+        Of the scenario; the scenario without any if empty.
     parameters : sequence of str
         As of `contourlab.studies.space.Space.chosen`; all that is calibrated by default.
     width : float
@@ -146,10 +146,10 @@ def _case(file: str | Path, request: Request, plugins: Sequence[str | Path]) -> 
     from contourlab.session.schemes import loaded
 
     scenario = loaded(file, (request.scheme,) if request.scheme else (), plugins)
-    cases, notes = scenario.cases(), []
-    case = cases[0]
-    if len(cases) > 1:
-        notes.append(f"the scenario has {len(cases)} schemes; this is the first, {case.name!r}: --scheme takes another")
+    case, notes = scenario.cases()[0] if request.scheme else scenario.base, []
+    if not request.scheme and scenario.all_cases:
+        names = ", ".join(repr(one.name) for one in scenario.all_cases)
+        notes.append(f"the scenario is taken without its schemes {names}: --scheme takes one")
     if request.servo_period:
         period = positive("--servo-period", request.servo_period, "s", 'a time, such as "0.1 ms"')
         case = replace(case, machine=replace(case.machine, servo_period=period))

@@ -207,7 +207,7 @@ def _prepared(file: str | Path, swaps: Sequence[tuple[str, Sequence[str]]], opti
     candidates = tuple(name for name in fleet.space.names if variants[0].module(name) and _may_move(controller, name))
     local, origins = _local_sets(fleet, candidates, options.local), known_designs(fleet, options.origins, options.plugins)
     settings = SwapSettings(options.budget, options.seed, exhaustive=options.exhaustive, local=local, known=origins.known)
-    region = Space.chosen(machine, controller, options.region, options.width) if options.region else None
+    region = Space.chosen(machine, controller, options.region, options.width, called="region") if options.region else None
     if region is not None and any(not name.startswith("axes.") for name in region.names):
         raise ParameterError("--region", ", ".join(options.region), "numbers of the machine, such as axes.x.plant.gain")
     tolerance = None if options.tolerance is None else _quantity("--tolerance", options.tolerance, unit, 0.0)

@@ -11,7 +11,7 @@ import pytest
 from contourlab import __version__
 from contourlab.cli.main import main
 from contourlab.components import registry
-from contourlab.errors import DivergenceError, OutputError
+from contourlab.errors import DivergenceError, OutputError, ParameterError
 from contourlab.session.plain import plain
 
 LAUNCH = [sys.executable, "-c", "from contourlab.__main__ import run; run()"]
@@ -103,6 +103,15 @@ def test_every_kind_of_failure_has_its_code(error, code, said, monkeypatch, caps
     assert shown.out == ""
     assert said in shown.err
     assert "Traceback" not in shown.err
+
+
+def test_a_parameter_is_called_as_it_was_typed(monkeypatch, capsys):
+    for words in (["--gain-margin", "-5"], ["--gain-margin=-5"]):
+        assert main(["tune", "builtin:ghaffari/demo-stage", *words]) == 2
+        assert capsys.readouterr().err == "contourlab: --gain-margin = -5 dB: must be 0 to 60 dB\n"
+    fail_with(monkeypatch, ParameterError("gain_margin", "-5", "0 to 60", "dB"))
+    assert main(["components"]) == 2
+    assert capsys.readouterr().err == "contourlab: gain_margin = -5 dB: must be 0 to 60 dB\n"
 
 
 def test_an_interrupted_command_says_what_it_kept(monkeypatch, capsys):

@@ -17,7 +17,7 @@ __all__ = ["sensitivity"]
 def sensitivity(
     file: ScenarioFile,
     parameter: Parameters = None,
-    scheme: Annotated[str, typer.Option(help="A scheme of the scenario; its first by default.", show_default=False)] = "",
+    scheme: Annotated[str, typer.Option(help="A scheme of the scenario; the scenario without any by default.", show_default=False)] = "",
     figure: Annotated[str, typer.Option(help="integral, rms or max of the contour error.")] = "integral",
     width: Width = 2.0,
     parts: Annotated[

@@ -134,7 +134,9 @@ class Space:
         return np.stack(np.broadcast_arrays(*given), axis=1)
 
     @staticmethod
-    def chosen(machine: Machine, controller: Controller, texts: Sequence[str] = (), width: float = WIDTH) -> Space:
+    def chosen(
+        machine: Machine, controller: Controller, texts: Sequence[str] = (), width: float = WIDTH, *, called: str = "parameter"
+    ) -> Space:
         """Return the numbers that texts choose, each with its bounds.
 
         Parameters
@@ -146,6 +148,8 @@ class Space:
             dotted name, and may have ``*``: it then stands for all that fit. None for all of `calibration_order` that are not zero.
         width : float, > 1
             Factor either side of the value where no bounds are given.
+        called : str
+            What the texts are called in an error.
 
         Raises
         ------
@@ -164,7 +168,7 @@ class Space:
         asked: dict[str, str] = {}
         for text in texts:
             wanted, _, bounds = (part.strip() for part in text.partition("="))
-            for name in _fitting(wanted, known):
+            for name in _fitting(wanted, known, called):
                 if bounds and asked.get(name, bounds) not in ("", bounds):
                     raise ParameterError(name, f"{asked[name]} and {bounds}", "given bounds once")
                 asked[name] = bounds or asked.get(name, "")
@@ -184,7 +188,7 @@ def _value(known: tuple[Component, str]) -> float:
     return float(getattr(*known))
 
 
-def _fitting(wanted: str, known: Mapping[str, tuple[Component, str]]) -> list[str]:
+def _fitting(wanted: str, known: Mapping[str, tuple[Component, str]], called: str) -> list[str]:
     """Return the dotted names that a text stands for."""
     if wanted in known:
         return [wanted]
@@ -192,9 +196,7 @@ def _fitting(wanted: str, known: Mapping[str, tuple[Component, str]]) -> list[st
     # "3.position_gain" for controller.axes.3.controller.position_gain: the slot of the controller goes without saying.
     found += [name for name in known if name not in found and fnmatchcase(name.replace(".controller.", "."), f"*.{wanted}")]
     if not wanted or not found:
-        raise ParameterError(
-            "parameter", repr(wanted), f"a number of the machine or its controller, such as {', '.join(_near(wanted, known))}"
-        )
+        raise ParameterError(called, repr(wanted), f"a number of the machine or its controller, such as {', '.join(_near(wanted, known))}")
     return found
 
 

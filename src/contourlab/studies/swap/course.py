@@ -26,6 +26,8 @@ ALL = "all of the axis"
 SHARED = "shared design"
 AGAIN = 0.1
 """First step of the second search of the shared design."""
+MERGED = 4
+"""Designs with local numbers from which that one starts."""
 Stage = Callable[[str, int], None]
 """Told what is done next, and how many candidates of variants it takes at most."""
 
@@ -84,9 +86,8 @@ class Course:
         fewer = [design for _, design in self.designs if design.local <= local and design.holds]
         fewer.sort(key=lambda design: swap_loss(design.values, fleet.best, fleet.floor))
         mine = np.array([name in local for name in fleet.space.names])
-        found = [design.points for design in fewer[:1]] or [*self.known, np.tile(fleet.space.start, (n, 1))]
-        if local:
-            found += list(self.known)
+        found = [design.points for design in fewer[:1]] or [np.tile(fleet.space.start, (n, 1))]
+        found += list(self.known)
         found += [np.where(mine, fleet.best_points, point) for point in fleet.best_points[: STARTS - 1]]
         if len(found) < STARTS:
             found.append(fleet.best_points)  # base numbers: the average of the variants' own
@@ -100,8 +101,8 @@ class Course:
         done = self.of(chosen)
         if done is None:
             seed, starts = self._seed, self._starts(chosen)
-            # What fewer local numbers came to stands first: more freedom seldom leads far away.
-            near = starts[:1] if chosen else []
+            # More freedom seldom leads far away from what fewer local numbers came to; without that, from the variants' own.
+            near = [] if not chosen else starts[:1] if self.designs else [self.fleet.best_points]
 
             def make(budget: int) -> Design:
                 return shared(self.fleet, chosen, starts, budget=budget, seed=seed, near=near)
@@ -137,29 +138,44 @@ class Course:
         self.designs[at] = (name, made)
         return made
 
-    def share(self, held: Design) -> None:
-        """Search the shared design from one with local numbers, whose values are made one in several ways."""
-        seed, starts = self._seed, [*made_one(self.fleet, held, held.local), *self.known]
-
-        def make(budget: int) -> Design:
-            return shared(self.fleet, frozenset(), starts, budget=budget, seed=seed, spread=AGAIN, most=STARTS)
-
-        self.designs.append(("none", self._searched(SHARED, BASE * self.settings.budget, Design, make)))
-
     def again(self) -> None:
-        """Search the shared design once more, from the average of what designs with local numbers came to: one that stuck is no verdict."""
-        name, before = self.designs[0]
-        others = sorted((design for _, design in self.designs[1:] if design.local and design.holds), key=self.loss)
+        """Search the shared design once more, from all that was found so far with its values made one: one that stuck is no verdict."""
+        at, before = next((k, design) for k, (_, design) in enumerate(self.designs) if not design.local)
+        others = sorted((design for _, design in self.designs if design.local and design.holds), key=self.loss)
         if not others:
             return
-        starts = [before.points, *(design.points for design in others[:4])]
+        starts = [before.points, *self._for_all()]
+        for design in others[:MERGED]:
+            starts += made_one(self.fleet, design, design.local)
 
         def make(budget: int) -> Design:
-            return shared(self.fleet, frozenset(), starts, budget=budget, seed=self.settings.seed + 4, spread=AGAIN)
+            return shared(self.fleet, frozenset(), starts, budget=budget, seed=self.settings.seed + 4, spread=AGAIN, most=STARTS)
 
         more = self._searched(f"{SHARED}, once more", self.settings.budget, Design, make)
         better = more if self.loss(more) < self.loss(before) else before
-        self.designs[0] = (name, replace(better, per_start=before.per_start, runs=before.runs + more.runs))
+        self.designs[at] = ("none", replace(better, per_start=before.per_start, runs=before.runs + more.runs))
+
+    def _for_all(self) -> list[Array]:
+        """Return each variant's own best as a design for all of them."""
+        return [np.tile(point, (self.fleet.n_variant, 1)) for point in self.fleet.best_points]
+
+    def handed_on(self, local: frozenset[str]) -> Design:
+        """Return the best design with such local numbers that follows from what was found for others: the rest have one value of theirs."""
+        fleet, shared_names = self.fleet, [name for name in self.fleet.space.names if name not in local]
+        found = [np.tile(fleet.space.start, (fleet.n_variant, 1)), *self._for_all()]
+        for _, design in self.designs:
+            found += [design.points] if design.local <= local else made_one(fleet, design, shared_names)
+        values, broken = fleet.values(np.stack(found, axis=1))
+        kept = np.where(broken > 0.0, np.inf, values)
+        best = int(np.argmin(losses(kept.T, fleet.best, fleet.floor).max(axis=1)))
+        return Design(local, found[best], kept[:, best], np.zeros(0), len(found))
+
+    def settle(self) -> None:
+        """Give each set of local numbers the better of what its search came to and what follows from the others'."""
+        for at, (name, design) in enumerate(self.designs):
+            other = self.handed_on(design.local)
+            if self.loss(other) < self.loss(design):
+                self.designs[at] = (name, replace(design, points=other.points, values=other.values))
 
     @property
     def _seed(self) -> int:

@@ -162,7 +162,7 @@ def shared(
         How many of the starts are taken, the best ones; by default all.
     """
     division = Division(fleet.space, fleet.variants, local)
-    objective, rows = _objective(fleet, division), np.array([division.gathered(points) for points in starts])
+    objective, rows = _objective(fleet, division.spread), np.array([division.gathered(points) for points in starts])
     if most is not None and len(rows) > most:
         rows = rows[np.argsort(objective(rows), kind="stable")[:most]]
     first = None
@@ -186,7 +186,7 @@ def within(fleet: Fleet, local: frozenset[str], starts: Sequence[Array], *, budg
         Swap loss that is good enough, against J* as it is known at the beginning; by default all of the budget is spent.
     """
     division = Division(fleet.space, fleet.variants, local)
-    objective, rows = _objective(fleet, division), np.array([division.gathered(points) for points in starts])
+    objective, rows = _objective(fleet, division.spread), np.array([division.gathered(points) for points in starts])
     rows = rows[[int(np.argmin(objective(rows)))]]
     found = _polished(objective, rows, max(budget - len(starts), 2 * POPULATION), seed, limit=limit / (1.0 + EVENNESS))
     assert found is not None  # the budget is enough for a generation
@@ -228,11 +228,11 @@ def _design(fleet: Fleet, local: frozenset[str], points: Array, per_start: Array
     return Design(local, points, np.where(broken[:, 0] > 0.0, np.inf, values[:, 0]), per_start, runs)
 
 
-def _objective(fleet: Fleet, division: Division) -> Objective:
+def _objective(fleet: Fleet, spread: Objective) -> Objective:
     best = fleet.best.copy()  # J* as it is known now: a target that moves would rank candidates of one generation by different rules
 
     def objective(rows: Array) -> Array:
-        values, broken = fleet.values(division.spread(rows))
+        values, broken = fleet.values(spread(rows))
         lost = losses(np.where(np.isfinite(values), values, 0.0).T, best, fleet.floor)
         whole = (lost.max(axis=1) + EVENNESS * lost.mean(axis=1)) / (1.0 + EVENNESS)
         return np.asarray(np.where((broken > 0.0).any(axis=0), BROKEN * (1.0 + broken.sum(axis=0)), whole))

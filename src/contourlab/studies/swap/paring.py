@@ -6,7 +6,7 @@ from collections.abc import Mapping
 
 import numpy as np
 
-from contourlab.studies.swap.course import ALL, Course
+from contourlab.studies.swap.course import ALL, BASE, Course
 from contourlab.studies.swap.design import Design
 from contourlab.studies.swap.sensitivity import groups_of
 
@@ -27,15 +27,18 @@ def pare(course: Course, candidates: tuple[str, ...], weights: Mapping[str, floa
     Notes
     -----
     Groups of the structure go first, then single numbers, in the order of weight times how far the values of the variants are apart. No set
-    within one that failed is tried, as it has less freedom. A last number is not dropped here: that is the shared design.
+    within one that failed is tried, as it has less freedom. A last number is not dropped here: that is the shared design. Where a design
+    that was found already holds on all variants, nothing has to be dropped.
     """
     course.look(ALL, candidates)
     held = course.of(frozenset(candidates))
     assert held is not None
     restored = course.good(course.loss(held))
-    if restored and len(candidates) > 1:
+    if restored and len(candidates) > 1 and not course.good(course.loss(course.handed_on(frozenset()))):
         held = course.refine(_pared(course, held, candidates, weights))
-    course.share(held)
+    course.look("none", (), share=BASE)
+    if not course.good(course.loss(course.handed_on(frozenset()))):
+        course.again()
     if restored and not course.good(course.loss(held)):
         # J* has fallen meanwhile.
         course.refine(held, turn=1)

@@ -107,6 +107,7 @@ def swap_study(
     else:
         going.look("none", (), share=BASE)
     stage("each design on each variant", 0)
+    going.settle()
     crossed = np.array([evaluated(fleet, frozenset(), np.tile(point, (fleet.n_variant, 1))).values for point in fleet.best_points])
     given = Choice("as given", Design(frozenset(), start, values[:, 0], np.zeros(0), 1), losses(values[:, 0], fleet.best, fleet.floor))
     # Nothing local first, all of it last.

@@ -62,8 +62,11 @@ def search_words(study: SwapStudy) -> Iterator[str]:
         span = f"{good.min():.3g} to {good.max():.3g} {shown}" if good.size else "nothing"
         yield f"{variant.name}: its starts came to {span}, then {own.value * scale:.3g} {shown} around the best of them"
     each = study.base.design.per_start
-    came = ", ".join(f"{100.0 * loss:.3g}" if math.isfinite(loss) else "none that holds" for loss in each)
-    yield f"nothing local: its starts came to losses of {came} % against J* as it stood then; in the end {_percent(study.base.loss)}"
+    came = ", ".join(f"{100.0 * loss:.3g} %" for loss in each if math.isfinite(loss)) or "nothing that keeps the guards"
+    lost = int(np.count_nonzero(~np.isfinite(each)))
+    also = f" ({lost} of {len(each)} to nothing that does)" if 0 < lost < len(each) else ""
+    last = _percent(study.base.loss)
+    yield f"nothing local: the starts of its search came to {came}{also} against J* as it stood then; in the end {last}"
 
 
 def on_bounds(study: SwapStudy, choice: Choice) -> list[str]:

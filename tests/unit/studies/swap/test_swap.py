@@ -20,6 +20,7 @@ from contourlab.session.swap_text import matrices
 from contourlab.studies.space import Space
 from contourlab.studies.space.bounds import Bounds
 from contourlab.studies.space.values import machine_with
+from contourlab.studies.swap.course import made_one
 from contourlab.studies.swap.coverage import coverage
 from contourlab.studies.swap.design import evaluated
 from contourlab.studies.swap.division import Division
@@ -113,6 +114,19 @@ def test_the_picture_has_one_row_for_each_number_of_local_numbers(unequal: SwapS
 
 def test_diagonal_of_the_crossed_designs_is_the_best(unequal: SwapStudy) -> None:
     assert np.diag(unequal.crossed) == pytest.approx(unequal.fleet.best, rel=1e-12)
+
+
+@pytest.mark.parametrize("settings", [{}, {"local": (frozenset({AHEAD}),)}, {"exhaustive": True}])
+def test_no_design_that_was_found_makes_a_better_shared_one(settings: dict[str, object]) -> None:
+    fleet = fleet_of([("like", rigid("other", 1.01))], ("x.*_gain",))
+    names = tuple(name for name in fleet.space.names if ".axes.x." in name)
+    study = swap_study(fleet, names, SwapSettings(budget=100, **settings))  # type: ignore[arg-type]
+    shared = [np.tile(point, (fleet.n_variant, 1)) for point in fleet.best_points]
+    for choice in study.choices:
+        shared += made_one(fleet, choice.design, fleet.space.names)
+    values, broken = fleet.values(np.stack(shared, axis=1))
+    assert (broken == 0.0).all()
+    assert study.base.loss <= min(swap_loss(mine, fleet.best, fleet.floor) for mine in values.T) + 1e-12
 
 
 def test_same_study_on_any_number_of_threads() -> None:
