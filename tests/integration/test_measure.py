@@ -264,7 +264,8 @@ def test_an_axis_that_is_named_twice() -> None:
     ("spoil", "axes"),
     [
         (lambda place: place, ""),
-        (lambda place: 1e-3 * place, "x, y"),
+        (lambda place: 1e-3 * place, "refused"),
+        (lambda place: np.add(place, [0.01, 0.0]), "refused"),
         (lambda place: place[:, ::-1], "x, y"),
         (lambda place: place * [1.0, -1.0], "y"),
     ],
@@ -277,8 +278,57 @@ def test_a_position_that_does_not_go_with_its_reference(
     rows = np.column_stack([1e-3 * np.arange(800), 1e3 * wanted, 1e3 * place])
     log = tmp_path / "log.csv"
     np.savetxt(log, rows, delimiter=",", comments="", header="t [s],x ref [mm],y ref [mm],x pos [mm],y pos [mm]")
-    assert main(["measure", str(log), "--out", str(tmp_path / "out")]) == 0
+    code = main(["measure", str(log), "--out", str(tmp_path / "out")])
+    if axes == "refused":
+        assert code == 2 and "coordinates and units?" in capsys.readouterr().err and not (tmp_path / "out").exists()
+        return
     said = capsys.readouterr().out
-    assert "note: taken by their names" in said
+    assert code == 0 and "note: taken by their names" in said
     assert (f"note: the position of {axes} does not go with its reference" in said) == bool(axes)
     assert ("does not go" in said) == bool(axes)
+
+
+def named(folder: Path, heads: str, *columns: np.ndarray) -> str:
+    """Write a log of millimetres every millisecond."""
+    log = folder / "log.csv"
+    rows = np.column_stack([1e-3 * np.arange(len(columns[0])), *(1e3 * column for column in columns)])
+    np.savetxt(log, rows, delimiter=",", comments="", header=f"t [s],{heads}")
+    return str(log)
+
+
+def test_wrong_columns_are_refused_or_told(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """Positions of x and y exchanged on a path longer than it is wide; the reference in place of the position; a reference left out."""
+    wanted = circle(800) * [3.0, 1.0]
+    place = np.vstack([np.repeat(wanted[:1], 10, axis=0), wanted[:-10]])
+    log = named(tmp_path, "a [mm],b [mm],ar [mm],br [mm]", *place.T, *wanted.T)
+    out = ["--out", str(tmp_path / "out")]
+    columns = {"position.x": "a", "position.y": "b", "reference.x": "ar", "reference.y": "br"}
+
+    def typed(**other: str) -> list[str]:
+        said = {**columns, **{name.replace("_", "."): column for name, column in other.items()}}
+        return ["measure", log, *(word for name, column in said.items() if column for word in ("--column", f"{name}={column}")), *out]
+
+    assert main(typed(position_x="b", position_y="a")) == 2
+    assert "on a path of 120 mm in size: are the columns of position and reference the right ones" in capsys.readouterr().err
+    assert main(typed(reference_y="")) == 2
+    assert "no reference of y" in capsys.readouterr().err
+    assert not (tmp_path / "out").exists()
+    assert main(typed()) == 0
+    assert "same column" not in capsys.readouterr().out
+    assert main(typed(position_x="ar")) == 0
+    assert "note: position and reference of x are equal in all samples: are they the same column?" in capsys.readouterr().out
+
+
+def test_a_program_in_other_units_or_without_its_laps_is_refused(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    side = np.linspace(0.0, 0.04, 500)
+    there = np.concatenate([np.column_stack([side, 0.0 * side]), np.column_stack([0.0 * side + 0.04, side])])
+    log = named(tmp_path, "x pos [mm],y pos [mm]", *there.T)
+    program = "G90 G64\nG1 X0 Y0 F1000\nX40\nY40\nM2\n"
+    for units, code in (("G21", 0), ("G20", 2)):
+        (tmp_path / "part.ngc").write_text(f"{units} {program}")
+        assert main(["measure", log, "--reference", str(tmp_path / "part.ngc"), "--out", str(tmp_path / units)]) == code
+    assert "and moves by 40 mm: are both in the same coordinates and units?" in capsys.readouterr().err
+    log = named(tmp_path, "x pos [mm],y pos [mm]", *np.vstack([there, there[::-1], there]).T)
+    (tmp_path / "part.ngc").write_text(f"G21 {program}")
+    assert main(["measure", log, "--reference", str(tmp_path / "part.ngc"), "--out", str(tmp_path / "laps")]) == 2
+    assert "The tool goes 3 times the path's length" in capsys.readouterr().err

@@ -73,7 +73,9 @@ class ClockReport:
                 f"{worst.missing} at t = {worst.time:.6g} s"
             )
         if self.repeated:
-            found.append(f"{self.repeated} samples repeat the time of the one before and were left out")
+            many = self.repeated > 1
+            words = ("samples repeat", "were") if many else ("sample repeats", "was")
+            found.append(f"{self.repeated} {words[0]} the time of the one before and {words[1]} left out")
         if self.resampled:
             found.append(f"interpolated to an even clock of {show(self.period, 'us')}")
         return found

@@ -9,16 +9,19 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
-from contourlab.errors import LogError
+from contourlab.errors import LogError, UnitError
 from contourlab.logs.moments import is_moment, seconds_from_first
 from contourlab.logs.reading import CUT, cells_of, name_and_unit, number, numbers, text_of
 from contourlab.logs.record import Channel, Record
+from contourlab.units import same_dimension
 
 __all__ = ["matches", "read"]
 
 Array = NDArray[np.float64]
 MARKS = (";", "\t", ",")
 ENDINGS = (".csv", ".tsv", ".txt", ".dat", ".log")
+NO_UNIT = ("", "-", "1")
+"""What stands in a line of units where a column has none."""
 _NUMBER = re.compile(r"[-+]?(\d+([.,]\d*)?|[.,]\d+)([eE][-+]?\d+)?\Z")
 
 
@@ -157,8 +160,12 @@ def _heads(lines: list[list[str]], width: int) -> tuple[list[str], list[str]]:
     if not wide:
         return [str(j + 1) for j in range(width)], [""] * width
     below = [cell.strip().strip('"').strip("[]() ") for cell in wide[-1]]
-    if len(wide) > 1 and all(re.fullmatch(r"[^\d\s]?[^\s]{0,7}", cell) for cell in below) and _bracketed(wide[-1]):
-        return [cell.strip().strip('"') for cell in wide[-2]], below
+    if len(wide) > 1 and all(re.fullmatch(r"[^\d\s]?[^\s]{0,7}", cell) for cell in below):
+        above = [cell.strip().strip('"').strip() for cell in wide[-2]]
+        if _bracketed(wide[-1]):
+            return above, below
+        if _bare_units(above, below):
+            return above, ["" if cell in NO_UNIT else cell for cell in below]
     pairs = [name_and_unit(cell.strip().strip('"')) for cell in wide[-1]]
     return [name or str(j + 1) for j, (name, _) in enumerate(pairs)], [unit for _, unit in pairs]
 
@@ -166,6 +173,19 @@ def _heads(lines: list[list[str]], width: int) -> tuple[list[str], list[str]]:
 def _bracketed(cells: list[str]) -> bool:
     """Tell whether a line is one of units alone: each in brackets, or empty."""
     return all(re.fullmatch(r'"?\s*([\[(].*[\])])?\s*"?', cell) for cell in cells)
+
+
+def _bare_units(names: list[str], cells: list[str]) -> bool:
+    """Tell whether cells below names are units without brackets: each that holds something is one that is known, and has a name."""
+    told = [(name, cell) for name, cell in zip(names, cells, strict=True) if cell not in NO_UNIT]
+    return bool(told) and all(name and name != cell and _is_unit(cell) for name, cell in told)
+
+
+def _is_unit(text: str) -> bool:
+    try:
+        return same_dimension(text, text)
+    except UnitError:
+        return False
 
 
 def _values(lines: list[tuple[int, str]], width: int, mark: str | None, file: Path, heads: set[str]) -> Array:

@@ -244,5 +244,5 @@ def unknown(record: Record) -> str:
     """Return the words that help who has to say which column is which."""
     return (
         f"which column is what? There are {said(record.names)}; say for example "
-        f"--column 'position.x={record.names[0]} [mm]', or name a file of columns with --columns"
+        "--column 'position.x=NAME [mm]', or name a file of columns with --columns"
     )

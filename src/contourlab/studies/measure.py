@@ -15,7 +15,8 @@ from contourlab.metrics import AxisFigures, CircleFigures, Metrics, Spike, circl
 from contourlab.metrics.judge import reach
 from contourlab.result import Result, Signal
 from contourlab.scenario.placing import placed
-from contourlab.studies.progress import progress_along
+from contourlab.studies.laps import last_lap
+from contourlab.studies.progress import farthest, progress_along, size_of
 from contourlab.studies.sample_path import moving, path_of_samples
 from contourlab.studies.shift import fitted_shift
 
@@ -79,7 +80,7 @@ def measure(
     Raises
     ------
     ResultError
-        If a signal is missing or not finite, nothing moves, or a shift is asked for without a path.
+        If a signal is missing or not finite, nothing moves, the tool is nowhere near the path, or a shift is asked for without one.
     """
     chosen = _of_axes(result, axes or result.axes)
     position, notes = _position_of(chosen), []
@@ -107,6 +108,8 @@ def measure(
     if of_samples:
         window, left = _on_the_path(judged, reference, window)
         notes += left
+        _check_near(judged["contour_error"][slice(*window)], path)
+        notes += _on_last_lap(judged, reference, window)
     metrics = _of_what_is_known(summarise(judged, reference, window), chosen, window)
     spikes, circles = reversal_spikes(judged, window, reference=reference), circles_of(judged, reference)
     return Measured(judged, reference, metrics, spikes, circles, tuple(notes))
@@ -139,14 +142,37 @@ def _position_of(chosen: Result) -> Array:
 def _reference_of(chosen: Result) -> Array:
     if "reference" not in chosen:
         raise ResultError(f"no reference in {chosen.scheme}: say which columns, or name the part program with --reference part.ngc")
-    return chosen["reference"]
+    wanted = chosen["reference"]
+    missing = [axis for axis, column in zip(chosen.axes, wanted.T, strict=True) if not np.isfinite(column).any()]
+    if missing:
+        raise ResultError(
+            f"no reference of {', '.join(missing)} in {chosen.scheme}: say which column it is, such as "
+            f"--column 'reference.{missing[0]}=NAME [mm]', or leave the axis out with --axes"
+        )
+    return wanted
+
+
+def _check_near(contour: Array, path: Path) -> None:
+    """Refuse positions that are not on the path of their reference at all, as where columns are exchanged or units differ."""
+    rms, size = float(np.sqrt(np.mean(contour**2))), size_of(path)
+    if rms > farthest(size):
+        raise ResultError(
+            f"the tool is off the path of its reference by {rms * 1e3:.4g} mm rms, on a path of {size * 1e3:.4g} mm in size: are the "
+            "columns of position and reference the right ones, of the same axes, coordinates and units?"
+        )
 
 
 def _unlike(axes: tuple[str, ...], wanted: Array, position: Array) -> list[str]:
     """Remark on axes whose position has little of their reference in it."""
     left, whole = np.var(wanted - position, axis=0), np.var(wanted, axis=0)
     names = ", ".join(axis for axis, off, size in zip(axes, left, whole, strict=True) if off > (1.0 - ALIKE) * size > 0.0)
-    return [f"the position of {names} does not go with its reference: are column, unit and direction right?"] if names else []
+    said = [f"the position of {names} does not go with its reference: are column, unit and direction right?"] if names else []
+    same = ", ".join(
+        axis for axis, one, other in zip(axes, wanted.T, position.T, strict=True) if np.ptp(one) > 0.0 and (one == other).all()
+    )
+    if same:
+        said.append(f"position and reference of {same} are equal in all samples: are they the same column?")
+    return said
 
 
 def _with_motion(chosen: Result, position: Array, wanted: Array, along: Array) -> Result:
@@ -178,6 +204,17 @@ def _on_the_path(judged: Result, reference: Reference, window: tuple[int, int]) 
         return window, []
     left = first - start + stop - last
     return (first, last), [f"the log is cut in motion: {left} samples at which the tool is not on the recorded path are left out"]
+
+
+def _on_last_lap(judged: Result, reference: Reference, window: tuple[int, int]) -> list[str]:
+    """Tell the last lap alone, which is what a simulated run is judged by: the first one has the start from rest in it."""
+    first = last_lap(reference.path, judged["arc_length"])
+    if first is None or not window[0] < first < window[1] - 2:
+        return []
+    error = np.abs(judged["contour_error"][first : window[1]])
+    rms, largest = 1e6 * float(np.sqrt(np.mean(error**2))), 1e6 * float(error.max())
+    when = f"from t = {judged.time[first]:.4g} s on"
+    return [f"of the last lap alone, {when}, the contour error is {rms:.3g} um rms, {largest:.3g} um at most"]
 
 
 def _of_what_is_known(metrics: Metrics, chosen: Result, window: tuple[int, int]) -> Metrics:

@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 from contourlab.errors import ResultError
 from contourlab.geometry import Path
 
-__all__ = ["progress_along"]
+__all__ = ["farthest", "progress_along", "size_of"]
 
 Array = NDArray[np.float64]
 PLACES = 200_000
@@ -17,10 +17,24 @@ FINEST = 20e-6
 """Metres between them, at least."""
 FARTHEST = 0.05
 """Part of the path's size that the tool may be off it before the two are said not to belong together."""
+OUTSIDE = 1e-4
+"""Metres that it may be off however small the path is."""
 STARTS = 12
 """Places that the tool may have begun at, at most: a path may close, cross itself or go several laps."""
+LAPS = 1.5
+"""Ratio of the tool's way to the path's length from which laps are thought of."""
 ALIKE = 1.05
 """Ratio of squared distances up to which two beginnings are as good: then the tool was on its first way past."""
+
+
+def size_of(path: Path) -> float:
+    """Return the largest side of the box around a path [m]."""
+    return float(np.ptp(path.position(np.linspace(0.0, path.length, 1001)), axis=0).max())
+
+
+def farthest(size: float) -> float:
+    """Return how far [m] a tool may be off a path of a size [m] before the two are said not to belong together."""
+    return FARTHEST * size + OUTSIDE
 
 
 def progress_along(path: Path, positions: Array) -> tuple[Array, float]:
@@ -49,7 +63,8 @@ def progress_along(path: Path, positions: Array) -> tuple[Array, float]:
     places = path.position(grid)
     spacing = path.length / (n - 1)
     size = float(np.ptp(places, axis=0).max())
-    limit = FARTHEST * size + 1e-4
+    # What is small beside the path is not on it because it is near one place of it: a path in inches, read in millimetres.
+    limit = farthest(min(size, float(np.ptp(positions, axis=0).max())))
     way = np.append(0.0, np.cumsum(np.linalg.norm(np.diff(positions, axis=0), axis=1)))
     # As many samples as there are steps of the path, each a step further than the one before.
     picked = np.unique(np.searchsorted(way, np.arange(0.0, way[-1] + spacing, 2.0 * spacing)).clip(0, len(way) - 1))
@@ -65,11 +80,19 @@ def progress_along(path: Path, positions: Array) -> tuple[Array, float]:
             most = min(most, ALIKE * total + len(tool) * spacing**2)
     if not ways:
         raise ResultError(
-            f"the tool strays {strays * 1e3:.4g} mm or more from a path of {size * 1e3:.4g} mm in size: "
-            "are both in the same coordinates and units?"
+            f"the tool strays {strays * 1e3:.4g} mm or more from a path of {size * 1e3:.4g} mm in size, and moves by "
+            f"{float(np.ptp(positions, axis=0).max()) * 1e3:.4g} mm: are both in the same coordinates and units?{_on_laps(path, way[-1])}"
         )
     found = min((found for total, found in ways if total <= most), key=lambda found: int(found[0]))
     return np.interp(way, way[picked], grid[found]), float(first[found[0]])
+
+
+def _on_laps(path: Path, way: float) -> str:
+    """Return what is to be said of a tool that goes further than a path that does not close."""
+    if path.closed or way < LAPS * path.length:
+        return ""
+    ratio = f"{way / path.length:.3g} times the path's length"
+    return f" The tool goes {ratio}, and laps are followed only of a path that closes: cut the log to one"
 
 
 def _starts(distance: Array, limit: float) -> list[int]:

@@ -394,3 +394,26 @@ def test_a_format_that_is_none(tmp_path: Path) -> None:
         read_record(tmp_path)
     with pytest.raises(LogError, match="cannot be read"):
         read_record(tmp_path / "none.csv")
+
+
+@pytest.mark.parametrize("mark", [";", ",", "\t"])
+@pytest.mark.parametrize(
+    ("heads", "names", "units"),
+    [
+        (["t;x;y", "s;mm;mm"], ["t", "x", "y"], ["s", "mm", "mm"]),
+        (["t;x;u", "s;um;"], ["t", "x", "u"], ["s", "um", ""]),
+        (["t;x;u", "ms;m;-"], ["t", "x", "u"], ["ms", "m", ""]),
+        (["a scope;of;2024", "t;x;u", "s;mm;V"], ["t", "x", "u"], ["s", "mm", "V"]),
+        (["t;x;u", "s;furlongs_;V"], ["s", "furlongs_", "V"], ["", "", ""]),
+        (["bench;run;1", "t;x;y"], ["t", "x", "y"], ["", "", ""]),
+        (["s;mm;V"], ["s", "mm", "V"], ["", "", ""]),
+    ],
+)
+def test_a_line_of_bare_units_below_the_names(tmp_path: Path, mark: str, heads: list[str], names: list[str], units: list[str]) -> None:
+    """Read as units where every cell of it that holds something is a known unit; else it is a line of names."""
+    file = tmp_path / "log.csv"
+    file.write_text("\n".join([*heads, "0;0;1", "1;2;3", "2;4;5"]).replace(";", mark) + "\n")
+    record = read_record(file)
+    assert [channel.name for channel in record.channels] == names
+    assert [channel.unit for channel in record.channels] == units
+    assert record.channels[1].values.tolist() == [0.0, 2.0, 4.0]
