@@ -87,19 +87,21 @@ def test_a_machine_comes_out_of_a_log(scene: Path, tmp_path: Path, capsys: pytes
             figure = found["parameters"][f"axes.{axis}.{name}"]
             assert figure["value"] == pytest.approx(true, abs=4.0 * figure["deviation"] + 2e-3 * true)
     assert all(row["explained"] > 0.999 for row in found["fitted"] + found["validation"])
+    assert found["validation_before"][0]["explained"] < found["validation"][0]["explained"]
+    assert any("log has the samples of a log that was fitted" in remark for remark in found["remarks"])
     machine = load_machine(out)
     assert machine.axis("y").friction.values()["coulomb"] == pytest.approx(
         found["parameters"]["axes.y.friction.coulomb"]["value"], rel=1e-5
     )
     assert 'source = "fitted", deviation = "' in out.read_text() and 'from = "log.csv"' in out.read_text()
-    drawn = {file.name for file in (tmp_path / "seen").iterdir()}
+    drawn = {file.name for file in (tmp_path / "seen" / "plots").iterdir()}
     assert drawn == {f"log-position-{axis}{part}.svg" for axis in "xy" for part in ("", "-left")}
 
 
 def test_the_table_says_what_was_not_seen(scene: Path, capsys: pytest.CaptureFixture[str]) -> None:
     assert main(words(scene, "--window", "0 s..1 s")) == 0
     said = capsys.readouterr().out
-    assert "unseen" in said and "deviation" in said and "explained" in said
+    assert "unseen before  " in said and "\nunseen  " in said and "deviation" in said and "explained" in said
 
 
 def test_controllers_that_were_refined_get_files_of_their_own(scene: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
@@ -176,14 +178,17 @@ def test_correlations_of_the_file_before_are_kept_only_where_both_numbers_are(
 
 
 def test_a_log_in_a_wrong_unit_makes_no_machine(scene: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    """Positions a thousand times too small: the only parameter ends at its bound, and nothing is known of it."""
-    lines = (scene / "log.csv").read_text().splitlines()
-    lines[0] = lines[0].replace("pos [mm]", "pos [um]")
-    (tmp_path / "log.csv").write_text("\n".join(lines))
+    """Positions a tenth too small: the only parameter ends at its bound, and nothing is known of it; a thousand times is refused."""
+    lines = [line.split(",") for line in (scene / "log.csv").read_text().splitlines()]
+    small = [",".join([*cells[:3], *(f"{0.9 * float(cell):.6f}" for cell in cells[3:])]) for cells in lines[1:]]
+    (tmp_path / "log.csv").write_text("\n".join([",".join(lines[0]), *small]))
     out, given = tmp_path / "machine.toml", words(scene, "--out", str(tmp_path / "machine.toml"), "--json", names=["axes.x.plant.mass"])
     assert main([str(tmp_path / "log.csv") if word == str(scene / "log.csv") else word for word in given]) == 1
     found = json.loads(capsys.readouterr().out, parse_constant=pytest.fail)
     assert found["parameters"]["axes.x.plant.mass"]["at_bound"] and not found["usable"] and not out.exists()
+    (tmp_path / "log.csv").write_text((scene / "log.csv").read_text().replace("pos [mm]", "pos [um]"))
+    assert main([str(tmp_path / "log.csv") if word == str(scene / "log.csv") else word for word in given]) == 2
+    assert "coordinates and units?" in capsys.readouterr().err
 
 
 def test_samples_that_are_missing_are_told(scene: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
@@ -194,3 +199,17 @@ def test_samples_that_are_missing_are_told(scene: Path, tmp_path: Path, capsys: 
     assert main(typed) in (0, 1)
     remarks = json.loads(capsys.readouterr().out)["remarks"]
     assert any(f"thin: 4 of {len(lines) - 1} samples are missing" in remark for remark in remarks)
+
+
+@pytest.mark.parametrize("option", ["--out", "--folder"])
+def test_what_cannot_be_written_is_told_before_it_is_refined(
+    scene: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str], option: str
+) -> None:
+    from contourlab.session import refine
+
+    (tmp_path / "taken").mkdir()
+    (tmp_path / "file").write_text("")
+    monkeypatch.setattr(refine, "refine", lambda *args, **more: pytest.fail("refined"))
+    assert main(words(scene, "--plots", "png", option, str(tmp_path / {"--out": "taken", "--folder": "file"}[option]))) == 2
+    assert option in capsys.readouterr().err
+    assert sorted(file.name for file in tmp_path.iterdir()) == ["file", "taken"]

@@ -3,12 +3,16 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from contextlib import nullcontext
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+import numpy as np
+
 from contourlab.errors import ParameterError, UnitError
 from contourlab.result import write_text_atomic
+from contourlab.session.folder import check_file, staged
 from contourlab.session.log_choice import LogChoice, open_log
 from contourlab.session.run import check_plots
 from contourlab.studies.log_run import Agreement, LogRun, log_run
@@ -64,7 +68,8 @@ def refine_logs(
     out : str or Path, optional
         The machine's file; controllers get names of their own beside it. None is written where the figures are unusable.
     plots : sequence of str
-        png, svg or pdf, into `folder`.
+        png, svg or pdf, into ``plots`` in `folder`; what else is there stays.
+    folder : str or Path
     progress : callable, optional
         Told in words how far it is.
 
@@ -74,6 +79,8 @@ def refine_logs(
         If a file cannot be read or lacks something.
     ParameterError
         If an option is out of range, or the run diverges as it begins.
+    OutputError
+        If `out` or `folder` cannot be written; found before anything is simulated.
     """
     check_plots(plots)
     if len(scenarios) not in (1, len(choices)):
@@ -86,15 +93,17 @@ def refine_logs(
     spans = _windows(windows, len(runs))
     held_out = None if validation is None else _run(read[0], validation, several=False)  # a log that cannot be read is told ahead
     if out is not None:
-        _check_folder(Path(out))
-    found = refine(runs, parameters, windows=spans, settings=RefineSettings(starts=starts), progress=progress)
-    checked = () if held_out is None else _held_out(found, held_out)
-    sources = [Path(choice.file).name for choice in choices]
-    text = _text(found, checked)
-    if plots:
-        from contourlab.session.refine_pictures import draw
+        check_file(out)
+    with staged(folder, alone=False, option="--folder") if plots else nullcontext() as stage:
+        found = refine(runs, parameters, windows=spans, settings=RefineSettings(starts=starts), progress=progress)
+        checked = _Validation((), ()) if held_out is None else _held_out(found, runs, held_out)
+        found = replace(found, remarks=(*found.remarks, *_on_validation(runs, held_out)))
+        text = _text(found, checked)
+        if stage is not None:
+            from contourlab.session.refine_pictures import draw
 
-        text += "".join(f"\nplot: {file}" for file in draw(found, folder, plots))
+            text += "".join(f"\nplot: {Path(folder) / file.relative_to(stage)}" for file in draw(found, stage / "plots", plots))
+    sources = [Path(choice.file).name for choice in choices]
     if out is not None:
         text += "".join(f"\n{line}" for line in _write(found, sources, Path(out)))
     return Refinement(found.usable, _summary(found, checked, sources), text)
@@ -112,14 +121,6 @@ def _run(scenario: Scenario, choice: LogChoice, several: bool) -> LogRun:
     run = log_run(scenario.machine, scenario.controller, log.result, label)
     clocks = dict.fromkeys(f"{label}: {line}" for report in log.clocks.values() for line in report.lines())
     return replace(run, notes=(*run.notes, *clocks))
-
-
-def _check_folder(out: Path) -> None:
-    """See that files can be written where they are to go, ahead of the work."""
-    from contourlab.session.folder import staged
-
-    with staged(out.parent):
-        pass
 
 
 def _windows(texts: Sequence[str], count: int) -> list[Window | None]:
@@ -140,10 +141,25 @@ def _windows(texts: Sequence[str], count: int) -> list[Window | None]:
     return found * count if len(found) == 1 else found
 
 
-def _held_out(found: Refined, run: LogRun) -> tuple[Agreement, ...]:
-    """Return how well the first run's machine and controller follow a log that was not fitted."""
-    followed = replace(run, machine=found.runs[0].machine, controller=found.runs[0].controller)
-    return followed.agreement(followed.once())
+@dataclass(frozen=True)
+class _Validation:
+    """How well the first run's machine and controller follow a log that was not fitted, as they were and as they are."""
+
+    before: tuple[Agreement, ...]
+    after: tuple[Agreement, ...]
+
+
+def _held_out(found: Refined, runs: Sequence[LogRun], run: LogRun) -> _Validation:
+    told = [replace(run, machine=like.machine, controller=like.controller) for like in (runs[0], found.runs[0])]
+    before, after = (one.agreement(one.once()) for one in told)
+    return _Validation(before, after)
+
+
+def _on_validation(runs: Sequence[LogRun], run: LogRun | None) -> list[str]:
+    """Remark on a log for validation that is one of those that were fitted."""
+    if run is None or not any(np.array_equal(run.measured, one.measured) for one in runs):
+        return []
+    return [f"{run.label} has the samples of a log that was fitted: it validates nothing but what --window left out"]
 
 
 def _table(rows: Sequence[Sequence[str]], left: tuple[int, ...]) -> list[str]:
@@ -153,13 +169,20 @@ def _table(rows: Sequence[Sequence[str]], left: tuple[int, ...]) -> list[str]:
     ]
 
 
-def _text(found: Refined, checked: Sequence[Agreement]) -> str:
+def _groups(found: Refined, checked: _Validation) -> dict[str, tuple[Agreement, ...]]:
+    """Return how well runs were followed before and after: over what was fitted, what was not, and the log for validation."""
+    fitted = {"before": found.before, "fitted": found.after}
+    unseen = {"unseen before": found.unseen_before, "unseen": found.unseen}
+    return {**fitted, **unseen, "validation before": checked.before, "validation": checked.after}
+
+
+def _text(found: Refined, checked: _Validation) -> str:
     rows = [("parameter", "began at", "is", "deviation", "if white")]
     for one, value, deviation, white in zip(found.sought, found.values, found.deviations, found.white_deviations, strict=True):
         rows.append((one.label, shown(one, one.number.value), shown(one, value), shown(one, deviation, 2), shown(one, white, 2)))
     lines = _table(rows, (0,))
     agreed = [("", "run", "axis", "signal", "explained", "fit", "left, rms")]
-    for words, group in (("before", found.before), ("fitted", found.after), ("unseen", found.unseen), ("validation", checked)):
+    for words, group in _groups(found, checked).items():
         for a in group:
             agreed.append((words, a.run, a.axis, a.signal, f"{100.0 * a.explained:.3f} %", f"{a.fit:.2f} %", _size(a)))
     lines += ["", *_table(agreed, (0, 1, 2, 3))]
@@ -171,7 +194,7 @@ def _size(one: Agreement) -> str:
     return f"{one.rms * 1e6:.3g} um" if one.signal == "position" else f"{one.rms:.3g}"
 
 
-def _summary(found: Refined, checked: Sequence[Agreement], sources: Sequence[str]) -> dict[str, Any]:
+def _summary(found: Refined, checked: _Validation, sources: Sequence[str]) -> dict[str, Any]:
     def rows(group: Sequence[Agreement]) -> list[dict[str, Any]]:
         return [
             {"run": a.run, "axis": a.axis, "signal": a.signal, "explained": a.explained, "fit_percent": a.fit, "rms": a.rms} for a in group
@@ -192,10 +215,7 @@ def _summary(found: Refined, checked: Sequence[Agreement], sources: Sequence[str
             }
             for one, value, deviation, white, bound in figures
         },
-        "before": rows(found.before),
-        "fitted": rows(found.after),
-        "unseen": rows(found.unseen),
-        "validation": rows(checked),
+        **{words.replace(" ", "_"): rows(group) for words, group in _groups(found, checked).items()},
         "correlation": found.knowledge.correlation.tolist(),
         "descents": found.descents,
         "descents_agreeing": found.agreeing,

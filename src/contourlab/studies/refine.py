@@ -72,8 +72,10 @@ class Refined:
     runs : tuple of LogRun
         With the refined parameters in place.
     simulated : tuple of ndarray (n_sample, n_channel)
-    before, after, unseen : tuple of Agreement
-        As it began and as it is, over the samples that were fitted; and over those that move and were not.
+    before, after : tuple of Agreement
+        As it began and as it is, over the samples that were fitted.
+    unseen_before, unseen : tuple of Agreement
+        The same over those that move and were not fitted.
     descents, agreeing : int
         Descents that were made, and those that ended at the same sum of squares as the best.
     remarks : tuple of str
@@ -91,6 +93,7 @@ class Refined:
     simulated: tuple[Array, ...]
     before: tuple[Agreement, ...]
     after: tuple[Agreement, ...]
+    unseen_before: tuple[Agreement, ...]
     unseen: tuple[Agreement, ...]
     descents: int
     agreeing: int
@@ -266,11 +269,11 @@ def _told(
     deviations[free], white[free] = knowledge.deviations, knowledge.white_deviations
     ends = tuple(_placed(run, sought, found.values, i) for i, run in enumerate(runs))
     simulated = tuple(run.once() for run in ends)
-    before, after, unseen = _agreements(runs, ends, simulated, windows)
+    before, after, unseen_before, unseen = _agreements(runs, ends, simulated, windows)
     said, usable = remarks_on(sought, found, deviations, white, knowledge, after, descents)
     said += tuple(note for run in runs for note in run.notes)
     known = found.values, deviations, white, found.at_bound, knowledge
-    return Refined(sought, *known, ends, simulated, before, after, unseen, *descents, said, usable)
+    return Refined(sought, *known, ends, simulated, before, after, unseen_before, unseen, *descents, said, usable)
 
 
 def _placed(run: LogRun, sought: Sequence[Sought], values: Array, which: int) -> LogRun:
@@ -283,17 +286,20 @@ def _placed(run: LogRun, sought: Sequence[Sought], values: Array, which: int) ->
 def _agreements(
     runs: Sequence[LogRun], ends: Sequence[LogRun], simulated: Sequence[Array], windows: Sequence[Window | None]
 ) -> tuple[tuple[Agreement, ...], ...]:
-    """Return the agreement before and after over what was fitted, and after over what moves outside of it."""
+    """Return the agreement before and after over what was fitted, and both over what moves outside of it."""
     before: list[Agreement] = []
     after: list[Agreement] = []
+    unseen_before: list[Agreement] = []
     unseen: list[Agreement] = []
     for run, end, signals, window in zip(runs, ends, simulated, windows, strict=True):
         within = rows_within(run, window)
         moves = np.zeros_like(within)
         moves[slice(*run.moves)] = True
         fitted = within & moves if (within & moves).any() else within
-        before += run.agreement(run.once(), fitted)
+        began = run.once()
+        before += run.agreement(began, fitted)
         after += end.agreement(signals, fitted)
         if (moves & ~within).any():
+            unseen_before += run.agreement(began, moves & ~within)
             unseen += end.agreement(signals, moves & ~within)
-    return tuple(before), tuple(after), tuple(unseen)
+    return tuple(before), tuple(after), tuple(unseen_before), tuple(unseen)

@@ -73,7 +73,8 @@ def test_known_numbers_come_back_within_what_is_said_of_them(result: Result) -> 
 def test_what_moves_outside_a_window_is_unseen(result: Result) -> None:
     found = refine([guessed(result)], WANTED, windows=[(0.0, 1.0)], settings=RefineSettings(starts=1))
     (unseen,) = found.unseen
-    assert unseen.explained > 0.999
+    (before,) = found.unseen_before
+    assert unseen.explained > 0.999 and unseen.rms < before.rms and (before.run, before.axis) == (unseen.run, unseen.axis)
     assert refine([guessed(result)], WANTED[:1], settings=RefineSettings(starts=1)).unseen == ()
 
 
