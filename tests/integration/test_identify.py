@@ -46,7 +46,7 @@ def test_known_figures_are_found_and_make_an_axis(tmp_path: Path, capsys: pytest
         origin, told = part.origins[name], found["parameters"][figure]
         assert (origin.source, origin.reference) == ("fitted", "log-0.csv")
         assert origin.deviation == pytest.approx(max(told["deviation"], told["robust_deviation"]), rel=5e-3)
-    assert axis.limits.origins["velocity"].note == "the largest in the log, no limit of the axis"
+    assert axis.limits.origins["velocity"].note == "20 % above the largest in the log: give the axis' own"
     assert {frozenset(pair[:2]) for pair in axis.correlations} >= {frozenset(("plant.damping", "friction.coulomb"))}
 
 
@@ -122,3 +122,56 @@ def test_samples_at_rest_are_left_out(tmp_path: Path, capsys: pytest.CaptureFixt
     assert found[1]["fit_percent"] > found[0]["fit_percent"]
     assert main([*words, "--slowest", "fast"]) == 2
     assert "--slowest" in capsys.readouterr().err
+
+
+def test_the_same_samples_again_validate_nothing(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    log = written(tmp_path)
+    again = tmp_path / "again.csv"
+    again.write_bytes(log.read_bytes())
+    for second, told in ((log, True), (again, True), (written(tmp_path, 1), False)):
+        assert main(["identify", str(log), "--column", "force.x=push", "--validation", str(second)]) == 0
+        assert ("has the samples that were fitted: it validates nothing" in capsys.readouterr().out) == told
+
+
+def test_the_reference_in_place_of_the_position_makes_no_axis(shared: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    log, out = shared / "data" / "emps" / "DATA_EMPS.mat", tmp_path / "axis.toml"
+    words = ["identify", str(log), "--column", "position.x=qg [m]", "--column", "command.x=vir [V]", "--gain", "35 N/V", "--json"]
+    assert main([*words, "--out", str(out)]) == 1 and not out.exists()
+    found = json.loads(capsys.readouterr().out)
+    assert 60.0 < found["fit_percent"] < 75.0
+    assert any("is the position the measured one" in remark for remark in found["remarks"])
+    assert main([*words, "--column", "reference.x=qg [m]"]) == 1
+    assert any("are they the same column?" in remark for remark in json.loads(capsys.readouterr().out)["remarks"])
+
+
+def test_a_model_that_leaves_more_than_a_tenth_is_remarked_on(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """A ripple of the force that is no friction: a fit of 80 to 90 % is told, and usable."""
+    lines = written(tmp_path).read_text().splitlines()
+    rows = np.array([[float(cell) for cell in line.split(",")] for line in lines[1:]])
+    size = float(rows[:, 2].std())
+    rows[:, 2] += 0.24 * size * np.sin(2.0 * np.pi * rows[:, 1] / 3.0)
+    log = tmp_path / "ripple.csv"
+    np.savetxt(log, rows, delimiter=",", header=lines[0], comments="", fmt="%.6f")
+    assert main(["identify", str(log), "--column", "force.x=push", "--json"]) == 0
+    found = json.loads(capsys.readouterr().out)
+    assert 80.0 < found["fit_percent"] < 90.0 and any("% of the force: friction" in remark for remark in found["remarks"])
+
+
+@pytest.mark.parametrize("option", ["--out", "--folder"])
+def test_what_cannot_be_written_is_told_before_a_log_is_read(tmp_path: Path, capsys: pytest.CaptureFixture[str], option: str) -> None:
+    (tmp_path / "taken").mkdir()
+    (tmp_path / "file").write_text("")
+    bad = {"--out": [str(tmp_path / "taken"), str(tmp_path / "file" / "axis.toml")], "--folder": [str(tmp_path / "file")]}
+    for place in bad[option]:
+        assert main(["identify", str(tmp_path / "no-log.csv"), "--plots", "png", option, place]) == 2
+        error = capsys.readouterr().err
+        assert option in error and "no-log" not in error
+    assert sorted(file.name for file in tmp_path.iterdir()) == ["file", "taken"]
+
+
+def test_settings_are_called_as_the_options_are(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    log = str(written(tmp_path, seconds=2.0))
+    assert main(["identify", log, "--column", "force.x=push", "--slowest", "10 m/s"]) == 2
+    assert "--slowest = 10 m/s" in capsys.readouterr().err
+    assert main(["identify", log, "--column", "command.x=push [V]", "--gain", "1e13 N/V"]) == 2
+    assert "below 1e12" in capsys.readouterr().err

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import json
 import math
+import re
+from collections.abc import Callable
 from pathlib import Path
 
 import numpy as np
@@ -119,7 +121,7 @@ def test_friction_of_the_measured_table(
     # The table's own fit: 0.335 V and 5.3 V s/m forwards, 0.340 and 5.2 backwards.
     assert 10.0 * line["Fc"] == pytest.approx(0.34, abs=0.02) and 10.0 * line["Fv"] == pytest.approx(5.2, rel=0.12)
     assert any(said.startswith("concave") for said in found["remarks"])
-    assert Path("results/friction.png").stat().st_size > 10_000
+    assert Path("results/plots/friction.png").stat().st_size > 10_000
     assert "[friction]" in Path("friction.toml").read_text()
 
 
@@ -212,7 +214,7 @@ def driven(tmp_path: Path, gain: str = "1.695 m/s^2/full_scale", rate: float = 1
         ("full_scale", 1.0, [], "1.695 m/s^2/full_scale"),
         ("V", 10.0, ["--full-scale", "10 V"], "1.695 m/s^2/full_scale"),
         ("V", 10.0, [], "1.0 m/s^2/full_scale"),
-        ("V", 10.0, ["--gain", "5 N/V"], "0.0339 m/s^2/A"),
+        ("V", 10.0, ["--gain", "5 N/V"], "0.1695 m/s^2/A"),
     ],
 )
 @pytest.mark.parametrize("model", ["first-order", "linear-motor", "rigid"])
@@ -252,7 +254,8 @@ def test_the_file_of_a_friction_runs_beside_a_plant(tmp_path: Path, capsys: pyte
     else:
         log = ramped(tmp_path, 10.0)
     words = [log, "--column", "command.x=cmd", "--model", kind, "--out", str(out)]
-    assert any("--full-scale" in said for said in found_by(words, capsys)["remarks"]) and not out.exists()
+    nothing = found_by(words, capsys, code=1)
+    assert any("--full-scale" in said for said in nothing["remarks"]) and nothing["axis_file"] is None and not out.exists()
     found_by([*words, "--full-scale", "10 V"], capsys)
     text = out.read_text()
     assert " V" not in text.split("[friction]")[1] and text.count("deviation") >= 2
@@ -321,3 +324,116 @@ def test_units_that_cannot_be_right_are_told(tmp_path: Path, capsys: pytest.Capt
     out.unlink()
     found = found_by([*words, "--column", "position.x=pos x [nm]"], capsys, code=1)
     assert any("kg is moved: are the units of position, force and gain right?" in said for said in found["remarks"]) and not out.exists()
+
+
+@pytest.mark.parametrize("more", [["--gain", "5 N/V"], ["--gain", "-5 N/V", "--column", "command.x=-cmd"]])
+def test_a_gain_makes_the_same_kind_of_axis_by_every_model(tmp_path: Path, capsys: pytest.CaptureFixture[str], more: list[str]) -> None:
+    """An axis of 50/1.695 kg in a log in volts: force constant, limit and offset of its file do not hang on the model."""
+    column = [] if "--column" in more else ["--column", "command.x=cmd"]
+    log, found = stepped(tmp_path, "V", 10.0), {}
+    for model in ("rigid", "first-order", "linear-motor"):
+        out = tmp_path / f"{model}.toml"
+        found[model] = found_by([log, *column, *more, "--model", model, "--out", str(out)], capsys)
+        axis = load_axis(out)
+        assert axis.plant.kind == "mass-damper" and axis.plant.values()["force_constant"] == pytest.approx(5.0), model
+        # The sliding friction of an axis that turns round counts as damping over frequency, and as some mass.
+        assert axis.plant.values()["mass"] == pytest.approx(50.0 / 1.695, rel=0.05 if model == "linear-motor" else 0.01)
+        largest = 10.0 * float(np.abs(steps()).max())
+        assert axis.drive.values()["limit"] == pytest.approx(1.2 * largest)
+        assert "20 % above the largest in the log" in axis.drive.origins["limit"].note
+        assert axis.limits.velocity == pytest.approx(load_axis(tmp_path / "rigid.toml").limits.velocity)
+        if model != "linear-motor":  # a command of half a newton is what the constant force of the axis takes
+            assert axis.disturbance.values()["force"] == pytest.approx(0.5, rel=0.05)
+    assert found["rigid"]["parameters"]["offset"]["value"] == pytest.approx(-0.5, rel=0.05)
+    assert found["first-order"]["parameters"]["offset"]["value"] == pytest.approx(-0.5, rel=0.05)
+
+
+def test_an_identified_axis_can_be_asked_for_its_own_motion(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    out = tmp_path / "axis.toml"
+    log = stepped(tmp_path, "full_scale", 1.0)
+    found_by([log, "--column", "command.x=cmd", "--model", "first-order", "--out", str(out)], capsys)
+    place = np.loadtxt(log, delimiter=",", skiprows=1)[:, 2]
+    fastest = float(np.abs(np.diff(place)).max()) * 1e-3 / PERIOD
+    limits = load_axis(out).limits
+    assert 1.15 * fastest < limits.velocity < 1.25 * fastest
+    assert limits.origins["velocity"].source == "assumed" and "give the axis' own" in limits.origins["velocity"].note
+
+
+def jogged(tmp_path: Path, law: Callable[[np.ndarray], np.ndarray]) -> str:
+    """Return the log of jogs both ways, from 5 to 200 mm/s, under a friction in volts."""
+    speeds = np.array([5, 10, 20, 50, 80, 120, 160, 200]) * 1e-3
+    v = np.repeat(np.ravel(np.column_stack([speeds, -speeds])), 600)
+    u = law(v) + 0.01 * np.random.default_rng(1).standard_normal(v.size)
+    return written(tmp_path / "jog.csv", "time [s],cmd [V],pos x [mm]", PERIOD * np.arange(v.size), u, 1e3 * PERIOD * np.cumsum(v))
+
+
+def test_friction_that_rises_from_rest_keeps_its_rise_in_the_file(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    log = jogged(tmp_path, lambda v: np.sign(v) * (0.6 - 0.3 * np.exp(-((v / 0.06) ** 2))) + 3.0 * v)
+    out = tmp_path / "axis.toml"
+    words = [log, "--column", "command.x=cmd", "--model", "friction", "--full-scale", "10 V", "--out", str(out)]
+    found = found_by(words, capsys)
+    figures = {name: one["value"] for name, one in found["parameters"].items()}
+    assert figures["drop"] == pytest.approx(-0.03, rel=0.1) and any(said.startswith("concave") for said in found["remarks"])
+    out.write_text(out.read_text() + PLANT.replace("10.1", "0"))
+    axis = load_axis(out)
+    friction, origins = axis.friction.values(), axis.friction.origins
+    assert axis.friction.kind == "rising" and "mm/s" in out.read_text()
+    assert (friction["coulomb"], friction["viscous"]) == pytest.approx((figures["Fc"], figures["Fv"]), rel=1e-4)
+    assert friction["breakaway"] == pytest.approx(figures["Fc"] + figures["drop"], rel=1e-4)
+    assert friction["rise_velocity"] == pytest.approx(figures["vs"], rel=1e-4)
+    # At rest the curve is better known than its level at speed and the rise from there, which go together.
+    assert origins["breakaway"].deviation < found["parameters"]["drop"]["deviation"]
+    assert {frozenset(pair[:2]) for pair in axis.correlations} >= {frozenset(("friction.breakaway", "friction.rise_velocity"))}
+    assert driven(tmp_path) < 0.2e-3
+
+
+def test_a_curve_below_zero_at_rest_is_no_component(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    log = jogged(tmp_path, lambda v: np.sign(v) * (0.5 - 0.7 * np.exp(-((v / 0.06) ** 2))) + 3.0 * v)
+    out = tmp_path / "friction.toml"
+    words = [log, "--column", "command.x=cmd", "--model", "friction", "--full-scale", "10 V", "--out", str(out)]
+    assert any("the curve is below zero at rest" in said for said in found_by(words, capsys)["remarks"])
+    assert 'kind = "coulomb"' in out.read_text()
+
+
+@pytest.mark.parametrize("model", ["rigid-by-direction", "friction"])
+def test_friction_that_is_averaged_over_directions_is_told(tmp_path: Path, capsys: pytest.CaptureFixture[str], model: str) -> None:
+    out = tmp_path / "axis.toml"
+    if model == "friction":
+        words = [jogged(tmp_path, lambda v: np.where(v > 0.0, 0.5 + 4.0 * v, -0.7 + 8.0 * v)), "--column", "command.x=cmd"]
+    else:
+        v = 0.05 * np.cos(2.0 * np.pi * 0.7 * TIME) + 0.04 * np.cos(2.0 * np.pi * 2.9 * TIME)
+        force = 40.0 * np.gradient(v, PERIOD) + np.where(v > 0.0, 5.0 + 40.0 * v, -7.0 + 80.0 * v)
+        place = 1e3 * PERIOD * np.cumsum(v)
+        words = [written(tmp_path / "log.csv", "time [s],cmd [V],pos x [mm]", TIME, 0.1 * force, place), "--column", "command.x=cmd"]
+    assert main(["identify", *words, "--model", model, "--gain", "10 N/V", "--out", str(out)]) == 0
+    said = next(line for line in capsys.readouterr().out.splitlines() if "one friction for both directions" in line)
+    assert said.removeprefix("note: ") in out.read_text()
+    assert re.search(r"Fv [\d.]+ N\*s/m of [\d.]+ forwards and [\d.]+ backwards, 6\d % apart", said)
+
+
+@pytest.mark.parametrize(
+    ("model", "more", "files", "labels"),
+    [
+        ("friction", ["--full-scale", "10 V"], ["friction", "residual"], ["mean command [full_scale]", "residual [full_scale]"]),
+        ("frequency-response", [], ["bode"], ["velocity [mm/s/V]", "phase [deg]", "coherence"]),
+    ],
+)
+def test_pictures_have_points_labels_and_a_folder(
+    shared: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str], model: str, more: list[str], files: list[str], labels: list[str]
+) -> None:
+    name = "friction_*_mmps.mat" if model == "friction" else "sine_[13457]0Hz.mat"
+    logs = sorted(str(file) for file in (shared / "data" / "ubc-xy-table").glob(name))
+    assert main(["identify", *logs, *UBC, "--model", model, *more, "--plots", "svg", "--folder", str(tmp_path / "seen")]) == 0
+    assert sorted(file.stem for file in (tmp_path / "seen" / "plots").iterdir()) == files
+    drawn = "".join((tmp_path / "seen" / "plots" / f"{file}.svg").read_text() for file in files)
+    assert all(f">{label}<" in drawn for label in labels) and ">measured, two deviations<" in drawn
+    assert f"plot: {tmp_path / 'seen' / 'plots' / files[0]}.svg" in capsys.readouterr().out
+
+
+def test_a_file_that_was_asked_for_and_is_not_written_is_no_success(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    out = tmp_path / "axis.toml"
+    out.write_text("of another day")
+    words = [stepped(tmp_path, "V", 10.0), "--column", "command.x=cmd", "--model", "frequency-response"]
+    assert main(["identify", *words]) == 0
+    assert main(["identify", *words, "--out", str(out)]) == 1
+    assert "is not written: there is nothing for an axis file" in capsys.readouterr().out and out.read_text() == "of another day"

@@ -1,4 +1,4 @@
-"""Identification of the first-order axis v' = -b v + a (u - friction + offset) from any open-loop command: steps, squares, random levels.
+"""Identification of the first-order axis v' = -b v + a (u - friction - offset) from any open-loop command: steps, squares, random levels.
 
 Gain, damping, Coulomb friction, offset, delay and first velocity come from one output-error fit: the model is simulated from the command
 alone and held against the measured velocity. A fit of the equation itself, with measured v and v' in it, draws b to one side as soon as
@@ -42,7 +42,7 @@ class FirstOrderSettings:
     Attributes
     ----------
     friction : bool
-        Coulomb friction and an offset of the command besides a and b.
+        Coulomb friction besides a and b, and an offset: what of the command goes into a constant force, as gravity.
     delay : bool
         A delay of the command.
     smoothing : int or None, >= 1
@@ -120,7 +120,7 @@ class _Blocks:
 
     def unit(self, x: Mapping[str, float]) -> Array:
         """Return the model's velocity over a."""
-        u = delayed(self.command, x.get("delay", 0.0) / self.period) + x.get("offset", 0.0)
+        u = delayed(self.command, x.get("delay", 0.0) / self.period) - x.get("offset", 0.0)
         friction = x.get("friction", 0.0)
         p = first_order_motion(u, self.period, x["b"], friction, friction, x.get("start", 0.0))[1]
         return self.differenced(p)

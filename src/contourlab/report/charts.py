@@ -25,6 +25,8 @@ class Curve:
     dash : str
         ``"solid"``, ``"dash"`` or ``"dot"``.
     width : float [px]
+    half : ndarray (n,), optional
+        Half the height of the bar at each point: points are drawn then, without a line between them.
     """
 
     x: Array
@@ -33,6 +35,7 @@ class Curve:
     colour: str
     dash: str = "solid"
     width: float = 1.3
+    half: Array | None = None
 
 
 @dataclass(frozen=True)

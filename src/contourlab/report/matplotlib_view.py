@@ -87,6 +87,10 @@ def line_drawing(chart: Chart) -> Figure:
 def _panel(place: Axes, panel: Panel) -> None:
     """Draw one panel."""
     for curve in panel.curves:
+        if curve.half is not None:
+            look: dict[str, Any] = {"color": curve.colour, "markersize": 3.2, "elinewidth": 1.0}
+            place.errorbar(curve.x, curve.y, curve.half, fmt="o", label=plain(curve.name), **look)
+            continue
         # Bars end where they end; a line's own caps would reach beyond.
         place.plot(curve.x, curve.y, label=plain(curve.name), solid_capstyle="butt" if panel.y_ticks else "projecting", **curve_look(curve))
     if panel.log_x:
@@ -94,7 +98,7 @@ def _panel(place: Axes, panel: Panel) -> None:
         if _decades(panel) < 2.0:
             plain_numbers(place.xaxis)
     else:
-        place.margins(x=0)
+        place.margins(x=0.03 if any(curve.half is not None for curve in panel.curves) else 0.0)
     if panel.log_y:
         logarithmic(place)
     place.set_ylabel(plain(panel.y_label))

@@ -139,7 +139,8 @@ def _x_span(chart: Chart) -> list[float]:
     """Return where the curves begin and end: room is left only beside those that go back and forth."""
     curves = [curve.x for panel in chart.panels for curve in panel.curves if curve.x.size]
     low, high = min(float(np.nanmin(x)) for x in curves), max(float(np.nanmax(x)) for x in curves)
-    room = 0.015 * (high - low) if chart.loops else 0.0
+    points = any(curve.half is not None for panel in chart.panels for curve in panel.curves)
+    room = 0.015 * (high - low) if chart.loops or points else 0.0
     return [low - room, high + room if high > low else low + 1.0]
 
 
@@ -149,6 +150,8 @@ def _panel_curves(panel: Panel, tail: str, seen: set[str]) -> list[Figure]:
     traces = []
     for curve in panel.curves:
         trace = _line(curve, x=packed(curve.x), y=packed(curve.y), xaxis=f"x{tail}", yaxis=f"y{tail}")
+        if curve.half is not None:
+            trace |= {"mode": "markers", "marker": {"color": curve.colour, "size": 6}, "error_y": {"array": packed(curve.half), "width": 0}}
         trace |= {"showlegend": curve.name not in seen, "hovertemplate": f"%{{y:.4g}} {_plain(unit)}"}
         if panel.y_ticks:  # the height of a bar says nothing
             trace["hovertemplate"] = f"%{{x:.6g}}<extra>{_plain(curve.name)}</extra>"

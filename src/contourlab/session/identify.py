@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from contextlib import nullcontext
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
@@ -11,9 +12,11 @@ from contourlab.components.origin import Origin
 from contourlab.result import write_text_atomic
 from contourlab.scenario.provenance import origin_table
 from contourlab.scenario.toml_text import Noted, toml
+from contourlab.session.folder import check_file, staged
 from contourlab.session.identification.register import MODELS, study_of
 from contourlab.session.identification.request import Request
 from contourlab.session.plain import plain
+from contourlab.session.run import check_plots
 from contourlab.studies.identification.finding import Figure, Finding, Picture
 from contourlab.units import from_si
 
@@ -24,9 +27,9 @@ SHOWN = {"m": "um", "m/s": "m/min"}
 
 @dataclass(frozen=True)
 class Identification:
-    """What the command prints: whether the figures can be used, a summary, and text."""
+    """What the command prints: whether the figures can be used and the file that was asked for is written, a summary, and text."""
 
-    usable: bool
+    done: bool
     summary: dict[str, Any]
     text: str
 
@@ -43,7 +46,7 @@ def identify_log(
     out : str or Path, optional
         The axis file; none is written by default, nor where the figures are unusable.
     plots : sequence of str
-        png, svg or pdf, into `folder`.
+        png, svg or pdf, into ``plots`` in `folder`; what else is there stays.
     folder : str or Path
 
     Raises
@@ -52,19 +55,28 @@ def identify_log(
         If a log cannot be read or lacks a signal.
     ParameterError
         If an option is out of range, or the axis cannot be identified from the logs.
+    OutputError
+        If `out` or `folder` cannot be written; found before a log is read.
     """
-    found = study_of(request.model)(request)
-    found = replace(found, remarks=(*found.remarks, *request.doubts))
-    text = _text(found, request.notes)
-    if plots:
-        text += "".join(f"\nplot: {file}" for file in _draw(found, folder, plots))
-    if out is not None and found.usable and found.tables:
+    check_plots(plots)
+    study = study_of(request.model)
+    if out is not None:
+        check_file(out)
+    with staged(folder, alone=False, option="--folder") if plots else nullcontext() as stage:
+        found = study(request)
+        found = replace(found, remarks=(*found.remarks, *request.doubts))
+        text = _text(found, request.notes)
+        if stage is not None:
+            text += "".join(f"\nplot: {Path(folder) / file.relative_to(stage)}" for file in _draw(found, stage / "plots", plots))
+    written = out is not None and found.usable and bool(found.tables)
+    if out is not None and written:
         write_text_atomic(Path(out), axis_file(found))
         text += f"\naxis file: {out}"
     elif out is not None:
         why = "the figures cannot be used as they stand" if not found.usable else f"there is nothing for an axis file (model {found.model})"
         text += f"\n{out} is not written: {why}"
-    return Identification(found.usable, plain({**_summary(found), "notes": request.notes}), text)
+    summary = {**_summary(found), "notes": request.notes, "axis_file": str(out) if written else None}
+    return Identification(found.usable and (written or out is None), plain(summary), text)
 
 
 def axis_file(found: Finding) -> str:
@@ -72,7 +84,7 @@ def axis_file(found: Finding) -> str:
     listed = [list(one) for one in found.correlations]
     tables: dict[str, Any] = {"correlations": Noted(listed, "of what was fitted together")} if listed else {}
     for name, rows in found.tables.items():
-        tables[name] = {key: value if origin is None else _number(value, unit, origin) for key, (value, unit, origin) in rows.items()}
+        tables[name] = {key: value if origin is None else _number(key, value, unit, origin) for key, (value, unit, origin) in rows.items()}
     worth = "" if found.fit is None else f": fit {found.fit:.4g} %"
     head = [f"# Axis {found.axis}, model {found.model}, identified from {_named(found.sources)}{worth}."]
     if "plant" not in tables:
@@ -81,8 +93,8 @@ def axis_file(found: Finding) -> str:
     return "\n".join(head) + "\n\n" + toml(tables)
 
 
-def _number(value: Any, unit: str, origin: Origin) -> Noted:
-    shown = SHOWN.get(unit, unit)
+def _number(key: str, value: Any, unit: str, origin: Origin) -> Noted:
+    shown = "mm/s" if key.endswith("_velocity") else SHOWN.get(unit, unit)
     return Noted(origin_table(f"{from_si(value, shown):.6g} {shown}", origin, lambda number: f"{from_si(number, shown):.3g} {shown}"))
 
 
@@ -129,7 +141,7 @@ def _summary(found: Finding) -> dict[str, Any]:
     }
 
 
-def _draw(found: Finding, folder: str | Path, plots: Sequence[str]) -> tuple[Path, ...]:
+def _draw(found: Finding, folder: Path, plots: Sequence[str]) -> tuple[Path, ...]:
     from contourlab.report.plots import write_charts
 
     return write_charts([_chart(picture) for picture in found.pictures], folder, plots)
@@ -142,7 +154,10 @@ def _chart(picture: Picture) -> Any:
     panels = []
     for graph in picture.graphs:
         count = len(graph.curves)
-        curves = tuple(Curve(x, y, name, *scheme_style(i, max(count, 2))) for i, (name, (x, y)) in enumerate(graph.curves.items()))
+        curves = tuple(
+            Curve(*drawn[:2], name, *scheme_style(i, max(count, 2)), half=drawn[2] if len(drawn) == 3 else None)
+            for i, (name, drawn) in enumerate(graph.curves.items())
+        )
         levels = () if graph.log_x else (Level(0.0, ""),)
         panels.append(Panel(graph.x_label, graph.y_label, curves, levels, log_x=graph.log_x, log_y=graph.log_y))
     return Chart(picture.key, picture.title, picture.caption, tuple(panels))

@@ -88,7 +88,7 @@ def test_an_axis_is_found_again(u: Array) -> None:
 def test_delay_offset_and_a_start_in_motion_are_found() -> None:
     u = levels()
     whole = np.r_[np.full(500, 0.5), u]
-    place = A * first_order_motion(delayed(whole, 4.5) + 0.03, PERIOD, B, FRICTION, FRICTION)[1]
+    place = A * first_order_motion(delayed(whole, 4.5) - 0.03, PERIOD, B, FRICTION, FRICTION)[1]
     fit = identify_first_order(TIME, u, place[500:] - place[500])
     assert fit["delay"] == pytest.approx(4.5 * PERIOD, abs=0.15 * PERIOD)
     assert fit["offset"] == pytest.approx(0.03, abs=2e-3) and fit["start"] > 0.0

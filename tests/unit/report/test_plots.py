@@ -9,6 +9,9 @@ import pytest
 
 from contourlab.errors import OutputError, ParameterError
 from contourlab.report import write_plots
+from contourlab.report.charts import Chart, Curve, Panel
+from contourlab.report.plotly_view import line_figure, packed
+from contourlab.report.plots import write_charts
 
 MAGIC = {"png": b"\x89PNG\r\n", "svg": b"<?xml", "pdf": b"%PDF-"}
 
@@ -56,3 +59,16 @@ def test_a_folder_that_is_a_file(square, tmp_path):
     (tmp_path / "file").write_text("")
     with pytest.raises(OutputError, match="cannot be written"):
         write_plots(square, tmp_path / "file")
+
+
+def test_points_with_bars_are_points(tmp_path):
+    """Measured points have a mark each and no line between them, in print and on the page."""
+    x, y = np.array([1.0, 2.0, 4.0]), np.array([3.0, 1.0, 2.0])
+    points = Curve(x, y, "measured", "#000000", half=np.full(3, 0.5))
+    chart = Chart("seen", "Points", "", (Panel("x", "y", (points, Curve(x, y, "model", "#ff0000"))),))
+    (file,) = write_charts([chart], tmp_path, ("svg",))
+    assert file.read_text().count("<use ") >= 3
+    dots, line = line_figure(chart)["data"]
+    assert dots["mode"] == "markers" and dots["error_y"]["array"] == packed(np.full(3, 0.5)) and line["mode"] == "lines"
+    low, high = line_figure(chart)["layout"]["xaxis"]["range"]
+    assert low < 1.0 and high > 4.0

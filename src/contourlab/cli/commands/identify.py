@@ -43,6 +43,7 @@ def identify(
     lead: Annotated[str | None, typer.Option(help='two-inertia: travel per turn, as "10 mm".', show_default=False)] = None,
     side: Annotated[str, typer.Option(help="two-inertia: where the position is measured, motor or load.")] = "motor",
     out: Annotated[Path | None, typer.Option(help="The axis file to write.", show_default=False)] = None,
+    folder: Annotated[Path, typer.Option(help="Folder of the pictures.")] = Path("results"),
     as_json: Json = False,
     plots: Plots = None,
 ) -> int:
@@ -65,9 +66,9 @@ def identify(
         lead=lead,
         side=side,
     )
-    found = identify_log(request, out=out, plots=tuple(plots or ()))
+    found = identify_log(request, out=out, plots=tuple(plots or ()), folder=folder)
     if as_json:
         emit_json(found.summary)
     else:
         say(found.text)
-    return 0 if found.usable else 1
+    return 0 if found.done else 1

@@ -149,5 +149,5 @@ def per_command(option: str, text: str, top: str, wanted: str) -> float:
     except UnitError as error:
         raise ParameterError(option, repr(text), wanted) from error
     if not 0.0 < abs(value) < 1e12:
-        raise ParameterError(option, text, "other than 0")
+        raise ParameterError(option, text, "other than 0, and below 1e12 either way")
     return value

@@ -11,6 +11,8 @@ from contourlab.studies.identification.rigid import identify_rigid
 
 __all__ = ["study"]
 
+OPTIONS = {"slowest_velocity": "--slowest", "cutoff": "--cutoff", "decimation": "--decimation"}
+"""Settings as the command line calls them."""
 FRICTION = {"rigid": "symmetric", "rigid-by-direction": "asymmetric"}
 
 
@@ -18,9 +20,14 @@ def study(request: Request) -> Finding:
     """Identify mass, friction and offset of an axis."""
     cutoff = positive("--cutoff", request.cutoff, "Hz", 'a frequency, such as "100 Hz"')
     slowest = 0.0 if request.slowest is None else positive("--slowest", request.slowest, "m/s", 'a speed, such as "1 mm/s"')
-    settings = InverseDynamicsSettings(FRICTION[request.model], cutoff=cutoff, decimation=request.decimation, slowest_velocity=slowest)
     if request.full_scale is not None:
         raise ParameterError("--full-scale", request.full_scale, f"left out: model {request.model} takes forces, by --gain")
     if len(request.choices) > 1:
         raise ParameterError("LOG", f"{len(request.choices)} logs", f"one: model {request.model} takes a single run and --validation")
-    return identify_rigid(request.record(), settings, request.second())
+    try:
+        settings = InverseDynamicsSettings(FRICTION[request.model], cutoff=cutoff, decimation=request.decimation, slowest_velocity=slowest)
+        return identify_rigid(request.record(), settings, request.second())
+    except ParameterError as error:
+        if error.name not in OPTIONS:
+            raise
+        raise ParameterError(OPTIONS[error.name], error.value, error.bound, error.unit) from error

@@ -18,7 +18,7 @@ PERIODS = (1e-7, 0.1)
 
 
 def doubts(record: AxisRecord) -> list[str]:
-    """Return what is doubtful about the size of a record's signals, in words; nothing for a likely one.
+    """Return what is doubtful about a record's signals, in words; nothing for a likely one.
 
     Parameters
     ----------
@@ -34,6 +34,8 @@ def doubts(record: AxisRecord) -> list[str]:
     if 0.0 < way < SHORT and fastest < SLOW:
         moved = f"{show(way, 'um', 3)} in all, at {show(fastest, 'mm/s', 3)} at most"
         said.append(f"{record.axis} moves by {moved} in {record.source}: is the unit of the position right?")
+    if record.reference is not None and fastest and np.array_equal(record.position, record.reference):
+        said.append(f"position and reference of {record.axis} in {record.source} are equal in all samples: are they the same column?")
     return said if record.command is None else [*said, *_on_command(record)]
 
 

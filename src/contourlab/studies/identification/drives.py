@@ -6,6 +6,7 @@ import math
 from collections.abc import Callable, Mapping, Sequence
 
 import numpy as np
+from numpy.typing import NDArray
 
 from contourlab.analysis.drive_models import (
     DriveFit,
@@ -22,6 +23,7 @@ from contourlab.analysis.identification_remarks import on_mass
 from contourlab.components.origin import Origin
 from contourlab.studies.identification.finding import (
     Carried,
+    Drawn,
     Figure,
     Finding,
     Graph,
@@ -32,7 +34,7 @@ from contourlab.studies.identification.finding import (
     carried,
     fitted,
 )
-from contourlab.studies.identification.frequency import bode_graphs, measured_response, response_points
+from contourlab.studies.identification.frequency import FEW, bode_graphs, measured_response, response_points
 from contourlab.studies.identification.plant_tables import Forces, drive_table, forces_of, plant_numbers, plant_table
 from contourlab.studies.identification.signals import AxisRecord, measured_tables
 
@@ -166,12 +168,17 @@ def _pictures(axis: str, model: str, found: MeasuredResponse, fit: DriveFit, uni
     f = np.geomspace(found.frequency[0], found.frequency[-1], CURVE)
     velocity = 2j * np.pi * f * held_response(lambda s: of(x, s), f, found.period)
     ratio = fit.measured / fit.predicted
-    size = Graph("frequency [Hz]", "measured over model, size", {"size": (fit.frequency, np.abs(ratio) - 1.0)}, log_x=True)
-    turn = Graph("frequency [Hz]", "measured less model, phase [deg]", {"phase": (fit.frequency, np.degrees(np.angle(ratio)))}, log_x=True)
+    left = _left(fit, "size [%]", 100.0 * (np.abs(ratio) - 1.0)), _left(fit, "phase [deg]", np.degrees(np.angle(ratio)))
     return (
         Picture("bode", f"Frequency response of axis {axis}, {model}", bode_graphs(found, unit, (f, velocity)), found.method),
-        Picture("residual", "What the model leaves of the response", (size, turn), "Size: measured over model, less one."),
+        Picture("residual", "What the model leaves of the response", left, "Measured over model, less one; measured less model."),
     )
+
+
+def _left(fit: DriveFit, label: str, values: NDArray[np.float64]) -> Graph:
+    f = fit.frequency
+    drawn: Drawn = (f, values, np.zeros(f.size)) if f.size <= FEW else (f, values)
+    return Graph("frequency [Hz]", label, {label.partition(" ")[0]: drawn}, log_x=True)
 
 
 def _told(records: Sequence[AxisRecord], deviation: float, note: str = "") -> Origin:

@@ -12,13 +12,32 @@ from numpy.typing import NDArray
 
 from contourlab.components.origin import Origin
 
-__all__ = ["Carried", "Figure", "Finding", "Graph", "Picture", "Row", "Tables", "assumed", "bars", "carried", "fitted", "reached"]
+__all__ = [
+    "Carried",
+    "Drawn",
+    "Figure",
+    "Finding",
+    "Graph",
+    "Picture",
+    "Row",
+    "Tables",
+    "assumed",
+    "carried",
+    "fitted",
+    "limit",
+    "of_command",
+    "reached",
+]
 
 Array = NDArray[np.float64]
 Row = tuple[float | str, str, Origin | None]
 """A value in SI, its unit there, and where it is from; None for a word."""
 Tables = Mapping[str, Mapping[str, Row]]
 """Of an axis file, by table and key."""
+Drawn = tuple[Array, Array] | tuple[Array, Array, Array]
+"""A line through (x, y); with a third array points, and half the heights of the bars at them."""
+ROOM = 0.2
+"""Share by which a limit in an axis file lies above the largest in the log: what was reached would bar the motion that reached it."""
 
 
 @dataclass(frozen=True)
@@ -46,11 +65,11 @@ class Figure:
 
 @dataclass(frozen=True, eq=False)
 class Graph:
-    """Curves (x, y) on one pair of axes, each in the units of its label."""
+    """Curves, or points with bars, on one pair of axes, each in the units of its label."""
 
     x_label: str
     y_label: str
-    curves: Mapping[str, tuple[Array, Array]]
+    curves: Mapping[str, Drawn]
     log_x: bool = False
     log_y: bool = False
 
@@ -157,9 +176,15 @@ def fitted(log: str, deviation: float | None = None, note: str = "") -> Origin:
     return Origin("fitted", deviation=deviation if known else None, reference=log, note=note)
 
 
-def reached(log: str, note: str = "the largest in the log, no limit of the axis") -> Origin:
+def reached(log: str, note: str) -> Origin:
     """Return the origin of a number read off a log."""
     return Origin("measured", reference=log, note=note)
+
+
+def limit(largest: float, unit: str, log: str) -> Row:
+    """Return a limit of an axis file out of the largest that a log has [SI of the unit]: that and a fifth, for want of the axis' own."""
+    note = f"{100.0 * ROOM:.0f} % above the largest in the log: give the axis' own"
+    return (1.0 + ROOM) * largest, unit, Origin("assumed", reference=log, note=note)
 
 
 def assumed(note: str) -> Origin:
@@ -167,7 +192,10 @@ def assumed(note: str) -> Origin:
     return Origin("assumed", note=note)
 
 
-def bars(x: Array, y: Array, half: Array) -> tuple[Array, Array]:
-    """Return a curve of separate upright bars: measured points with their spread, as one line drawing has them."""
-    gap = np.full(x.size, np.nan)
-    return np.column_stack([x, x, gap]).ravel(), np.column_stack([y - half, y + half, gap]).ravel()
+def of_command(unit: str) -> str:
+    """Return the label of a command on a picture: in its unit, where it has one.
+
+    >>> of_command("V"), of_command("")
+    ('command [V]', 'command')
+    """
+    return f"command [{unit}]" if unit else "command"

@@ -9,7 +9,7 @@ from contourlab.analysis.first_order import FirstOrderFit, FirstOrderSettings, i
 from contourlab.analysis.identification_remarks import on_mass
 from contourlab.components.origin import Origin
 from contourlab.errors import ResultError
-from contourlab.studies.identification.finding import Carried, Figure, Finding, Graph, Picture, Tables, carried, fitted
+from contourlab.studies.identification.finding import Carried, Figure, Finding, Graph, Picture, Tables, carried, fitted, of_command
 from contourlab.studies.identification.plant_tables import Forces, drive_table, forces_of, plant_numbers, plant_table
 from contourlab.studies.identification.signals import AxisRecord, measured_tables
 
@@ -36,7 +36,7 @@ def identify_open_loop(record: AxisRecord, settings: FirstOrderSettings | None =
     unit = record.unit
     units = {"a": _over("m/s^2", unit), "b": "1/s", "friction": unit, "offset": unit, "delay": "s", "start": "m/s"}
     figures = _figures(fit, units, {name: name for name in units})
-    pictures = _pictures(fit, "velocity", f"Velocity of axis {record.axis}, {record.source}", ("velocity [mm/s]", "command"))
+    pictures = _pictures(fit, "velocity", f"Velocity of axis {record.axis}, {record.source}", ("velocity [mm/s]", of_command(unit)))
     lines = (f"velocity over {fit.smoothing} samples; steady {1e3 * fit['a'] / max(fit['b'], 1e-12):.4g} mm/s per {unit or 'command'}",)
     forces = forces_of([record])
     worth = _worth(forces, fit)
@@ -86,7 +86,8 @@ def identify_behind_observer(record: AxisRecord, gains: tuple[float, float, str]
             )
         ahead = record.driven() + record.estimate
         fit = identify_first_order(record.time, ahead, record.position, FirstOrderSettings(friction=False))
-        unit, quantity, said = record.unit, ("velocity [mm/s]", "command"), "from the command ahead of the observer"
+        unit, said = record.unit, "from the command ahead of the observer"
+        quantity = "velocity [mm/s]", of_command(unit)
         remarks = (
             *fit.remarks,
             "the loop feeds noise and friction back into this command: K_P and K_V given, the reference is a better input",
@@ -138,9 +139,10 @@ def _worth(forces: Forces, fit: FirstOrderFit) -> Carried:
     """Return what the numbers of the axis file are worth."""
 
     def numbers(x: Mapping[str, float]) -> dict[str, float]:
-        own = {"friction.coulomb": "friction", "disturbance.force": "offset"}
+        own = (("friction.coulomb", "friction", 1.0), ("disturbance.force", "offset", -1.0))
         late = {"drive.delay": x["delay"]} if "delay" in x else {}
-        return plant_numbers(forces, x["a"], x["b"]) | {name: x[key] / forces.one for name, key in own.items() if key in x} | late
+        held = {name: sign * x[key] / forces.one for name, key, sign in own if key in x}
+        return plant_numbers(forces, x["a"], x["b"]) | held | late
 
     found = fit.found
     return carried(numbers, found.names, found.values, found.robust_deviations, found.correlation)
@@ -158,7 +160,7 @@ def _tables(record: AxisRecord, forces: Forces, fit: FirstOrderFit, deviations: 
     return {
         "plant": plant_table(forces, fit["a"], fit["b"], told),
         "friction": {"kind": ("coulomb", "", None), "coulomb": (friction, forces.unit, told("friction.coulomb"))},
-        "disturbance": {"kind": ("constant", "", None), "force": (offset, forces.unit, told("disturbance.force"))},
+        "disturbance": {"kind": ("constant", "", None), "force": (-offset, forces.unit, told("disturbance.force"))},
         "drive": drive_table(forces, fit["delay"], told),
         **measured_tables(record),
     }

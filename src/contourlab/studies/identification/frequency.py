@@ -12,10 +12,10 @@ from contourlab.analysis.frequency_response import Measured, MeasuredResponse, p
 from contourlab.analysis.response_doubts import response_doubts
 from contourlab.analysis.sine_response import sine_responses, sine_stretch
 from contourlab.analysis.swept_response import is_sweep, swept_response
-from contourlab.studies.identification.finding import Finding, Graph, Picture, bars
+from contourlab.studies.identification.finding import Drawn, Finding, Graph, Picture
 from contourlab.studies.identification.signals import AxisRecord, one_unit
 
-__all__ = ["bode_graphs", "identify_response", "measured_response", "response_points"]
+__all__ = ["FEW", "bode_graphs", "identify_response", "measured_response", "response_points"]
 
 Complex = NDArray[np.complex128]
 SHOWN = 24
@@ -138,11 +138,13 @@ def bode_graphs(found: MeasuredResponse, unit: str, model: tuple[NDArray[np.floa
     """
     f, velocity = found.frequency, found.velocity
     size, phase = 1e3 * np.abs(velocity), np.degrees(np.unwrap(np.angle(velocity)))
-    gains = {"measured": (f, size)}
-    phases = {"measured": (f, phase)}
+    gains: dict[str, Drawn] = {"measured": (f, size)}
+    phases: dict[str, Drawn] = {"measured": (f, phase)}
+    alike: dict[str, Drawn] = {"coherence": (f, found.coherence)}
     if f.size <= FEW:
-        gains = {"measured": (f, size), "two deviations": bars(f, size, 2.0 * size * found.deviation)}
-        phases = {"measured": (f, phase), "two deviations": bars(f, phase, np.degrees(2.0 * found.deviation))}
+        gains = {"measured, two deviations": (f, size, 2.0 * size * found.deviation)}
+        phases = {"measured, two deviations": (f, phase, np.degrees(2.0 * found.deviation))}
+        alike = {"coherence": (f, found.coherence, np.zeros(f.size))}
     if model is not None:
         turn = np.degrees(np.unwrap(np.angle(model[1])))
         turn += 360.0 * round((float(np.interp(f[0], model[0], turn)) - phase[0]) / -360.0)
@@ -151,5 +153,5 @@ def bode_graphs(found: MeasuredResponse, unit: str, model: tuple[NDArray[np.floa
     return (
         Graph("frequency [Hz]", f"velocity [mm/s/{unit or 'command'}]", gains, log_x=True, log_y=True),
         Graph("frequency [Hz]", "phase [deg]", phases, log_x=True),
-        Graph("frequency [Hz]", "coherence", {"coherence": (f, found.coherence)}, log_x=True),
+        Graph("frequency [Hz]", "coherence", alike, log_x=True),
     )

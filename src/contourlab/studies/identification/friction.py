@@ -8,10 +8,26 @@ import numpy as np
 
 from contourlab.analysis.constant_speed import Stretch, StretchSettings, constant_speed_stretches
 from contourlab.analysis.friction_curve import FrictionCurve, FrictionFit, fit_friction
-from contourlab.studies.identification.finding import Carried, Figure, Finding, Graph, Picture, Row, Tables, bars, carried, fitted
+from contourlab.studies.identification.finding import (
+    Carried,
+    Drawn,
+    Figure,
+    Finding,
+    Graph,
+    Picture,
+    Row,
+    Tables,
+    carried,
+    fitted,
+    of_command,
+)
 from contourlab.studies.identification.signals import NO_PLANT, AxisRecord, fits_a_plant, one_unit, sources_of
+from contourlab.studies.identification.ways import on_ways
 
 __all__ = ["identify_friction"]
+
+DIP, RISE = "stribeck_velocity", "rise_velocity"
+"""Speed of the bend as the components of a dip and of a rise call it."""
 
 
 def identify_friction(records: Sequence[AxisRecord], settings: StretchSettings | None = None) -> Finding:
@@ -45,9 +61,9 @@ def identify_friction(records: Sequence[AxisRecord], settings: StretchSettings |
         remarks.append(NO_PLANT.format(unit=unit))
         shown = None
     elif shown is not fit.chosen and shown is not None:
-        remarks.append(
-            f"an axis file's friction does not rise into its Coulomb level: it is given {shown.model.name}, fit {shown.fit:.4g} %"
-        )
+        remarks.append(f"the curve is below zero at rest: an axis file is given {shown.model.name}, fit {shown.fit:.4g} %")
+    if shown is not None:
+        remarks += on_ways(_values(shown), _units(unit))
     if shown is not None and _mean(_values(shown), "Fv") > 0.0:
         remarks.append("the axis file has the viscous friction in its table friction: the damping of the plant beside it is to be 0")
     curve = fit.chosen
@@ -124,8 +140,9 @@ def _more(fit: FrictionFit, stretches: Sequence[Stretch], unit: str) -> dict[str
 
 
 def _writable(fit: FrictionFit) -> FrictionCurve | None:
-    """Return the curve that a friction component can have: the chosen one, or without its Stribeck part where that is none."""
-    if not fit.chosen.model.stribeck or _mean(_values(fit.chosen), "drop") > 0.0:
+    """Return the curve that a friction component can have: the chosen one, or one that does not bend where that is below zero at rest."""
+    x = _values(fit.chosen)
+    if not fit.chosen.model.stribeck or _mean(x, "Fc") + _mean(x, "drop") >= 0.0:
         return fit.chosen
     plain = [curve for curve in fit.tried if not curve.model.stribeck]
     return min(plain, key=lambda curve: curve.criterion) if plain else None
@@ -136,11 +153,16 @@ def _mean(x: Mapping[str, float], name: str) -> float:
     return 0.5 * (x[f"{name}+"] + x[f"{name}-"]) if f"{name}+" in x else x.get(name, 0.0)
 
 
-def _numbers(x: Mapping[str, float]) -> dict[str, float]:
+def _rises(curve: FrictionCurve) -> bool:
+    """Tell whether a curve is least at rest: the component is another one than that of a Stribeck dip."""
+    return curve.model.stribeck and _mean(_values(curve), "drop") < 0.0
+
+
+def _numbers(x: Mapping[str, float], rises: bool) -> dict[str, float]:
     """Return the numbers of the axis file: a component has one friction for both directions, and what differs in level is an offset."""
     found = {"friction.coulomb": max(_mean(x, "Fc"), 0.0), "friction.viscous": max(_mean(x, "Fv"), 0.0)}
     if "vs" in x:
-        found |= {"friction.breakaway": _mean(x, "Fc") + _mean(x, "drop"), "friction.stribeck_velocity": x["vs"]}
+        found |= {"friction.breakaway": _mean(x, "Fc") + _mean(x, "drop"), f"friction.{RISE if rises else DIP}": x["vs"]}
     offset = 0.5 * (x["Fc+"] - x["Fc-"]) if "Fc+" in x else x.get("offset", 0.0)
     return {**found, "disturbance.force": -offset}
 
@@ -151,16 +173,18 @@ def _values(curve: FrictionCurve) -> dict[str, float]:
 
 def _worth(curve: FrictionCurve) -> Carried:
     """Return what the numbers of the axis file are worth."""
-    return carried(_numbers, curve.names, curve.values, curve.deviations, curve.correlation)
+    rises = _rises(curve)
+    return carried(lambda x: _numbers(x, rises), curve.names, curve.values, curve.deviations, curve.correlation)
 
 
 def _tables(curve: FrictionCurve, unit: str, records: Sequence[AxisRecord], worth: Carried) -> Tables:
     named = sources_of(records)
     source = named[0] if len(named) == 1 else f"{named[0]} and {len(named) - 1} more"
     shown = unit or "full_scale"
-    units = {"friction.viscous": f"{shown}*s/m", "friction.stribeck_velocity": "m/s"}
-    tables: dict[str, dict[str, Row]] = {"friction": {"kind": ("coulomb", "", None)}, "disturbance": {"kind": ("constant", "", None)}}
-    for name, value in _numbers(_values(curve)).items():
+    units = {"friction.viscous": f"{shown}*s/m", f"friction.{DIP}": "m/s", f"friction.{RISE}": "m/s"}
+    kind: Row = ("rising" if _rises(curve) else "coulomb", "", None)
+    tables: dict[str, dict[str, Row]] = {"friction": {"kind": kind}, "disturbance": {"kind": ("constant", "", None)}}
+    for name, value in _numbers(_values(curve), _rises(curve)).items():
         table, _, key = name.partition(".")
         note = "offset of the command" if table == "disturbance" else "constant speeds"
         tables[table][key] = (value, units.get(name, shown), fitted(source, worth.deviations[name], note))
@@ -169,7 +193,7 @@ def _tables(curve: FrictionCurve, unit: str, records: Sequence[AxisRecord], wort
 
 def _pictures(curve: FrictionCurve, stretches: Sequence[Stretch], unit: str, axis: str) -> tuple[Picture, ...]:
     v, u, s = (np.array(values) for values in _points(stretches))
-    label = f"mean command [{unit}]" if unit != "N" else "mean force [N]"
+    label = "mean force [N]" if unit == "N" else f"mean {of_command(unit)}"
     top = 1.05 * float(np.abs(v).max())
     lowest = float(np.abs(v).min())
     ways = [way for way in (-1.0, 1.0) if np.any(way * v > 0.0)]
@@ -177,7 +201,9 @@ def _pictures(curve: FrictionCurve, stretches: Sequence[Stretch], unit: str, axi
     model = curve.at(np.where(np.isnan(line), top, line))
     model[np.isnan(line)] = np.nan
     rest = u - curve.predicted
-    curves = {"measured, two deviations": bars(1e3 * v, u, 2.0 * s), curve.model.name: (1e3 * line, model)}
-    left = Graph("velocity [mm/s]", f"residual [{unit}]", {"residual, two deviations": bars(1e3 * v, rest, 2.0 * s)})
+    name = curve.model.name.replace("Stribeck", "a rise") if _rises(curve) else curve.model.name
+    curves: dict[str, Drawn] = {"measured, two deviations": (1e3 * v, u, 2.0 * s), name: (1e3 * line, model)}
+    over = of_command(unit).replace("command", "residual")
+    left = Graph("velocity [mm/s]", over, {"residual, two deviations": (1e3 * v, rest, 2.0 * s)})
     title = f"Friction of axis {axis} at constant speed"
     return (Picture("friction", title, (Graph("velocity [mm/s]", label, curves),)), Picture("residual", "What the curve leaves", (left,)))

@@ -6,12 +6,11 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
 from contourlab.components.origin import Origin
-from contourlab.studies.identification.finding import Row, assumed, reached
+from contourlab.studies.identification.finding import Row, assumed, limit
 from contourlab.studies.identification.signals import AxisRecord
 
 __all__ = ["Forces", "drive_table", "forces_of", "plant_numbers", "plant_table"]
 
-DRIVE = "the largest in the log, no limit of the drive"
 Told = Callable[..., Origin]
 """From the name of a number, such as "plant.mass", and a note to where it is from."""
 
@@ -28,6 +27,8 @@ class Forces:
         What counts as one of them.
     largest : float [unit of the command]
         In the logs.
+    constant : float [N/A]
+        Force per command as it was given; a command of the log counts as so many amperes.
     source : str
         Name of the log.
     note : str
@@ -37,6 +38,7 @@ class Forces:
     unit: str
     one: float
     largest: float
+    constant: float
     source: str
     note: str
 
@@ -52,12 +54,12 @@ def forces_of(records: Sequence[AxisRecord]) -> Forces:
     unit, source = records[0].unit, records[0].source
     largest = max(record.largest() for record in records)
     if unit == "N":
-        return Forces("N", 1.0, largest, source, "")
+        return Forces("N", 1.0, largest, abs(records[0].gain), source, "")
     if unit in ("", "full_scale"):
-        return Forces("full_scale", 1.0, largest, source, "")
+        return Forces("full_scale", 1.0, largest, 1.0, source, "")
     where = "log" if len(records) == 1 else "logs"
     note = f"full scale is assumed to be the largest command in the {where}, {largest:.4g} {unit}"
-    return Forces("full_scale", largest, largest, source, note)
+    return Forces("full_scale", largest, largest, 1.0, source, note)
 
 
 def plant_numbers(forces: Forces, a: float, b: float) -> dict[str, float]:
@@ -82,7 +84,7 @@ def plant_table(forces: Forces, a: float, b: float, told: Told) -> dict[str, Row
             "kind": ("mass-damper", "", None),
             "mass": (x["plant.mass"], "kg", told("plant.mass")),
             "damping": (x["plant.damping"], "N*s/m", told("plant.damping")),
-            "force_constant": (1.0, "N/A", assumed("the command is counted as newtons")),
+            "force_constant": (forces.constant, "N/A", assumed("as given; a command counts as so many amperes")),
         }
     return {
         "kind": ("rigid-axis", "", None),
@@ -103,11 +105,11 @@ def drive_table(forces: Forces, delay: float, told: Told, arm: float | None = No
         Travel per radian, where the plant takes torques.
     """
     if arm is not None:
-        limit: Row = (forces.largest * arm, "N*m", reached(forces.source, DRIVE))
+        top = limit(forces.largest * arm, "N*m", forces.source)
     elif forces.unit == "N":
-        limit = (forces.largest, "A", reached(forces.source, DRIVE))
+        top = limit(forces.largest / forces.constant, "A", forces.source)
     else:
-        limit = (1.0, "full_scale", assumed("full scale"))
+        top = (1.0, "full_scale", assumed("full scale"))
     if delay <= 0.0:
-        return {"kind": ("saturation", "", None), "limit": limit}
-    return {"kind": ("delayed-saturation", "", None), "limit": limit, "delay": (delay, "s", told("drive.delay"))}
+        return {"kind": ("saturation", "", None), "limit": top}
+    return {"kind": ("delayed-saturation", "", None), "limit": top, "delay": (delay, "s", told("drive.delay"))}

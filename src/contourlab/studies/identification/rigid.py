@@ -26,9 +26,11 @@ from contourlab.studies.identification.finding import (
     assumed,
     carried,
     fitted,
-    reached,
+    limit,
 )
+from contourlab.studies.identification.plant_tables import Forces, drive_table, forces_of, plant_numbers, plant_table
 from contourlab.studies.identification.signals import AxisRecord, measured_tables
+from contourlab.studies.identification.ways import on_ways
 
 __all__ = ["identify_rigid"]
 
@@ -57,7 +59,9 @@ def identify_rigid(record: AxisRecord, settings: InverseDynamicsSettings | None 
     """
     fit = identify_inverse_dynamics(record.time, record.position, _force(record), settings)
     there = None if second is None else cross_validate(fit, second.time, second.position, _force(second))
-    worth = carried(_numbers, fit.names, fit.values, np.maximum(fit.deviations, fit.robust_deviations), fit.correlation)
+    forces = forces_of([record])
+    known = np.maximum(fit.deviations, fit.robust_deviations)
+    worth = carried(lambda x: _numbers(forces, x), fit.names, fit.values, known, fit.correlation)
     rows = zip(fit.names, fit.values.tolist(), fit.deviations.tolist(), fit.robust_deviations.tolist(), strict=True)
     return Finding(
         MODELS[fit.settings.friction],
@@ -66,8 +70,8 @@ def identify_rigid(record: AxisRecord, settings: InverseDynamicsSettings | None 
         tuple(Figure(name, value, UNITS[name.rstrip("+-")], white, robust) for name, value, white, robust in rows),
         fit.fit,
         fit.usable,
-        fit.remarks,
-        _tables(record, fit, worth) if fit.usable else {},
+        (*fit.remarks, *(on_ways(fit.parameters(), UNITS) if fit.usable else ()), *_on_second(record, second)),
+        _tables(record, forces, fit, worth) if fit.usable else {},
         _pictures(record, fit),
         _lines(fit, there),
         _more(fit, there),
@@ -95,37 +99,38 @@ def _more(fit: InverseDynamicsFit, there: Validation | None) -> dict[str, object
     return {"relative_error_percent": fit.relative_error, "condition_number": fit.condition_number, "validation": checked}
 
 
-def _numbers(x: Mapping[str, float]) -> dict[str, float]:
+def _on_second(record: AxisRecord, second: AxisRecord | None) -> list[str]:
+    """Remark on a second log that is the first one: it shows how well the figures fit what they were fitted to."""
+    same = second is not None and np.array_equal(record.position, second.position) and np.array_equal(_force(record), _force(second))
+    return [f"{second.source} has the samples that were fitted: it validates nothing"] if second is not None and same else []
+
+
+def _numbers(forces: Forces, x: Mapping[str, float]) -> dict[str, float]:
     """Return the numbers of the axis file: friction that differs by direction as its mean, since a component has one for both."""
     if "Fc" in x:
         viscous, coulomb, offset = x["Fv"], x["Fc"], x["offset"]
     else:
         viscous, coulomb, offset = 0.5 * (x["Fv+"] + x["Fv-"]), 0.5 * (x["Fc+"] + x["Fc-"]), 0.5 * (x["Fc+"] - x["Fc-"])
-    return {"plant.mass": x["M"], "plant.damping": viscous, "friction.coulomb": coulomb, "disturbance.force": -offset}
+    return plant_numbers(forces, 1.0 / x["M"], viscous / x["M"]) | {"friction.coulomb": coulomb, "disturbance.force": -offset}
 
 
-def _tables(record: AxisRecord, fit: InverseDynamicsFit, worth: Carried) -> Tables:
-    """Return the axis in newtons. What it cannot do is not in a log: limits are what was reached in it, and are called so."""
-    value = _numbers(fit.parameters())
+def _tables(record: AxisRecord, forces: Forces, fit: InverseDynamicsFit, worth: Carried) -> Tables:
+    """Return the axis in newtons."""
+    value = _numbers(forces, fit.parameters())
 
-    def told(name: str) -> Origin:
-        return fitted(record.source, worth.deviations[name])
+    def told(name: str, note: str = "") -> Origin:
+        return fitted(record.source, worth.deviations[name], note)
 
     tables: dict[str, dict[str, Row]] = {
-        "plant": {
-            "kind": ("mass-damper", "", None),
-            "mass": (value["plant.mass"], "kg", told("plant.mass")),
-            "damping": (value["plant.damping"], "N*s/m", told("plant.damping")),
-            "force_constant": (abs(record.gain), "N/A", assumed("as given; a command counts as so many amperes")),
-        },
+        "plant": plant_table(forces, 1.0 / value["plant.mass"], value["plant.damping"] / value["plant.mass"], told),
         "friction": {"kind": ("coulomb", "", None), "coulomb": (value["friction.coulomb"], "N", told("friction.coulomb"))},
         "disturbance": {"kind": ("constant", "", None), "force": (value["disturbance.force"], "N", told("disturbance.force"))},
-        "drive": {"kind": ("saturation", "", None), "limit": (record.largest() / abs(record.gain), "A", reached(record.source))},
+        "drive": drive_table(forces, 0.0, told),
         **measured_tables(record),
     }
     fastest = _acceleration(fit)
     tables["limits"] |= {
-        "acceleration": (fastest, "m/s^2", reached(record.source)),
+        "acceleration": limit(fastest, "m/s^2", record.source),
         "jerk": (100.0 * fastest, "m/s^3", assumed("the acceleration in 10 ms")),
     }
     return tables

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from contourlab.errors import ResultError
 from contourlab.logs import Log
 from contourlab.result import Result
-from contourlab.studies.identification.finding import Row, reached
+from contourlab.studies.identification.finding import Row, limit, reached
 
 __all__ = [
     "NO_PLANT",
@@ -228,12 +228,12 @@ def _whole(log: Log, axis: str, gain: float | None, full_scale: float | None) ->
 
 
 def measured_tables(record: AxisRecord) -> dict[str, dict[str, Row]]:
-    """Return the tables of an axis file that any log tells: encoder and limits; these are what was reached, and are called so."""
+    """Return the tables of an axis file that any log tells: the encoder, and limits of the motion as far as a log has them."""
     steps = np.abs(np.diff(record.position))
     stride = max(1, round(0.002 / record.period))
     speed = np.abs(np.diff(record.position[::stride])) / (stride * record.period)
     tables: dict[str, dict[str, Row]] = {
-        "limits": {"velocity": (float(speed.max()) if speed.size else 0.0, "m/s", reached(record.source))},
+        "limits": {"velocity": limit(float(speed.max()) if speed.size else 0.0, "m/s", record.source)},
     }
     seen = steps[steps > 1e-12]
     if seen.size:

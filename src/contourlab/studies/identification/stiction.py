@@ -10,7 +10,7 @@ import numpy as np
 
 from contourlab.analysis.stiction import Breakaway, breakaways
 from contourlab.errors import ParameterError
-from contourlab.studies.identification.finding import Figure, Finding, Graph, Picture, Row, Tables, assumed, bars, fitted
+from contourlab.studies.identification.finding import Drawn, Figure, Finding, Graph, Picture, Row, Tables, assumed, fitted, of_command
 from contourlab.studies.identification.signals import NO_PLANT, AxisRecord, fits_a_plant, one_unit, sources_of
 
 __all__ = ["identify_stiction"]
@@ -129,13 +129,13 @@ def _tables(by_way: dict[str, list[Breakaway]], unit: str, records: Sequence[Axi
 
 def _pictures(by_way: dict[str, list[Breakaway]], unit: str, records: Sequence[AxisRecord]) -> tuple[Picture, ...]:
     axis, first = records[0].axis, records[0]
-    points = {}
+    points: dict[str, Drawn] = {}
     for name, ones in by_way.items():
         if ones:
-            half = np.array([2.0 * max(one.deviation, 0.002 * abs(one.level)) for one in ones])
-            points[name] = bars(np.array([one.time for one in ones]), _levels(ones), half)
-    level = Graph("time [s]", f"breakaway [{unit}]", points)
-    command = Graph("time [s]", f"command [{unit}]", {"command": (first.time, first.driven())})
+            half = np.array([2.0 * one.deviation for one in ones])
+            points[name] = np.array([one.time for one in ones]), _levels(ones), half
+    level = Graph("time [s]", of_command(unit).replace("command", "breakaway"), points)
+    command = Graph("time [s]", of_command(unit), {"command": (first.time, first.driven())})
     moved = Graph("time [s]", "position [mm]", {"position": (first.time, 1e3 * (first.position - first.position[0]))})
     title = f"Breakaway of axis {axis}, two deviations"
     return (Picture("breakaway", title, (level,)), Picture("ramps", f"Ramps of {first.source}", (command, moved)))
