@@ -180,7 +180,7 @@ def test_the_network_is_named_as_a_cause(tmp_path: Path, capsys: pytest.CaptureF
     [
         (("--division", "half"), "drive, observer, controller"),
         (("--ways", "three"), "both, one"),
-        (("--vary", "colour"), "message_period"),
+        (("--vary", "colour"), "message-period"),
         (("--figure", "mood"), "rms"),
         (("--within", "often"), "10 %"),
         (("--tolerance", "15 s"), "15 um"),
