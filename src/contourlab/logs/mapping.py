@@ -199,22 +199,32 @@ def guessed(record: Record) -> dict[tuple[str, str], list[str]]:
     """Return which columns each signal and axis may be by their names: a time, and for each axis a reference, a position, a velocity.
 
     A name is taken apart into words: ``Encoder Feedback X`` is the position of x, ``joint.0.motor-pos-cmd`` the reference of x,
-    ``position.x`` what it says. Where no column is named as a time, one of dates and times of day is. Of several names there is a doubt.
+    ``position.x`` what it says, whatever else sounds alike. Where no other column is named as a time, one of dates and times of day is. Of
+    several names there is a doubt.
     """
     found: dict[tuple[str, str], list[str]] = {}
     for channel in record.channels:
         target = _meaning(channel)
-        if target is not None:
+        if target is not None and not (target == (TIME, "") and channel.is_moment):
             found.setdefault(target, []).append(channel.name)
+    for channel in record.channels:
+        if (own := _own(channel)) is not None:
+            found[own] = [channel.name]
     if (TIME, "") not in found and (moments := [channel.name for channel in record.channels if channel.is_moment]):
         found[TIME, ""] = moments
     return found
 
 
-def _meaning(channel: Channel) -> tuple[str, str] | None:
+def _own(channel: Channel) -> tuple[str, str] | None:
+    """Return the signal and axis whose name a column has."""
     own = _TARGET.match(channel.name)
-    if own is not None and own["signal"] in SIGNALS and own["axis"]:
-        return own["signal"], own["axis"]
+    return (own["signal"], own["axis"]) if own is not None and own["signal"] in SIGNALS and own["axis"] else None
+
+
+def _meaning(channel: Channel) -> tuple[str, str] | None:
+    own = _own(channel)
+    if own is not None:
+        return own
     words = [word.casefold() for word in re.findall(r"[A-Za-z]+|\d+", re.sub(r"(?<=[a-z])(?=[A-Z])", " ", channel.name))]
     if len(words) == 1 and words[0] in _TIME:
         return TIME, ""

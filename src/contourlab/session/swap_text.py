@@ -187,6 +187,7 @@ def summary_of(report: SwapReport) -> dict[str, Any]:
             "runs": fleet.runs,
             "exhaustive": settings.exhaustive,
             "from": list(report.origins),
+            "fell_short": list(study.fell_short),
         },
         "bounds": numbers,
         "variants": {

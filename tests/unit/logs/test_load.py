@@ -70,6 +70,17 @@ def test_of_two_columns_that_would_be_one_signal_neither_is_taken() -> None:
     assert log.result.axes == ("x", "y") and not any("may be" in note for note in log.notes)
 
 
+def test_a_column_named_as_a_signal_is_that_signal_whatever_else_sounds_alike() -> None:
+    names = ("reference.x", "reference_acceleration.x", "position.x", "axis_position.x")
+    assert guessed(record(*(Channel(name, np.arange(3.0)) for name in names)))["reference", "x"] == ["reference.x"]
+
+
+def test_a_date_is_the_time_only_where_no_other_column_is() -> None:
+    date, time = Channel("timestamp", np.arange(3.0), "s", is_moment=True), Channel("time", np.arange(3.0), "s")
+    assert guessed(record(date, time))["time", ""] == ["time"]
+    assert guessed(record(date))["time", ""] == ["timestamp"]
+
+
 def test_what_the_user_says_goes_first() -> None:
     channels = Channel("x pos", np.arange(3.0), "mm"), Channel("raw", 2.0 * np.arange(3.0), "mm")
     log = result_of(record(*channels, period=1e-3), Columns(parse_columns(["position.x=raw"])))

@@ -59,6 +59,13 @@ class SwapStudy:
         return self.choices[0]
 
     @property
+    def fell_short(self) -> tuple[str, ...]:
+        """Variants whose own search ended farther above J* than a swap may lose: a shared one found better, so J* may well lie lower."""
+        fleet, values = self.fleet, np.array([own.value for own in self.owns])
+        above = losses(values, fleet.best, fleet.floor)
+        return tuple(variant.name for variant, lost in zip(fleet.variants, above, strict=True) if lost >= self.settings.full)
+
+    @property
     def full(self) -> bool:
         """Whether one controller serves all variants."""
         return self.base.loss < self.settings.full

@@ -20,6 +20,12 @@ NEAR = 0.005
 def verdict(study: SwapStudy) -> str:
     """Return the verdict in one sentence."""
     limit, base, best = f"{100.0 * study.settings.full:g} %", study.base, study.recommended
+    if best is not None and study.fell_short:
+        names, stands = " and ".join(study.fell_short), _percent(base.loss)
+        return (
+            f"not told: the search for {names} alone ended more than {limit} above what a shared one found, so that J* may lie lower: "
+            f"raise --budget, or give known designs by --from; against J* as it stands the swap loss is {stands} with nothing local"
+        )
     if study.full:
         return f"full modularity: one controller serves all variants, swap loss {_percent(base.loss)} with nothing local (limit {limit})"
     if best is None:

@@ -129,6 +129,15 @@ def test_no_design_that_was_found_makes_a_better_shared_one(settings: dict[str, 
     assert study.base.loss <= min(swap_loss(mine, fleet.best, fleet.floor) for mine in values.T) + 1e-12
 
 
+def test_a_search_that_fell_short_makes_no_verdict(unequal: SwapStudy) -> None:
+    assert unequal.fell_short == ()
+    best = unequal.fleet.best
+    late = [replace(own, value=float(value) + 0.1 * unequal.fleet.floor) for own, value in zip(unequal.owns, best, strict=True)]
+    short = replace(unequal, owns=(unequal.owns[0], late[1]))
+    assert short.fell_short == ("x = strong",) and short.recommended is not None
+    assert verdict(short).startswith("not told: the search for x = strong alone ended more than 3 % above")
+
+
 def test_same_study_on_any_number_of_threads() -> None:
     found = []
     for threads in (1, 2):
