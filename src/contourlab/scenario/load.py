@@ -60,8 +60,9 @@ def _load_plugins(plugins: Sequence[str | Path]) -> None:
             _loaded.add(file)
 
 
-def _open(file: str | Path) -> tuple[Path, Reader]:
-    """Return a file by name, or by the name of a shipped one, and the reader of what it names."""
+def _open(file: str | Path, plugins: Sequence[str | Path]) -> tuple[Path, Reader]:
+    """Load plugins; return a file by name, or by the name of a shipped one, and the reader of what it names."""
+    _load_plugins(plugins)
     text = str(file)
     path = builtin_file(text) if text.startswith(BUILTIN) else Path(file)
     try:
@@ -94,8 +95,7 @@ def load_axis(file: str | Path, name: str = "x", plugins: Sequence[str | Path] =
     >>> load_axis("builtin:ghaffari/axis1").plant.gain
     1.695
     """
-    _load_plugins(plugins)
-    path, reader = _open(file)
+    path, reader = _open(file, plugins)
     return build_axis(settle(reader.axis_file(reader.file(path))), name)
 
 
@@ -117,8 +117,7 @@ def load_machine(file: str | Path, plugins: Sequence[str | Path] = ()) -> Machin
     >>> load_machine("builtin:xyz").axis_names
     ('x', 'y', 'z')
     """
-    _load_plugins(plugins)
-    path, reader = _open(file)
+    path, reader = _open(file, plugins)
     content = reader.file(path)
     if {"machine", "controller"} <= set(content.entries):
         read_table(ScenarioTable, content)
@@ -134,8 +133,7 @@ def controller_axes(file: str | Path, plugins: Sequence[str | Path] = ()) -> tup
     ScenarioError
         With file and key of what is wrong.
     """
-    _load_plugins(plugins)
-    path, reader = _open(file)
+    path, reader = _open(file, plugins)
     axes = reader.controller_file(reader.file(path)).get("axes")
     return tuple(name for name in axes.entries if name != EVERY) if isinstance(axes, Table) else ()
 
@@ -160,8 +158,7 @@ def load_controller(
     ScenarioError
         With file and key of what is wrong.
     """
-    _load_plugins(plugins)
-    path, reader = _open(file)
+    path, reader = _open(file, plugins)
     there = {(called or {}).get(name, name): name for name in machine.axis_names}
     reader = replace(reader, names=tuple(there))
     found = _spread_controller(reader.controller_file(reader.file(path)), tuple(there))
@@ -207,8 +204,7 @@ def load_scenario(file: str | Path, plugins: Sequence[str | Path] = ()) -> Scena
     >>> [case.name for case in load_scenario("builtin:ghaffari/demo-stage").cases()][0]
     'position loop'
     """
-    _load_plugins(plugins)
-    path, reader = _open(file)
+    path, reader = _open(file, plugins)
     return _scenario(reader, reader.file(path), path)
 
 

@@ -13,6 +13,7 @@ from contourlab.errors import ParameterError
 from contourlab.result import write_text_atomic
 from contourlab.session.component_sources import plugin_digests
 from contourlab.session.folder import staged
+from contourlab.session.kept_notes import kept_notes
 from contourlab.session.plain import plain
 from contourlab.session.program_version import DECIDES_RUNS, program_version
 from contourlab.session.sensitivity_text import summary_of, text_of
@@ -21,7 +22,7 @@ from contourlab.session.stages import Stages, shown
 if TYPE_CHECKING:
     from contourlab.feed import Reference
     from contourlab.scenario import Case
-    from contourlab.studies.sensitivity import Kept, Runs, Study
+    from contourlab.studies.sensitivity import Runs, Study
 
 __all__ = ["Request", "SensitivityOutcome", "sensitivity_of"]
 
@@ -225,18 +226,9 @@ def _model(case: Case, reference: Reference) -> str:
 
 
 def _kept_notes(runs: Runs) -> list[str]:
-    kept: Kept | None = runs.kept
-    if kept is None:
+    if runs.kept is None:
         return []
-    notes = []
-    if runs.found:
-        notes.append(f"{runs.found} runs were kept from an earlier time in {kept.home} and not made again")
-    if kept.others:
-        what = "of another scenario, motion, seed, plugin or version of contourlab"
-        notes.append(f"{kept.folder} also keeps runs {what}: they were left alone and not used; the folder may be deleted")
-    if kept.damaged:
-        notes.append(f"{kept.damaged} files of kept runs could not be read; their runs were made again")
-    return notes
+    return kept_notes(runs.kept, runs.found, "runs", "scenario, motion, seed, plugin or version of contourlab")
 
 
 def _command(file: str | Path, request: Request, plugins: Sequence[str | Path]) -> str:

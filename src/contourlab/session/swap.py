@@ -11,11 +11,12 @@ from typing import TYPE_CHECKING
 from contourlab.errors import ParameterError, ScenarioError
 from contourlab.scenario.quantities import read_number
 from contourlab.session.folder import staged
+from contourlab.session.kept_notes import kept_notes
 from contourlab.session.link import Asked, LinkOptions, read_options
 from contourlab.session.run import RunOutcome, check_plots
 from contourlab.session.stages import Stages, shown
 from contourlab.session.swap_files import written
-from contourlab.session.swap_kept import KEPT, kept_notes, kept_searches
+from contourlab.session.swap_kept import KEPT, kept_searches
 from contourlab.session.swap_known import known_designs
 from contourlab.session.swap_report import WORDS, SwapReport
 from contourlab.studies.space import Space
@@ -154,7 +155,8 @@ def swap_scenario(
         ended = final(fleet, (study.recommended or study.base).design.points)
         networks = _networks(study, options.network, asked, stages)
         stages.begin("writing")
-        report = SwapReport(study, ended, networks, over, linear, options.origins, (*ready.notes, *kept_notes(kept)))
+        told = kept_notes(kept, kept.found, "searches", "scenario, axis, options or version of contourlab")
+        report = SwapReport(study, ended, networks, over, linear, options.origins, (*ready.notes, *told))
         return written(report, folder, Path(out), plots)
 
 

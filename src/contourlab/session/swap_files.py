@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 import json
-import math
 from collections.abc import Iterator, Sequence
 from pathlib import Path
 from typing import Any
 
 from contourlab.report.swap_picture import write_matrices
 from contourlab.result import write_text_atomic
+from contourlab.session.plain import plain
 from contourlab.session.run import RunOutcome, file_names
 from contourlab.session.swap_report import SwapReport
 from contourlab.session.swap_text import matrices, summary_of, text_of
@@ -28,7 +28,7 @@ def written(report: SwapReport, folder: Path, out: Path, plots: Sequence[str]) -
     (folder / "controllers").mkdir()
     lines += list(_controllers(study, folder / "controllers", out / "controllers"))
     summary = summary_of(report)
-    write_text_atomic(folder / "swap.json", json.dumps(_strict(summary), indent=2, allow_nan=False) + "\n")
+    write_text_atomic(folder / "swap.json", json.dumps(plain(summary), indent=2, allow_nan=False) + "\n")
     return RunOutcome(report.passed, summary, "\n".join(lines))
 
 
@@ -57,12 +57,3 @@ def _controllers(study: SwapStudy, folder: Path, out: Path) -> Iterator[str]:
         )
         others.append(f"the shared design, nothing local: {out / 'shared.toml'}")
     yield ", ".join(others)
-
-
-def _strict(value: Any) -> Any:
-    """Return a value as JSON has it: what is not finite is null."""
-    if isinstance(value, dict):
-        return {key: _strict(item) for key, item in value.items()}
-    if isinstance(value, list):
-        return [_strict(item) for item in value]
-    return value if not isinstance(value, float) or math.isfinite(value) else None

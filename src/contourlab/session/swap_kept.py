@@ -1,8 +1,8 @@
-"""Searches of a swap that are kept: what decides them, and what is said of them."""
+"""Searches of a swap that are kept: what decides them."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from importlib.metadata import version
 from pathlib import Path
 
@@ -11,7 +11,7 @@ from contourlab.studies.swap.fleet import Fleet
 from contourlab.studies.swap.kept import Kept
 from contourlab.studies.swap.settings import SwapSettings
 
-__all__ = ["KEPT", "kept_notes", "kept_searches"]
+__all__ = ["KEPT", "kept_searches"]
 
 KEPT = "searches"
 """Folder of the searches that are kept, in that of the results."""
@@ -34,14 +34,3 @@ def kept_searches(
     words += [f"{name} {version(name)}" for name in ("cma", "numpy")]
     words.append(program_version((*DECIDES_RUNS, "analysis", "studies/space", "studies/swap")))
     return Kept(folder, "\n".join(words))
-
-
-def kept_notes(kept: Kept) -> Iterator[str]:
-    """Yield what was taken from an earlier time, and what was not."""
-    if kept.found:
-        yield f"{kept.found} searches were kept from an earlier time in {kept.home} and not made again"
-    if kept.others:
-        what = "of another scenario, axis, options or version of contourlab"
-        yield f"{kept.folder} also keeps searches {what}: they were left alone and not used; the folder may be deleted"
-    if kept.damaged:
-        yield f"{kept.damaged} files of kept searches could not be read; their searches were made again"

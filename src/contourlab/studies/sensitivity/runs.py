@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import hashlib
-import io
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -12,8 +10,8 @@ from typing import TypeAlias
 import numpy as np
 from numpy.typing import NDArray
 
-from contourlab.result.atomic import write_bytes_atomic
 from contourlab.studies.sensitivity.figure import FIGURES
+from contourlab.studies.space.kept import KeptFolder
 
 __all__ = ["CHUNK", "Columns", "Judge", "Kept", "Model", "Runs"]
 
@@ -29,64 +27,30 @@ CHUNK = 1024
 KEYS = tuple(figure.key for figure in FIGURES.values())
 
 
-@dataclass(eq=False)
-class Kept:
-    """Figures of runs in a folder: a file for each chunk, named by all that decides what is in it.
-
-    Parameters
-    ----------
-    folder : Path
-        Made when the first chunk is kept.
-    model : str
-        All that decides a run but the numbers that are moved.
-    damaged : int
-        Files that could not be read; their runs are made again.
-    """
-
-    folder: Path
-    model: str
-    damaged: int = 0
-
-    @property
-    def home(self) -> Path:
-        """Folder of the chunks of this model."""
-        return self.folder / hashlib.sha256(self.model.encode()).hexdigest()[:16]
-
-    @property
-    def others(self) -> int:
-        """How many other models have chunks beside this one's."""
-        return sum(path != self.home and path.is_dir() for path in self.folder.glob("?" * 16))
+class Kept(KeptFolder):
+    """Figures of runs in a folder: a file for each chunk; the model is all that decides a run but the numbers that are moved."""
 
     def file(self, columns: Columns) -> Path:
         """Return the file of a chunk: the name is a digest of model, names and values."""
-        text = hashlib.sha256(self.model.encode())
-        for name, values in columns.items():
-            text.update(f"\n{name}\n".encode() + np.ascontiguousarray(values, dtype="<f8").tobytes())
-        return self.home / f"{text.hexdigest()[:32]}.npz"
+        return self.named(
+            *(f"\n{name}\n".encode() + np.ascontiguousarray(values, dtype="<f8").tobytes() for name, values in columns.items())
+        )
 
     def read(self, columns: Columns) -> dict[str, Array] | None:
         """Return the figures of a chunk if they are kept."""
-        file = self.file(columns)
-        if not file.exists():
-            return None
         n = len(next(iter(columns.values())))
-        try:
-            with np.load(io.BytesIO(file.read_bytes()), allow_pickle=False) as data:  # a zip: damage fails its checksum
-                found = {key: np.asarray(data[key], dtype=float) for key in KEYS}
-        except Exception:  # zipfile, zlib, NumPy and the system each have errors of their own for a damaged file
-            found = {}
-        if not found or any(values.shape != (n,) for values in found.values()):
-            self.damaged += 1
-            return None
-        return found
+
+        def take(data: Mapping[str, Array]) -> dict[str, Array]:
+            found = {key: np.asarray(data[key], dtype=float) for key in KEYS}
+            if any(values.shape != (n,) for values in found.values()):
+                raise ValueError("figures of another number of runs")
+            return found
+
+        return self.load(self.file(columns), take)
 
     def write(self, columns: Columns, figures: Mapping[str, Array]) -> Path:
         """Keep the figures of a chunk; return its file."""
-        buffer = io.BytesIO()
-        np.savez(buffer, allow_pickle=False, **{key: np.asarray(figures[key]) for key in KEYS})
-        file = self.file(columns)
-        write_bytes_atomic(file, buffer.getvalue())
-        return file
+        return self.store(self.file(columns), {key: figures[key] for key in KEYS})
 
 
 @dataclass(eq=False)

@@ -2,17 +2,14 @@
 
 from __future__ import annotations
 
-import hashlib
-import io
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field, fields
-from pathlib import Path
 from typing import Any, TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
 
-from contourlab.result.atomic import write_bytes_atomic
+from contourlab.studies.space.kept import KeptFolder
 from contourlab.studies.swap.design import Design, Own
 from contourlab.studies.swap.fleet import Fleet
 
@@ -23,38 +20,19 @@ Result = TypeVar("Result", Own, Design)
 
 
 @dataclass(eq=False)
-class Kept:
-    """Searches in a folder: a file for each, named by all that decides what is in it.
+class Kept(KeptFolder):
+    """Searches in a folder: a file for each; the model is all that decides the study.
 
     With what a search came to its file has what it left behind in the fleet: the best of each variant, and the counts of runs. So a study
     that goes on from files is the same bit by bit as one that was never interrupted.
 
-    Parameters
+    Attributes
     ----------
-    folder : Path
-        Made when the first search is kept.
-    model : str
-        All that decides the study.
     found : int
         Searches that were kept from an earlier time.
-    damaged : int
-        Files that could not be read; their searches are made again.
     """
 
-    folder: Path
-    model: str
     found: int = field(default=0, init=False)
-    damaged: int = field(default=0, init=False)
-
-    @property
-    def home(self) -> Path:
-        """Folder of the searches of this study."""
-        return self.folder / hashlib.sha256(self.model.encode()).hexdigest()[:16]
-
-    @property
-    def others(self) -> int:
-        """How many other studies have searches beside this one's."""
-        return sum(path != self.home and path.is_dir() for path in self.folder.glob("?" * 16))
 
     def search(self, fleet: Fleet, words: str, kind: type[Result], make: Callable[[], Result]) -> Result:
         """Return what a search came to: from its file if there is one, else as `make` finds it, which is then kept.
@@ -69,34 +47,21 @@ class Kept:
             `Own` or `Design`.
         make : callable
         """
-        text = hashlib.sha256(f"{self.model}\n{words}\n".encode())
-        for name, values in _state(fleet).items():
-            text.update(f"\n{name}\n".encode() + values.tobytes())
-        file = self.home / f"{text.hexdigest()[:32]}.npz"
-        known = self._read(file, fleet, kind)
+        before = (f"\n{name}\n".encode() + values.tobytes() for name, values in _state(fleet).items())
+        file = self.named(f"\n{words}\n".encode(), *before)
+
+        def take(data: Mapping[str, Any]) -> tuple[Arrays, Result]:
+            state = {name: data[name] for name in _state(fleet)}
+            return state, kind(**{one.name: _value(data[f"result.{one.name}"]) for one in fields(kind)})
+
+        known = self.load(file, take)
         if known is not None:
             self.found += 1
-            return known
+            _restore(fleet, known[0])
+            return known[1]
         made = make()
-        buffer = io.BytesIO()
-        np.savez(
-            buffer, allow_pickle=False, **_state(fleet), **{f"result.{one.name}": _array(getattr(made, one.name)) for one in fields(made)}
-        )
-        write_bytes_atomic(file, buffer.getvalue())
+        self.store(file, {**_state(fleet), **{f"result.{one.name}": _array(getattr(made, one.name)) for one in fields(made)}})
         return made
-
-    def _read(self, file: Path, fleet: Fleet, kind: type[Result]) -> Result | None:
-        if not file.exists():
-            return None
-        try:
-            with np.load(io.BytesIO(file.read_bytes()), allow_pickle=False) as data:  # a zip: damage fails its checksum
-                state = {name: data[name] for name in _state(fleet)}
-                found = {one.name: _value(data[f"result.{one.name}"]) for one in fields(kind)}
-        except Exception:  # zipfile, zlib, NumPy and the system each have errors of their own for a damaged file
-            self.damaged += 1
-            return None
-        _restore(fleet, state)
-        return kind(**found)
 
 
 def _state(fleet: Fleet) -> Arrays:
