@@ -14,6 +14,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from contourlab.errors import GeometryError
 from contourlab.geometry.path import Path
+from contourlab.geometry.reach import curves_in_reach
 from contourlab.geometry.search import Bends, brackets
 from contourlab.geometry.table import PathTable
 
@@ -51,7 +52,7 @@ def foot_point(path: Path, points: ArrayLike, around: ArrayLike, window: ArrayLi
     around : array_like (n,) [m]
         Progress along the path; on a closed path it may count laps.
     window : float or array_like (n,) [m], > 0
-        How far from the progress to look, for all or for each. Cost grows with the number of curves in it.
+        How far from the progress to look, for all or for each.
 
     Returns
     -------
@@ -81,7 +82,7 @@ def _nothing(path: Path) -> FootPoint:
 
 
 def _chunk(path: Path, points: Array, around: Array, window: Array) -> FootPoint:
-    sample, curve, lap, low, high = _in_reach(path, around, window)
+    sample, curve, lap, low, high = curves_in_reach(path, points, around, window)
     local = np.empty(sample.size)
     middle = np.clip(around[sample] - lap * path.length - path.breaks[curve], low, high)
     searched = []
@@ -99,33 +100,6 @@ def _chunk(path: Path, points: Array, around: Array, window: Array) -> FootPoint
     progress = lap * path.length + path.breaks[curve] + local
     best = _nearest(sample, square, np.abs(progress - around[sample]), around.size)
     return _result(path, points, progress[best], curve[best], local[best], feet[best], np.sqrt(square[best]))
-
-
-def _in_reach(path: Path, around: Array, window: Array) -> tuple[Index, Index, Array, Array, Array]:
-    """Return pairs of sample and curve that overlap the window: sample, curve, lap, and the part of the curve."""
-    first, last = around - window, around + window
-    if path.closed:
-        # More than a lap on either side says nothing new.
-        first, last = np.maximum(first, around - 0.5 * path.length), np.minimum(last, around + 0.5 * path.length)
-    else:
-        first, last = np.clip(first, 0.0, path.length), np.clip(last, 0.0, path.length)
-    m = len(path.curves)
-    lap_first = np.floor(first / path.length) if path.closed else np.zeros(first.size)
-    lap_last = np.floor(last / path.length) if path.closed else np.zeros(first.size)
-    begin = np.searchsorted(path.breaks, first - lap_first * path.length, side="right") - 1
-    end = np.searchsorted(path.breaks, last - lap_last * path.length, side="right") - 1
-    begin = np.clip(begin, 0, m - 1) + (lap_first * m).astype(np.int64)
-    end = np.clip(end, 0, m - 1) + (lap_last * m).astype(np.int64)
-    count = end - begin + 1
-    sample = np.repeat(np.arange(around.size), count)
-    number = np.repeat(begin, count) + np.arange(count.sum()) - np.repeat(np.cumsum(count) - count, count)
-    lap = np.floor_divide(number, m)
-    curve = number - lap * m
-    offset = lap * path.length + path.breaks[curve]
-    span = np.diff(path.breaks)[curve]
-    low = np.clip(first[sample] - offset, 0.0, span)
-    high = np.clip(last[sample] - offset, 0.0, span)
-    return sample, curve, lap.astype(float), low, high
 
 
 def _on_curves(path: Path, points: Array, curve: Index, low: Array, high: Array, middle: Array) -> Array:

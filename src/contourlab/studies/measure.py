@@ -12,7 +12,6 @@ from contourlab.errors import ResultError
 from contourlab.feed import Reference
 from contourlab.geometry import Path
 from contourlab.metrics import AxisFigures, CircleFigures, Metrics, Spike, circles_of, judge, reversal_spikes, summarise
-from contourlab.metrics.judge import reach
 from contourlab.result import Result, Signal
 from contourlab.scenario.placing import placed
 from contourlab.studies.laps import last_lap
@@ -31,8 +30,6 @@ NO_DRIVES = {"reference": "places on the path"}
 """Attribute of a result whose reference is none of the drives', but where the tool was on the path: there is no tracking error."""
 ALIKE = 0.5
 """Share of a reference's variance that is in the position of an axis that follows it, lag and all."""
-COARSE = 40
-"""Places on either side of the reference's that are looked at for the one nearest to the tool."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -103,7 +100,7 @@ def measure(
     if not NO_DRIVES.items() <= chosen.attributes.items():
         notes += _unlike(chosen.axes, wanted, position)
     reference = Reference.from_samples(wanted, result.servo_period, path, arc_length=along)
-    judged = _judged(_with_motion(chosen, position, wanted, along), reference)
+    judged = judge(_with_motion(chosen, position, wanted, along), reference)
     window = moving(wanted)
     if of_samples:
         window, left = _on_the_path(judged, reference, window)
@@ -225,36 +222,6 @@ def _of_what_is_known(metrics: Metrics, chosen: Result, window: tuple[int, int])
     if "applied_command" not in chosen:
         metrics = replace(metrics, saturation=(nan,) * len(chosen.axes))
     return replace(metrics, basis="moving part", cycle_time=(window[1] - window[0]) * chosen.servo_period)
-
-
-def _judged(whole: Result, reference: Reference) -> Result:
-    """Return the result judged around the place on the path that is nearest to the tool, within what its reference allows.
-
-    A log's path has as many pieces as the log has samples, and a lagging axis trails far behind its reference: to look through all that
-    lies between would take a hundred times as long.
-    """
-    path, tool, wanted, along = reference.path, whole["tool_position"], whole["reference"], whole["arc_length"]
-    near, step = along, reach(path, wanted - tool) / COARSE
-    for _ in range(2):
-        near, step = _nearest(path, tool, near, step), step / COARSE
-    around = whole.with_signals(
-        reference=Signal(path.position(near % path.length if path.closed else near), ("sample", "axis"), "m"),
-        arc_length=Signal(near, ("sample",), "m"),
-    )
-    judged = judge(around, reference)
-    tracking = Signal(wanted - tool, ("sample", "axis"), "m")
-    return judged.with_signals(reference=whole.signals["reference"], arc_length=whole.signals["arc_length"], tracking_error=tracking)
-
-
-def _nearest(path: Path, tool: Array, along: Array, step: float) -> Array:
-    """Return the places on the path [m] nearest to the tool, of `COARSE` steps on either side of those given."""
-    best, near = np.full(along.size, np.inf), along.copy()
-    for offset in np.arange(-COARSE, COARSE + 1) * step:
-        place = along + offset if path.closed else np.clip(along + offset, 0.0, path.length)
-        square = ((path.position(place % path.length if path.closed else place) - tool) ** 2).sum(axis=1)
-        better = square < best
-        best[better], near[better] = square[better], place[better]
-    return near
 
 
 def _of_axes(result: Result, axes: tuple[str, ...]) -> Result:

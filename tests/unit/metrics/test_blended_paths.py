@@ -91,14 +91,14 @@ def test_the_work_of_the_judge_grows_with_the_samples(monkeypatch: pytest.Monkey
     from contourlab.geometry import foot
 
     pairs = [0]
-    plain = foot._in_reach
+    plain = foot.curves_in_reach
 
     def counted(*arguments: Any) -> Any:
         found = plain(*arguments)
         pairs[-1] += found[0].size
         return found
 
-    monkeypatch.setattr(foot, "_in_reach", counted)
+    monkeypatch.setattr(foot, "curves_in_reach", counted)
     for n in (100, 200, 400):
         route = rounded(staircase(n, 1e-3), 1e-5)
         s = np.linspace(0.0, route.path.length, 20 * n)
