@@ -19,6 +19,7 @@ __all__ = ["axis_charts", "bode_charts"]
 
 Array = NDArray[np.float64]
 OFF_SCALE = 4.0  # a peak this many times beyond the limit is told, not drawn, or it would flatten all else
+DEEPEST = 120.0  # dB below the largest: what is deeper is rounding
 FAR = 0.08  # curves below this part of the limit are drawn without it, or they would be flat
 
 
@@ -157,8 +158,16 @@ def bode_charts(data: ReportData, points: int) -> tuple[Chart, ...]:
             figures = ", ".join(f"{name} {value}" for name, value in answer.notes.items())
             said = ", ".join(text for text in (answer.meant, figures) if text)
             notes += [f"{scheme.name}: {said}."] * bool(said)
-        magnitude = Panel("frequency [Hz]", "magnitude [dB]", tuple(gains), (Level(-3.0, "−3 dB"),), log_x=True)
+        magnitude = Panel("frequency [Hz]", "magnitude [dB]", tuple(gains), (Level(-3.0, "−3 dB"),), log_x=True, y_range=_decibels(gains))
         phase_panel = Panel("frequency [Hz]", "phase [deg]", tuple(phases), log_x=True)
         caption = " ".join(["Reference to position, closed loop.", *notes])
         charts.append(Chart(f"bode-{index}", f"Axis {axis}", caption, (magnitude, phase_panel)))
     return tuple(charts)
+
+
+def _decibels(gains: list[Curve]) -> tuple[float, float] | None:
+    """Return the range of magnitudes that is drawn where a zero at the Nyquist frequency would leave nothing of the rest to be seen."""
+    values = np.concatenate([gain.y[np.isfinite(gain.y)] for gain in gains])
+    if not values.size or np.ptp(values) <= DEEPEST:
+        return None
+    return float(values.max()) - DEEPEST, float(values.max()) + 0.05 * DEEPEST

@@ -58,12 +58,13 @@ class Row:
 
 @dataclass(frozen=True)
 class Comparison:
-    """The whole table."""
+    """The whole table; below it what its figures are of, and notes on the runs."""
 
     heads: tuple[Head, ...]
     rows: tuple[Row, ...]
     tolerance: str
     note: str
+    notes: tuple[str, ...] = ()
 
     @property
     def has_change(self) -> bool:
@@ -92,7 +93,7 @@ def compare(data: ReportData) -> Comparison:
     rows = [row for row in rows if any(cell.text != number(math.nan) for cell in row.cells)]
     rows = [*_verdict_row(data), *_loop_row(data), *_learning_row(data), *rows]
     tolerance = "" if data.tolerance is None else nominal(data.tolerance, "µm", 1e6)
-    return Comparison(heads, tuple(rows), tolerance, _note(data))
+    return Comparison(heads, tuple(rows), tolerance, _note(data), tuple(data.notes))
 
 
 def _verdict_row(data: ReportData) -> list[Row]:
@@ -173,7 +174,9 @@ def _note(data: ReportData) -> str:
     period = data.schemes[0].result.servo_period
     basis = data.schemes[0].metrics.basis
     notes = [f"Errors over the {basis}, {number(start * period, 4)} s to {number(stop * period, 4)} s."]
-    if not data.is_blended:
+    if data.is_measured:
+        notes.append("Positions are those of the log: what its encoders do not see is not in the errors.")
+    elif not data.is_blended:
         notes.append("No other path was planned than the one asked for: the contour error is the error of the part.")
     if len(data.schemes) > 1:
         notes.append(f"Change: {data.schemes[-1].name} against {data.schemes[0].name}.")
@@ -181,5 +184,4 @@ def _note(data: ReportData) -> str:
         if not scheme.result.status.ok:
             why = scheme.result.status.reason
             notes.append(f"{scheme.name} did not finish: {why}; its figures cover the part that was run.")
-    notes += [f"{note[:1].upper()}{note[1:].rstrip('.')}." for note in data.notes]
     return " ".join(notes)

@@ -278,9 +278,11 @@ class ReportData:
     tolerance : float [m] or None, > 0
         What the errors are held against.
     notes : sequence of str
-        What else is to be known of the path, such as that it was scaled.
+        What else is to be known of the path and the runs, such as that it was scaled.
     feed : FeedRun or None
         The planned motion, the same for all schemes.
+    is_measured : bool
+        Whether the runs are logs, of which only what they recorded is known.
 
     Raises
     ------
@@ -297,6 +299,7 @@ class ReportData:
     tolerance: float | None = None
     notes: Sequence[str] = ()
     feed: FeedRun | None = None
+    is_measured: bool = False
 
     def __post_init__(self) -> None:
         if not self.schemes:

@@ -20,7 +20,7 @@ Array = NDArray[np.float64]
 
 # float32 rounds to 2^-24 of the value: up to 64 spreads off zero that is 2^-18 of the spread, far below a pixel.
 SINGLE = 64.0
-HEIGHT, GAP, TOP, BOTTOM = 190, 26, 38, 56
+HEIGHT, GAP, TOP, BOTTOM = 190, 26, 50, 56
 
 
 def packed(values: Array) -> dict[str, str]:

@@ -94,9 +94,9 @@ def comparison_text(data: ReportData) -> str:
     console = Console(width=10_000, color_system=None, force_terminal=False, legacy_windows=False, record=False)
     with console.capture() as captured:
         console.print(comparison_table(data, ascii_only=True))
-    note = _shown(compare(data).note, True)
-    lines = [line.rstrip() for line in captured.get().splitlines()]
-    return "\n".join([*lines, note] if note else lines)
+    comparison = compare(data)
+    below = [comparison.note, *(f"note: {note}" for note in comparison.notes)]
+    return "\n".join([*(line.rstrip() for line in captured.get().splitlines()), *(_shown(text, True) for text in below if text)])
 
 
 def comparison_markdown(data: ReportData) -> str:
@@ -108,7 +108,8 @@ def comparison_markdown(data: ReportData) -> str:
         heads, rules = [*heads, "change"], [*rules, "---:"]
     rows = [heads, rules, *(_markdown_row(comparison, row) for row in comparison.rows)]
     table = "\n".join("| " + " | ".join(row) + " |" for row in (_escaped(row) for row in rows))
-    return table + (f"\n\n{_cell(comparison.note)}" if comparison.note else "") + "\n"
+    below = [comparison.note, *(f"Note: {note}" for note in comparison.notes)]
+    return "\n\n".join([table, *(_cell(text) for text in below if text)]) + "\n"
 
 
 def _markdown_row(comparison: Comparison, row: Row) -> list[str]:

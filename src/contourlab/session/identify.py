@@ -151,12 +151,13 @@ def _chart(picture: Picture) -> Any:
     from contourlab.report.charts import Chart, Curve, Level, Panel
     from contourlab.report.style import scheme_style
 
+    # One name, one look, in all graphs of a picture: their legends are one.
+    names = list(dict.fromkeys(name for graph in picture.graphs for name in graph.curves))
+    looks = {name: scheme_style(i, max(len(names), 2)) for i, name in enumerate(names)}
     panels = []
     for graph in picture.graphs:
-        count = len(graph.curves)
         curves = tuple(
-            Curve(*drawn[:2], name, *scheme_style(i, max(count, 2)), half=drawn[2] if len(drawn) == 3 else None)
-            for i, (name, drawn) in enumerate(graph.curves.items())
+            Curve(*drawn[:2], name, *looks[name], half=drawn[2] if len(drawn) == 3 else None) for name, drawn in graph.curves.items()
         )
         levels = () if graph.log_x else (Level(0.0, ""),)
         panels.append(Panel(graph.x_label, graph.y_label, curves, levels, log_x=graph.log_x, log_y=graph.log_y))

@@ -222,7 +222,6 @@ def _report(runs: Sequence[_Judged], title: str, limit: float | None, folder: Pa
             error = run.found.metrics.contour_error
             verdict, largest = "PASS" if error.max <= limit else "FAIL", f"{error.max * 1e6:.3g} um against {limit * 1e6:.3g} um"
             lines.append(f"{verdict}, largest contour error {largest}, at t = {error.worst.time:.4g} s")
-    lines += [f"note: {note}" for note in _notes(runs)]
     return "\n".join(lines)
 
 
@@ -240,7 +239,7 @@ def _report_data(runs: Sequence[_Judged], title: str, limit: float | None, comma
     notes = _notes(runs)
     first = runs[0].found.reference
     notes += [f"{run.name} follows another path" for run in runs[1:] if run.found.reference.path.digest != first.path.digest]
-    return ReportData(title, [_scheme_report(run) for run in runs], first.path, provenance, tolerance=limit, notes=notes)
+    return ReportData(title, [_scheme_report(run) for run in runs], first.path, provenance, tolerance=limit, notes=notes, is_measured=True)
 
 
 def _scheme_report(run: _Judged) -> SchemeReport:

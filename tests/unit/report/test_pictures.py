@@ -161,6 +161,17 @@ def test_bode_plot_is_the_response(circle):
     np.testing.assert_allclose(np.exp(1j * np.radians(phase.curves[0].y)), answer.response / np.abs(answer.response))
 
 
+def test_a_response_that_vanishes_leaves_the_rest_to_be_seen(circle):
+    scheme = circle.schemes[0]
+    answer = scheme.bode["x"]
+    response = answer.response.copy()
+    response[-1], response[-2] = 0.0, 1e-16
+    deep = replace(circle, schemes=(replace(scheme, bode={"x": replace(answer, response=response)}),))
+    assert bode_charts(circle, POINTS)[0].panels[0].y_range is None
+    low, high = bode_charts(deep, POINTS)[0].panels[0].y_range
+    assert 0.0 < high < 20.0 and low == pytest.approx(-120.0, abs=20.0)
+
+
 def test_a_blended_path_is_held_against_the_programmed_one(single):
     reference = replace(uniform(contour("circle", radius=0.02), 0.5, 1, 1e-3), programmed=contour("circle", radius=0.02001))
     data = synthetic.around(single, reference.path, reference, offset=0.0)

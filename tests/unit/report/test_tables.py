@@ -102,3 +102,15 @@ def test_markdown_has_one_column_per_scheme_and_the_change(circle):
     lines = comparison_markdown(circle).splitlines()
     assert lines[1] == "| --- | --- | ---: | ---: | ---: |"
     assert all(line.count("|") == 6 for line in lines if line.startswith("|"))
+
+
+def test_a_measured_run_says_what_its_encoders_do_not(circle):
+    assert "was planned" in comparison_text(circle)
+    measured = comparison_text(replace(circle, is_measured=True))
+    assert "was planned" not in measured and "what its encoders do not see" in measured
+
+
+def test_notes_stand_below_the_table_as_they_are(circle):
+    noted = replace(circle, notes=("one and two are equal: are they?", "the path is *scaled*"))
+    assert comparison_text(noted).splitlines()[-2:] == ["note: one and two are equal: are they?", "note: the path is *scaled*"]
+    assert comparison_markdown(noted).endswith("Note: one and two are equal: are they?\n\nNote: the path is \\*scaled\\*\n")
