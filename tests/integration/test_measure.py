@@ -61,6 +61,16 @@ def test_an_error_that_is_known() -> None:
     assert found.metrics.tracking_error[0].rms > 1e-3
 
 
+def test_a_largest_error_of_one_sample_is_asked_about() -> None:
+    wanted = circle()
+    wavy = wanted * (1.0 + 1e-3 * np.sin(np.arange(len(wanted)) / 40.0)[:, None])
+    assert not any("one sample alone" in note for note in measure(run_of(wavy, wanted)).notes)
+    wavy[700] *= 1.045
+    found = measure(run_of(wavy, wanted))
+    assert found.metrics.contour_error.max > 0.8e-3
+    assert found.notes[-1].endswith("s, is that of one sample alone, all others are below 20 um: a fault of the log?")
+
+
 def test_the_path_of_samples_leaves_out_what_lies_on_a_line() -> None:
     line = np.column_stack([np.linspace(0.0, 0.1, 5000), np.zeros(5000)])
     path, along = path_of_samples(np.vstack([line[:1]] * 300 + [line, [[0.1, 0.02]]]))

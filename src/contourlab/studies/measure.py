@@ -25,7 +25,7 @@ Array = NDArray[np.float64]
 ACTUAL = ("tool_position", "position", "axis_position")
 """Signals that say where the tool was, the best first: a measured log has the encoders' alone."""
 STILL = 1e-9
-"""Metres behind the start of a path, or ahead of its end, from which on the tool is not on it."""
+"""Metres behind the start of a path, or ahead of its end, from which on the tool is not on it; errors below it are nothing."""
 NO_DRIVES = {"reference": "places on the path"}
 """Attribute of a result whose reference is none of the drives', but where the tool was on the path: there is no tracking error."""
 ALIKE = 0.5
@@ -107,6 +107,7 @@ def measure(
         notes += left
         _check_near(judged["contour_error"][slice(*window)], path)
         notes += _on_last_lap(judged, reference, window)
+    notes += _of_one_sample(judged, window)
     metrics = _of_what_is_known(summarise(judged, reference, window), chosen, window)
     spikes, circles = reversal_spikes(judged, window, reference=reference), circles_of(judged, reference)
     return Measured(judged, reference, metrics, spikes, circles, tuple(notes))
@@ -212,6 +213,17 @@ def _on_last_lap(judged: Result, reference: Reference, window: tuple[int, int]) 
     rms, largest = 1e6 * float(np.sqrt(np.mean(error**2))), 1e6 * float(error.max())
     when = f"from t = {judged.time[first]:.4g} s on"
     return [f"of the last lap alone, {when}, the contour error is {rms:.3g} um rms, {largest:.3g} um at most"]
+
+
+def _of_one_sample(judged: Result, window: tuple[int, int]) -> list[str]:
+    """Ask about a largest error of which no other sample has half: no mass goes there and back between two samples."""
+    error = np.abs(judged["contour_error"][slice(*window)])
+    worst = int(np.argmax(error))
+    rest = float(np.delete(error, worst).max(initial=0.0))
+    if rest > 0.5 * error[worst] or error[worst] < STILL:
+        return []
+    when = f"at t = {judged.time[window[0] + worst]:.4g} s"
+    return [f"the largest contour error, {when}, is that of one sample alone, all others are below {1e6 * rest:.3g} um: a fault of the log?"]
 
 
 def _of_what_is_known(metrics: Metrics, chosen: Result, window: tuple[int, int]) -> Metrics:
