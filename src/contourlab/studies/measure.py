@@ -222,8 +222,8 @@ def _of_one_sample(judged: Result, window: tuple[int, int]) -> list[str]:
     rest = float(np.delete(error, worst).max(initial=0.0))
     if rest > 0.5 * error[worst] or error[worst] < STILL:
         return []
-    when = f"at t = {judged.time[window[0] + worst]:.4g} s"
-    return [f"the largest contour error, {when}, is that of one sample alone, all others are below {1e6 * rest:.3g} um: a fault of the log?"]
+    when, others = f"at t = {judged.time[window[0] + worst]:.4g} s", f"all others are below {1e6 * rest:.3g} um"
+    return [f"the largest contour error, {when}, is that of one sample alone, {others}: a fault of the log?"]
 
 
 def _of_what_is_known(metrics: Metrics, chosen: Result, window: tuple[int, int]) -> Metrics:
