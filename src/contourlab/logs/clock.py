@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from contourlab.errors import LogError
 from contourlab.units import show
 
-__all__ = ["ClockReport", "Gap", "common_clock", "look_at_clock", "resampled"]
+__all__ = ["ClockReport", "Gap", "common_clock", "look_at_clock", "repeats_too_often", "resampled"]
 
 Array = NDArray[np.float64]
 GAP = 1.5
@@ -138,15 +138,18 @@ def _kept(time: Array, name: str, file: Path) -> NDArray[np.bool_]:
     kept = np.append(True, step > 0.0)
     n = int(np.count_nonzero(kept))
     repeated = time.size - n
-    if n >= 3 and repeated > MOST_MISSING * time.size:
+    if n >= 3 and repeats_too_often(time):
         raise LogError(
-            f"{repeated} of {time.size} samples of {name!r} repeat the time of the one before: times are written too coarsely; "
-            "leave the column of times out and give --period",
-            file=file,
+            f"{repeated} of {time.size} samples of {name!r} repeat the time of the one before: times are written too coarsely", file=file
         )
     if n < 3:
         raise LogError(f"holds {n} samples of {name!r} at different times: three or more are wanted", file=file)
     return np.asarray(kept)
+
+
+def repeats_too_often(time: Array) -> bool:
+    """Tell whether so many times (n,) are that of the sample before that they tell no sampling."""
+    return bool(np.count_nonzero(np.diff(time) == 0.0) > MOST_MISSING * time.size)
 
 
 def _period(time: Array, count: Array) -> float:

@@ -9,11 +9,10 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
-from contourlab.errors import LogError, UnitError
-from contourlab.logs.moments import is_moment, seconds_from_first
-from contourlab.logs.reading import CUT, cells_of, name_and_unit, number, numbers, text_of
+from contourlab.errors import LogError
+from contourlab.logs.moments import Moments, is_moment, moments_of
+from contourlab.logs.reading import CUT, cells_of, is_empty, is_unit, name_and_unit, number, numbers, text_of
 from contourlab.logs.record import Channel, Record
-from contourlab.units import same_dimension
 
 __all__ = ["matches", "read"]
 
@@ -43,7 +42,7 @@ def read(file: Path) -> Record:
 
     Lines that begin with # or % are passed over. The last line before the first row of numbers names the columns, with units in brackets;
     a line of units may stand below it. Cells are parted by semicolons, tabs, commas or blanks; beside semicolons and tabs a decimal comma
-    is read. Empty cells are gaps. A column of dates with times of day, in the form of ISO 8601, becomes seconds from the first row.
+    is read. Empty cells are gaps; true and false are 1 and 0. Columns of dates and times of day become seconds from the first of them.
 
     Raises
     ------
@@ -64,34 +63,42 @@ def read(file: Path) -> Record:
     notes: tuple[str, ...] = ()
     if cut and len(_cells(rows[-1][1], mark)) != width:
         rows, notes = rows[:-1], (CUT,)
-    moments, rows = _moments(rows, width, mark, file)
+    moments, rows = _moments(rows, names, mark, file)
     values = _values(rows, width, mark, file, {line for _, line in heads})
     channels = [Channel(name, column, unit) for name, unit, column in zip(names, units, values.T, strict=True)]
-    for j, seconds in moments.items():
-        channels[j] = Channel(names[j], seconds, "s", is_moment=True)
+    for j, found in moments.items():
+        channels[j] = Channel(names[j], found.seconds, "s", is_moment=True, notes=found.notes, fault=found.fault)
     return Record(file, "csv", tuple(channels), notes=notes)
 
 
-def _moments(rows: list[tuple[int, str]], width: int, mark: str | None, file: Path) -> tuple[dict[int, Array], list[tuple[int, str]]]:
-    """Return the columns of dates and times in seconds from the first row, and the rows with nothing but numbers in them."""
-    first = _cells(rows[0][1], mark)
-    found = [j for j, cell in enumerate(first) if is_moment(cell.strip('" '))]
-    if not found:
+def _moments(
+    rows: list[tuple[int, str]], names: list[str], mark: str | None, file: Path
+) -> tuple[dict[int, Moments], list[tuple[int, str]]]:
+    """Return the columns of dates and times of day, and the rows with nothing but numbers in them."""
+    columns = _columns_of_moments(rows, len(names), mark)
+    if not columns:
         return {}, rows
-    if mark is None:
-        raise LogError(
-            "a date and its time are parted by a blank, as the columns are: part columns by semicolons or tabs", file=file, line=rows[0][0]
-        )
-    parted = [_cells(line, mark) for _, line in rows]
     lines = [i for i, _ in rows]
+    parted = [_cells(line, mark) for _, line in rows]
     for i, cells in zip(lines, parted, strict=True):
-        if len(cells) != width:
-            raise LogError(f"has {len(cells)} columns where {width} are wanted", file=file, line=i)
-    moments = {j: seconds_from_first([cells[j] for cells in parted], lines, j, file) for j in found}
-    for cells in parted:
-        for j in found:
-            cells[j] = "0"
-    return moments, [(i, mark.join(cells)) for i, cells in zip(lines, parted, strict=True)]
+        if len(cells) != len(names):
+            raise LogError(f"has {len(cells)} columns where {len(names)} are wanted", file=file, line=i)
+    found = moments_of({j: [cells[j] for cells in parted] for j in columns}, names, lines, file)
+    kept = [["0" if j in found else f'"{cell}"' if (mark or " ") in cell else cell for j, cell in enumerate(cells)] for cells in parted]
+    return found, [(i, (mark or " ").join(cells)) for i, cells in zip(lines, kept, strict=True)]
+
+
+def _columns_of_moments(rows: list[tuple[int, str]], width: int, mark: str | None) -> list[int]:
+    """Return the columns whose first cell that is not empty is a date or a time of day."""
+    found, untold = [], set(range(width))
+    for _, line in rows:
+        for j, cell in enumerate(_cells(line, mark)[:width]):
+            if j in untold and not is_empty(cell):
+                untold.remove(j)
+                found += [j] if is_moment(cell.strip('" ')) else []
+        if not untold:
+            break
+    return sorted(found)
 
 
 def _first_row(lines: list[tuple[int, str]], file: Path) -> tuple[int, str | None]:
@@ -144,12 +151,13 @@ def _is_row(cells: list[str]) -> bool:
     found = [cell.strip().strip('"') for cell in cells]
     told = [cell for cell in found if not is_moment(cell)]
     numbered = any(_NUMBER.match(cell) for cell in told) or len(told) < len(found)
-    return numbered and all(_NUMBER.match(cell) or _empty(cell) for cell in told)
+    return numbered and all(_NUMBER.match(cell) or _is_word(cell) for cell in told)
 
 
-def _empty(cell: str) -> bool:
+def _is_word(cell: str) -> bool:
+    """Tell whether a word stands for a value, or for none."""
     try:
-        return bool(np.isnan(number(cell)))
+        return not np.isinf(number(cell))
     except ValueError:
         return False
 
@@ -178,14 +186,7 @@ def _bracketed(cells: list[str]) -> bool:
 def _bare_units(names: list[str], cells: list[str]) -> bool:
     """Tell whether cells below names are units without brackets: each that holds something is one that is known, and has a name."""
     told = [(name, cell) for name, cell in zip(names, cells, strict=True) if cell not in NO_UNIT]
-    return bool(told) and all(name and name != cell and _is_unit(cell) for name, cell in told)
-
-
-def _is_unit(text: str) -> bool:
-    try:
-        return same_dimension(text, text)
-    except UnitError:
-        return False
+    return bool(told) and all(name and name != cell and is_unit(cell) for name, cell in told)
 
 
 def _values(lines: list[tuple[int, str]], width: int, mark: str | None, file: Path, heads: set[str]) -> Array:

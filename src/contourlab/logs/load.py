@@ -10,9 +10,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from contourlab.errors import LogError, ParameterError, UnitError
-from contourlab.logs.clock import ClockReport, common_clock, look_at_clock, resampled
+from contourlab.logs.clock import ClockReport, common_clock, look_at_clock, repeats_too_often, resampled
 from contourlab.logs.formats import read_record
 from contourlab.logs.mapping import SIGNALS, TIME, Column, Columns, guessed, unknown
+from contourlab.logs.moments import RIGHT
 from contourlab.logs.record import AXIS_LETTERS, Channel, Record
 from contourlab.result import Result, Signal
 from contourlab.units import from_si, show, to_si
@@ -123,10 +124,10 @@ def result_of(record: Record, given: Columns) -> Log:
     wanted = [column for column in columns if column.signal != TIME]
     if not wanted:
         raise LogError("; ".join([*doubtful, unknown(record)]), file=record.file)
-    times, how = _times(record, columns, given.period)
+    times, how = _times(record, columns, given)
     usable: dict[str, Timed] = {}
     for name in dict.fromkeys(column.column for column in wanted):
-        channel, time = _timed(record.channel(name), times, record, given.period)
+        channel, time = _timed(record.channel(name), times, record, given.period, doubtful)
         report, kept = look_at_clock(time, channel.name, record.file, given.period or record.period)
         usable[name] = Timed(replace(channel, values=channel.values[kept]), time[kept], report)
     clock = common_clock([(one.report, float(one.time[0]), float(one.time[-1])) for one in usable.values()], record.file)
@@ -173,21 +174,47 @@ def _order(axis: str) -> tuple[int, str]:
     return (place if place >= 0 else len(AXIS_LETTERS), axis)
 
 
-def _times(record: Record, columns: Sequence[Column], period: float | None) -> tuple[Array | None, list[str]]:
+def _times(record: Record, columns: Sequence[Column], given: Columns) -> tuple[Array | None, list[str]]:
     """Return the times [s] that channels without their own share, None where samples are even by their number; and what to say of them."""
+    how: list[str] = []
     column = next((c for c in columns if c.signal == TIME), None)
-    if column is not None:
+    needed = any(record.channel(c.column).time is None for c in columns if c.signal != TIME)
+    if column is not None and needed:
         channel = record.channel(column.column)
-        if channel.is_moment and column.unit:
-            raise LogError(f"column {channel.name!r} holds dates and times of day: name it without {column.unit}", file=record.file)
-        unit = column.unit or channel.unit
-        how = [] if unit else ["time is taken in s: its column says no unit"]
-        return _in_si(channel, column, unit or "s", "s", record) * column.factor, how
+        unfit = _unfit(channel, record)
+        if unfit is None or given.period is None or column in given.columns:
+            return _told_by(channel, column, record)
+        how = [f"{unfit.message.removesuffix(f': {RIGHT}')}: samples are counted by the period that was given"]
     numbered = next((c for c in record.channels if c.name == "sample" and record.format == "halsampler"), None)
-    every = period or record.period
+    every = given.period or record.period
     if numbered is not None and every is not None:
-        return np.asarray(numbered.values * every), []
-    return None, []
+        return np.asarray(numbered.values * every), how
+    return None, how
+
+
+def _unfit(channel: Channel, record: Record) -> LogError | None:
+    """Return why a column cannot tell the times of samples, None where it can."""
+    if channel.fault is not None:
+        return channel.fault
+    there = channel.values[~np.isnan(channel.values)]
+    if not there.size:
+        return LogError(f"column {channel.name!r} holds no times: {RIGHT}", file=record.file)
+    if repeats_too_often(there):
+        return LogError(f"times in column {channel.name!r} are written too coarsely: {RIGHT}", file=record.file)
+    return None
+
+
+def _told_by(channel: Channel, column: Column, record: Record) -> tuple[Array, list[str]]:
+    """Return the times [s] that a column holds, and what there is to say of them."""
+    if (unfit := _unfit(channel, record)) is not None:
+        raise unfit
+    if channel.is_moment and column.unit:
+        raise LogError(f"column {channel.name!r} holds dates and times of day: name it without {column.unit}", file=record.file)
+    unit = column.unit or channel.unit
+    how = [*channel.notes] if unit else ["time is taken in s: its column says no unit"]
+    untold = int(np.isnan(channel.values).sum())
+    how += [f"{untold} of {channel.values.size} rows say no time, and are left out"] if untold else []
+    return _in_si(channel, column, unit or "s", "s", record) * column.factor, how
 
 
 @dataclass(eq=False)
@@ -199,14 +226,17 @@ class Timed:
     report: ClockReport
 
 
-def _timed(channel: Channel, times: Array | None, record: Record, period: float | None) -> tuple[Channel, Array]:
+def _timed(channel: Channel, times: Array | None, record: Record, period: float | None, doubtful: Sequence[str]) -> tuple[Channel, Array]:
     """Return a channel and the times of its values, without what are none."""
+    if channel.fault is not None:
+        raise channel.fault
     time: Array | None = channel.time if channel.time is not None else times
     every = period or record.period
     if time is None:
         if every is None:
+            doubt = "".join(f"{words}; " for words in doubtful if words.startswith(f"{TIME} "))
             raise LogError(
-                'says no sample times: give the period, as --period "1 ms", or the column, as --column time=NAME', file=record.file
+                f'{doubt}says no sample times: give the period, as --period "1 ms", or the column, as --column time=NAME', file=record.file
             )
         time = np.asarray(np.arange(channel.values.size) * every)
     if time.size != channel.values.size:
@@ -214,6 +244,7 @@ def _timed(channel: Channel, times: Array | None, record: Record, period: float 
     there = np.isfinite(channel.values)
     if not there.any():
         raise LogError(f"column {channel.name!r} holds no numbers", file=record.file)
+    there &= ~np.isnan(time)
     return (channel, time) if there.all() else (replace(channel, values=channel.values[there]), time[there])
 
 

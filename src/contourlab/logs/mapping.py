@@ -199,8 +199,8 @@ def guessed(record: Record) -> dict[tuple[str, str], list[str]]:
     """Return which columns each signal and axis may be by their names: a time, and for each axis a reference, a position, a velocity.
 
     A name is taken apart into words: ``Encoder Feedback X`` is the position of x, ``joint.0.motor-pos-cmd`` the reference of x,
-    ``position.x`` what it says, whatever else sounds alike. Where no other column is named as a time, one of dates and times of day is. Of
-    several names there is a doubt.
+    ``position.x`` what it says, whatever else sounds alike. Where no other column is named as a time, one of dates and times of day is,
+    before all one that is named so. Of several names there is a doubt.
     """
     found: dict[tuple[str, str], list[str]] = {}
     for channel in record.channels:
@@ -210,8 +210,11 @@ def guessed(record: Record) -> dict[tuple[str, str], list[str]]:
     for channel in record.channels:
         if (own := _own(channel)) is not None:
             found[own] = [channel.name]
-    if (TIME, "") not in found and (moments := [channel.name for channel in record.channels if channel.is_moment]):
-        found[TIME, ""] = moments
+    moments = [channel for channel in record.channels if channel.is_moment]
+    if (TIME, "") not in found and moments:
+        told = [channel for channel in moments if channel.fault is None] or moments
+        called = [channel for channel in told if _meaning(channel) == (TIME, "")] or told
+        found[TIME, ""] = [channel.name for channel in called]
     return found
 
 

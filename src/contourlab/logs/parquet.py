@@ -57,11 +57,11 @@ def _channel(field: Any, column: Any) -> Channel | None:
     kind = field.type
     if types.is_timestamp(kind) or types.is_duration(kind):
         # Counted from the first one: what is lost is the date alone, and doubles hold no nanoseconds since 1970.
-        ticks = column.cast("int64").to_numpy(zero_copy_only=False)
-        size = {"s": 1.0, "ms": 1e-3, "us": 1e-6, "ns": 1e-9}[kind.unit]
-        return Channel(
-            name, np.asarray(ticks - ticks[0] if ticks.size else ticks, dtype=np.float64) * size, "s", is_moment=types.is_timestamp(kind)
-        )
+        there = column.is_valid().to_numpy(zero_copy_only=False)
+        ticks = column.drop_null().cast("int64").to_numpy(zero_copy_only=False)
+        values = np.full(there.size, np.nan)
+        values[there] = (ticks - ticks[:1]) * {"s": 1.0, "ms": 1e-3, "us": 1e-6, "ns": 1e-9}[kind.unit]
+        return Channel(name, values, "s", is_moment=types.is_timestamp(kind))
     if types.is_integer(kind) or types.is_floating(kind) or types.is_boolean(kind) or types.is_decimal(kind):
         values = np.array([np.nan if v is None else float(v) for v in column.to_pylist()]) if column.null_count else column.to_numpy()
         return Channel(name, np.asarray(values, dtype=np.float64), said or unit)

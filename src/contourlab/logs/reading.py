@@ -11,9 +11,10 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
-from contourlab.errors import LogError
+from contourlab.errors import LogError, UnitError
+from contourlab.units import same_dimension
 
-__all__ = ["cells_of", "head_of", "lines_of", "name_and_unit", "number", "numbers", "text_of"]
+__all__ = ["cells_of", "head_of", "is_empty", "is_unit", "lines_of", "name_and_unit", "number", "numbers", "shown", "text_of"]
 
 Array = NDArray[np.float64]
 HEAD = 1 << 16
@@ -25,7 +26,10 @@ CUT = "the last line is cut short and left out"
 SHOWN = 40
 """Characters of a faulty cell that a message shows."""
 _UNIT = re.compile(r"\s*(?P<name>.*?)\s*[\[(]\s*(?P<unit>[^\])]*?)\s*[\])]\s*\Z")
+_NO_UNIT = re.compile(r".*,|\d+\s+[A-Za-z]|.*[A-Za-z]\s+\d+\Z")
+"""What is no unit though it stands in brackets: ``(64 bit)``, ``[u1, 1]``."""
 _EMPTY = frozenset(("", "nan", "-nan", "na", "n/a", "null", "none", "#n/a", "-"))
+_BITS = {"true": 1.0, "false": 0.0}
 
 
 def head_of(file: Path) -> bytes:
@@ -89,18 +93,41 @@ def cells_of(line: str, mark: str) -> list[str]:
 def name_and_unit(text: str) -> tuple[str, str]:
     """Split ``"x [mm]"`` or ``"x (mm)"`` into name and unit; a name without one has the unit ``""``.
 
-    >>> name_and_unit("Encoder X [mm]")
-    ('Encoder X', 'mm')
+    >>> name_and_unit("Encoder X [mm]"), name_and_unit("Setpoint (64 bit)")
+    (('Encoder X', 'mm'), ('Setpoint (64 bit)', ''))
     """
     found = _UNIT.match(text)
-    return (found["name"], found["unit"]) if found and found["name"] else (text.strip(), "")
+    return (found["name"], found["unit"]) if found and found["name"] and not _NO_UNIT.match(found["unit"]) else (text.strip(), "")
+
+
+def is_unit(text: str) -> bool:
+    """Tell whether a text is a unit that is known.
+
+    >>> is_unit("mm/min"), is_unit("posn")
+    (True, False)
+    """
+    try:
+        return same_dimension(text, text)
+    except UnitError:
+        return False
+
+
+def is_empty(cell: str) -> bool:
+    """Tell whether a cell says that there is no value."""
+    return _bare(cell) in _EMPTY
+
+
+def _bare(cell: str) -> str:
+    return cell.strip().strip('"').strip().casefold()
 
 
 def number(text: str, comma: bool = False) -> float:
-    """Return a number; not a number for what stands where there is no value. Raises ValueError for anything else."""
-    word = text.strip().strip('"').strip()
-    if word.casefold() in _EMPTY:
+    """Return a number; 1 and 0 for true and false, not a number where no value is said. Raises ValueError for anything else."""
+    word = _bare(text)
+    if word in _EMPTY:
         return math.nan
+    if word in _BITS:
+        return _BITS[word]
     if "_" in word or (comma and word.rfind(".") > word.rfind(",") >= 0):
         raise ValueError(f"{word} is no number, or one with commas between thousands")
     return float(word.replace(".", "").replace(",", ".") if comma and "," in word else word)

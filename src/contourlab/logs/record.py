@@ -35,6 +35,10 @@ class Channel:
         Time of each value; None where the file numbers them only.
     is_moment : bool
         Whether it holds dates and times of day, counted in seconds from the first of them.
+    notes : tuple of str
+        How its values were understood, in words, for whoever uses them.
+    fault : LogError or None
+        Why its values cannot be told; to be raised by whoever needs them.
     """
 
     name: str
@@ -42,6 +46,8 @@ class Channel:
     unit: str = ""
     time: Array | None = None
     is_moment: bool = False
+    notes: tuple[str, ...] = ()
+    fault: LogError | None = None
 
 
 @dataclass(frozen=True, eq=False)

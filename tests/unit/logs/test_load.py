@@ -81,6 +81,15 @@ def test_a_date_is_the_time_only_where_no_other_column_is() -> None:
     assert guessed(record(date))["time", ""] == ["timestamp"]
 
 
+def test_times_that_nobody_needs_are_no_fault() -> None:
+    """Channels with times of their own want none of a column that stands still."""
+    even = np.arange(50) * 1e-3
+    log = result_of(record(Channel("time", np.zeros(50), "s", even), Channel("x pos", even, "m", even)), Columns())
+    assert log.result.servo_period == 1e-3
+    with pytest.raises(LogError, match="times in column 'time' are written too coarsely"):
+        result_of(record(Channel("time", np.zeros(50), "s"), Channel("x pos", even, "m")), Columns())
+
+
 def test_what_the_user_says_goes_first() -> None:
     channels = Channel("x pos", np.arange(3.0), "mm"), Channel("raw", 2.0 * np.arange(3.0), "mm")
     log = result_of(record(*channels, period=1e-3), Columns(parse_columns(["position.x=raw"])))
