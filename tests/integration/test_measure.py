@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 from collections.abc import Callable
+from datetime import datetime, timedelta
 from pathlib import Path
 
 import numpy as np
@@ -13,7 +14,7 @@ from contourlab.cli.main import main
 from contourlab.errors import ResultError
 from contourlab.geometry import Line
 from contourlab.geometry import Path as Path_
-from contourlab.logs import load_log
+from contourlab.logs import load_log, read_record
 from contourlab.result import Result, Signal
 from contourlab.studies.measure import measure
 from contourlab.studies.sample_path import path_of_samples
@@ -49,6 +50,75 @@ def test_the_measured_runs_of_the_table(
     assert set(scheme) == {"axes", "servo_period", "n_sample", "metrics", "circles", "reversals", "reversal_figures"} | own
     assert (tmp_path / "out" / "report.html").stat().st_size > 10_000
     assert json.loads((tmp_path / "out" / "summary.json").read_text()) == found
+
+
+def as_table(run: np.ndarray, stamp: str, heads: str) -> str:
+    """Write the run at 1 kHz; `stamp` is the form of its time, from two seconds before midnight on."""
+    start = datetime(2024, 5, 31, 23, 59, 58)
+    stamps = [(start + timedelta(milliseconds=k)).strftime(stamp.replace("%f", f"{k % 1000:03d}")) for k in range(len(run))]
+    rows = [";".join([stamp, *(f"{value:.9f}" for value in row)]) for stamp, row in zip(stamps, run.tolist(), strict=True)]
+    return "\n".join([f"{heads};x pos [mm];y pos [mm];x ref [mm];y ref [mm]", *rows, ""])
+
+
+def as_scope(run: np.ndarray) -> str:
+    pins = "joint.0.motor-pos-fb;joint.1.motor-pos-fb;joint.0.motor-pos-cmd;joint.1.motor-pos-cmd;machine-is-on"
+    rows = [";".join(f"{value:+.14f}" for value in row).replace(".", ",") + ";TRUE" for row in run.tolist()]
+    return "\n".join(["# Sampling period is 1000000 ns", pins, "# Position: 0;0;0;0;0", *rows, ""])
+
+
+def as_trace(run: np.ndarray) -> str:
+    """Write what is new in each sample, as the control does."""
+    ids = ("f1", "f2", "f3", "f4")
+    shown = "".join(
+        f'<signal key="s{k}" name="/Nck/!SD/{name} [u1, {axis}]" description="{name} (64 bit)" unitsType="mm"/>'
+        for k, (name, axis) in enumerate([("actual", 1), ("actual", 2), ("setpoint", 1), ("setpoint", 2)], 1)
+    )
+    data = "".join(f'<dataSignal key="s{k}" id="f{k}" interval="0.001000" datapointCount="{len(run)}"/>' for k in range(1, 5))
+    rows, before = [], [np.nan] * 4
+    for k, row in enumerate(run.tolist()):
+        new = "".join(f' {name}="{value:.9f}"' for name, value, last in zip(ids, row, before, strict=True) if value != last)
+        rows, before = [*rows, f'<rec time="{k * 1e-3:.6f}"{new}/>'] if new else rows, row
+    displayed = f"<traceDisplaySetup><signals>{shown}</signals></traceDisplaySetup>"
+    return f"<traceSession>{displayed}<traceData><dataFrame>{data}{''.join(rows)}</dataFrame></traceData></traceSession>"
+
+
+BY_PIN = ["--column", "position.x=joint.0.motor-pos-fb [mm]", "--column", "position.y=joint.1.motor-pos-fb [mm]"]
+BY_AXIS = [
+    word
+    for signal, name in (("position", "actual"), ("reference", "setpoint"))
+    for k, axis in enumerate("xy", 1)
+    for word in ("--column", f"{signal}.{axis}={name} (64 bit) AX{k}")
+]
+
+
+@pytest.mark.parametrize(
+    ("name", "written", "words"),
+    [
+        ("stamped.csv", lambda run: as_table(run, "%Y%m%dT%H%M%S.%f", "stamp"), []),
+        ("colons.csv", lambda run: as_table(run, "%Y-%m-%d %H:%M:%S:%f", "stamp"), []),
+        ("two.csv", lambda run: as_table(run, "%d.%m.%Y;%H:%M:%S,%f", "Datum;Uhrzeit"), []),
+        ("clock.csv", lambda run: as_table(run, "%H:%M:%S.%f", "at"), []),
+        ("coarse.csv", lambda run: as_table(run, "%d/%m/%y;%H:%M:%S", "Date;Time"), ["--period", "1ms"]),
+        ("scope.csv", as_scope, BY_PIN),
+        ("trace.xml", as_trace, BY_AXIS),
+    ],
+)
+def test_the_same_run_in_other_forms(
+    shared: Path,
+    tmp_path: Path,
+    capsys: pytest.CaptureFixture[str],
+    name: str,
+    written: Callable[[np.ndarray], str],
+    words: list[str],
+) -> None:
+    """The pole-placement run of the table, every tenth sample of it: its contour error does not hang on how its log is written."""
+    record = read_record(shared / "data" / "ubc-xy-table" / "line_circle_pp.mat")
+    (tmp_path / name).write_text(written(np.column_stack([channel.values[::10] for channel in record.channels])))
+    assert main(["measure", str(tmp_path / name), *words, "--out", str(tmp_path / "out"), "--json"]) == 0
+    found = json.loads(capsys.readouterr().out)["schemes"][Path(name).stem]
+    assert (found["servo_period"], found["n_sample"]) == (1e-3, 3900)
+    error = found["metrics"]["contour_error"]
+    assert (error["rms"], error["max"]) == pytest.approx((48.2416e-6, 95.3252e-6), rel=1e-5)
 
 
 def test_an_error_that_is_known() -> None:

@@ -20,7 +20,7 @@ def matches(file: Path, head: bytes) -> bool:
 
 
 def read(file: Path) -> Record:
-    """Read a log of halscope.
+    """Read a log of halscope. Pins of bits are 1 and 0, however they are written; a decimal comma of older versions is read.
 
     Raises
     ------
@@ -40,7 +40,8 @@ def read(file: Path) -> Record:
     names, rows = _table(body) if first[1] else _labelled(body, file)
     if not rows:
         raise LogError("holds no samples", file=file)
-    values = numbers(rows, len(names), file)
+    comma = any("," in cell for _, cells in rows for cell in cells)
+    values = numbers(rows, len(names), file, comma)
     channels = tuple(Channel(name, column) for name, column in zip(names, values.T, strict=True))
     return Record(file, "halscope", channels, int(first[2]) / 1e9, notes=notes)
 

@@ -1,20 +1,36 @@
-"""Traces of Sinumerik controls in XML: a head that describes the signals, and a record for each time with the values that are new then."""
+"""Traces of Sinumerik controls in XML: a head that describes the signals, and a record for each time with the values that are new then.
+
+The format is not published; it is read as SINUMERIK Solution Line Trace writes it (``traceSession``, version 01.00).
+"""
 
 from __future__ import annotations
 
+import re
+from collections import Counter
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
 from pathlib import Path
-from typing import Any
-from xml.etree import ElementTree
+from xml.parsers import expat
 
 import numpy as np
+from numpy.typing import NDArray
 
 from contourlab.errors import LogError
+from contourlab.logs.reading import is_unit, number, shown
 from contourlab.logs.record import Channel, Record
 
 __all__ = ["matches", "read"]
 
+Array = NDArray[np.float64]
 NOTHING = 9.2e18
 """Larger numbers are the bits of a number that is none, written as a whole one."""
+ON_GRID = 0.02
+"""Part of the interval by which a time may be off and still be that of a sample: times are rounded when they are written."""
+MOST_HELD = 1000
+"""Samples for each that is written from which on a time is more likely wrong than all the while nothing new."""
+UNITS = {"current": "A"}
+"""Units of what a trace calls by its kind alone; a position (posn) may be in mm, inch or degrees."""
+_AXIS = re.compile(r"\[\s*u\d+\s*[,;]\s*(\d+)\s*\]")
 
 
 def matches(file: Path, head: bytes) -> bool:
@@ -24,59 +40,154 @@ def matches(file: Path, head: bytes) -> bool:
 
 
 def read(file: Path) -> Record:
-    """Read a trace: ``dataSignal`` elements with id, name, description and interval, ``rec`` elements with a time [s] and values by id.
+    """Read a trace.
 
-    Signals without an id are numbered as the records do, f1, f2, ... A signal has a sample at the times at which a record holds its value.
+    Signals are the ``dataSignal`` elements; what they are called stands there or in the ``signal`` of the same key in
+    ``traceDisplaySetup``, and where two are called alike the number of their axis is added, ``AX1``. A ``rec`` has a time [s] and, by the
+    id of the signal, the values that are not those of the sample before. A signal that states its interval has a sample at each, held
+    where nothing new is written; any other has those that are written. Bits are 1 and 0.
 
     Raises
     ------
     LogError
-        If it is no XML, or holds no trace.
+        If it is no XML, a value is no number, or there is no trace or more than one; says the line.
     """
-    signals: list[dict[str, str]] = []
-    samples: dict[str, tuple[list[float], list[float]]] = {}
-    try:
-        for _, element in ElementTree.iterparse(file, events=("end",)):
-            tag = element.tag.rpartition("}")[2]
-            if tag == "dataSignal":
-                signals.append(dict(element.attrib))
-            elif tag == "rec":
-                _keep(element, samples, file)
-                element.clear()
-            elif tag not in ("dataFrame", "traceData"):
-                continue
-    except ElementTree.ParseError as error:
-        line = error.position[0] if error.position else 0
-        raise LogError(f"is no complete XML: {error.msg}", file=file, line=line) from error
-    except (LookupError, ValueError) as error:
-        raise LogError(f"is XML in an encoding that is not read: {error}", file=file) from error
-    except OSError as error:
-        raise LogError(f"cannot be read: {error.strerror or error}", file=file) from error
-    channels = [_channel(i, signal, samples) for i, signal in enumerate(signals)]
-    found = tuple(channel for channel in channels if channel is not None)
+    trace = _Trace(file)
+    trace.parse()
+    signals = [_described(signal, trace.shown.get(signal.get("key", ""), {})) for signal in trace.signals]
+    keys = [_key(i, signal, trace) for i, signal in enumerate(signals, 1)]
+    described = list(zip(keys, signals, _names(signals), strict=True))
+    found = tuple(_channel(key, signal, name, trace) for key, signal, name in described if key in trace.samples)
     if not found:
         raise LogError("holds no trace: no dataSignal that a rec has values of", file=file)
-    return Record(file, "sinumerik", found)
+    return Record(file, "sinumerik", found, notes=_notes(trace, [name or key for key, _, name in described if key not in trace.samples]))
 
 
-def _keep(element: Any, samples: dict[str, tuple[list[float], list[float]]], file: Path) -> None:
+def _notes(trace: _Trace, silent: Sequence[str]) -> tuple[str, ...]:
+    lost = _positive(trace.header.get("dropOuts"))
+    notes = [f"the trace lost samples ({lost:.0f} drop-outs): values are held there"] if lost else []
+    notes += [f"signals without a value are left out: {', '.join(silent)}"] if silent else []
+    return tuple(notes)
+
+
+@dataclass
+class _Trace:
+    """What stands in the file, element by element."""
+
+    file: Path
+    shown: dict[str, dict[str, str]] = field(default_factory=dict)
+    """Signals of the display, by key."""
+    signals: list[dict[str, str]] = field(default_factory=list)
+    header: dict[str, str] = field(default_factory=dict)
+    samples: dict[str, tuple[list[float], list[float]]] = field(default_factory=dict)
+    """Times and values as they are written, by the id of the signal."""
+    last: float = -np.inf
+    """Time of the last record [s]."""
+
+    def parse(self) -> None:
+        parser = expat.ParserCreate()
+        above: list[str] = []
+
+        def start(name: str, attributes: dict[str, str]) -> None:
+            tag = name.rpartition(":")[2]
+            self._take(tag, attributes, above, parser.CurrentLineNumber)
+            above.append(tag)
+
+        parser.StartElementHandler = start
+        parser.EndElementHandler = lambda _: above.pop()
+        try:
+            with self.file.open("rb") as stream:
+                parser.ParseFile(stream)
+        except expat.ExpatError as error:
+            raise LogError(f"is no complete XML: {expat.ErrorString(error.code)}", file=self.file, line=error.lineno) from error
+        except (LookupError, ValueError) as error:
+            raise LogError(f"is XML in an encoding that is not read: {error}", file=self.file) from error
+        except OSError as error:
+            raise LogError(f"cannot be read: {error.strerror or error}", file=self.file) from error
+
+    def _take(self, tag: str, attributes: dict[str, str], above: list[str], line: int) -> None:
+        if tag == "signal" and any(name.startswith("traceDisplaySetup") for name in above):
+            self.shown.setdefault(attributes.get("key", ""), attributes)
+        elif tag == "dataFrame" and self.samples:
+            raise LogError("a second dataFrame begins here: two recordings are in one file", file=self.file, line=line)
+        elif tag == "frameHeader":
+            self.header = attributes
+        elif tag == "dataSignal":
+            self.signals.append(attributes)
+        elif tag == "rec":
+            self._keep(attributes, line)
+
+    def _keep(self, attributes: Mapping[str, str], line: int) -> None:
+        values = {}
+        for key, text in attributes.items():
+            try:
+                values[key] = number(text)
+            except ValueError:
+                raise LogError(f"a rec with what is no number: {key} = {shown(text)}", file=self.file, line=line) from None
+        time = values.pop("time", np.nan)
+        if not np.isfinite(time):
+            raise LogError("a rec without a time", file=self.file, line=line)
+        self.last = time
+        for key, value in values.items():
+            times, written = self.samples.setdefault(key, ([], []))
+            times.append(time)
+            written.append(value if abs(value) < NOTHING else np.nan)
+
+
+def _key(number_from_1: int, signal: Mapping[str, str], trace: _Trace) -> str:
+    """Return what a signal's values are called in the records: its id, else its key, else its number."""
+    if signal.get("id"):
+        return signal["id"]
+    key = signal.get("key", "")
+    return key if key in trace.samples else f"f{number_from_1}"
+
+
+def _described(signal: Mapping[str, str], shown: Mapping[str, str]) -> dict[str, str]:
+    """Return a signal with what the display says of it: all that is missing, and the description, which people change there."""
+    own = {key: text for key, text in signal.items() if text.strip()}
+    named = {"description": shown["description"]} if shown.get("description", "").strip() else {}
+    return {**shown, **own, **named}
+
+
+def _names(signals: Sequence[Mapping[str, str]]) -> list[str]:
+    """Return what signals are called; of those called alike the number of their axis is a part, in the words of the control."""
+    called = [(signal.get("description") or signal.get("name") or "").strip() for signal in signals]
+    count = Counter(called)
+    axes = [_AXIS.search(signal.get("name", "")) if count[name] > 1 else None for signal, name in zip(signals, called, strict=True)]
+    return [f"{name} AX{axis[1]}" if axis else name for name, axis in zip(called, axes, strict=True)]
+
+
+def _channel(key: str, signal: Mapping[str, str], name: str, trace: _Trace) -> Channel:
+    written, values = (np.array(numbers) for numbers in trace.samples[key])
+    time, values = _held(written, values, signal, trace.last)
+    there = ~np.isnan(values)
+    kind = signal.get("unitsType", "")
+    unit = signal.get("units") or signal.get("unit") or UNITS.get(kind) or (kind if is_unit(kind) else "")
+    return Channel(name or key, values[there], unit, time[there])
+
+
+def _held(written: Array, values: Array, signal: Mapping[str, str], last: float) -> tuple[Array, Array]:
+    """Return the times and values of all samples, those included that were not written because nothing was new."""
+    every = _positive(signal.get("interval"))
+    count = _positive(signal.get("datapointCount"))
+    if not every or 0.0 < count <= written.size:
+        return written, values
+    # Records end where nothing is new; the count goes on to the end.
+    n = max((last - written[0]) / every + ON_GRID + 1.0, count)
+    if n > MOST_HELD * written.size:
+        return written, values
+    exact = (written - written[0]) / every
+    place = np.rint(exact)
+    if (np.abs(exact - place) > ON_GRID).any() or (np.diff(place) < 1.0).any():
+        return written, values
+    samples = np.arange(int(n))
+    return written[0] + every * samples, values[np.searchsorted(place, samples, side="right") - 1]
+
+
+def _positive(text: str | None) -> float:
+    """Return a number above 0; 0 where none is said."""
     try:
-        time = float(element.attrib["time"])
-        for key, text in element.attrib.items():
-            if key != "time" and (value := float(text)) < NOTHING:
-                times, values = samples.setdefault(key, ([], []))
-                times.append(time)
-                values.append(value)
-    except (KeyError, ValueError) as error:
-        raise LogError(f"a rec without a time, or with what is no number: {dict(element.attrib)}", file=file) from error
-
-
-def _channel(index: int, signal: dict[str, str], samples: dict[str, tuple[list[float], list[float]]]) -> Channel | None:
-    keys = [signal[name] for name in ("id", "key") if name in signal] + [f"f{index + 1}"]
-    key = next((key for key in keys if key in samples), None)
-    if key is None:
-        return None
-    times, values = samples[key]
-    name = signal.get("description") or signal.get("name") or key
-    unit = signal.get("units") or signal.get("unit") or ""
-    return Channel(name, np.array(values), unit, np.array(times))
+        found = float(text or 0.0)
+    except ValueError:
+        return 0.0
+    return found if 0.0 < found < np.inf else 0.0

@@ -10,7 +10,7 @@ import pytest
 from scipy.io import savemat
 
 from contourlab.errors import LogError, ParameterError
-from contourlab.logs import FORMATS, format_of, read_record
+from contourlab.logs import FORMATS, format_of, load_log, parse_columns, read_record
 from contourlab.result import Result, Signal
 
 HALSAMPLER = "10 0.000000 1.500000 1 \n11 0.001000 1.501000 0 \noverrun\n14 0.004000 1.504000 1 \n"
@@ -103,6 +103,9 @@ def test_halscope_in_both_forms(tmp_path: Path) -> None:
     assert old.names == ["CHAN1", "b.out"]
     with pytest.raises(LogError, match=r"a\.log:5: is not a line of CHAN1, b\.out"):
         read_record(written(tmp_path, "a.log", OLD_HALSCOPE + "CHAN1 +1.0 c.out -2.0\n"))
+    for text in (HALSCOPE, OLD_HALSCOPE):
+        comma = read_record(written(tmp_path, "a.csv", text.replace(".1", ",1").replace(".2", ",2").replace("1.5", "1,5")))
+        assert [c.values.tolist() for c in comma.channels] == [c.values.tolist() for c in (record if text is HALSCOPE else old).channels]
     with pytest.raises(LogError, match="0 ns"):
         read_record(written(tmp_path, "a.csv", HALSCOPE.replace("1000000", "0")))
 
@@ -138,8 +141,75 @@ def test_sinumerik(tmp_path: Path) -> None:
     assert setpoint.time.tolist() == [0.0, 0.004] and setpoint.values.tolist() == [1.6, 2.0]
     with pytest.raises(LogError, match=r"a\.xml:\d+: is no complete XML"):
         read_record(written(tmp_path, "a.xml", SINUMERIK[:-30]))
-    with pytest.raises(LogError, match="what is no number"):
+    with pytest.raises(LogError, match=r"a\.xml:6: a rec with what is no number: f2 = 'high'"):
         read_record(written(tmp_path, "a.xml", SINUMERIK.replace('f2="1.6"', 'f2="high"')))
+    with pytest.raises(LogError, match=r"a\.xml:7: a rec without a time"):
+        read_record(written(tmp_path, "a.xml", SINUMERIK.replace('time="0.002"', 'at="0.002"')))
+    with pytest.raises(LogError, match=r"a\.xml:9: a second dataFrame"):
+        read_record(written(tmp_path, "a.xml", SINUMERIK.replace("</dataFrame>", "</dataFrame><dataFrame/>")))
+
+
+TRACE = """<?xml version="1.0" encoding="utf-8" ?>
+<traceSession version="01.00">
+<traceCaptureSetup><signalSettings><signal key="s1" description="captured"/></signalSettings></traceCaptureSetup>
+<traceDisplaySetup><signals>
+  <signal key="s3" name="/Nck/!SD/set [u1, 2]" description="Setpoint (64 bit)" unitsType="posn"/>
+  <signal key="s1" name="/Nck/!SD/set [u1, 1]" description="Setpoint (64 bit)" unitsType="mm"/>
+  <signal key="s7" name="DB21.DBX0.1" description="started"/>
+</signals></traceDisplaySetup>
+<traceData dataFrames="1"><dataFrame>
+  <frameHeader dropOuts="0" startTime="2024-05-31T14:03:21.250Z"/>
+  <dataSignal key="s1" id="f1" interval="0.002000" datapointCount="6"/>
+  <dataSignal key="s7" id="f2" interval="0.002000" datapointCount="6" unitsType="none"/>
+  <dataSignal key="s3" id="f5" interval="0.004000" datapointCount="3" unitsType="posn"/>
+  <dataSignal key="s9" id="f6" interval="0.002000" description="Current" unitsType="current"/>
+  <dataSignal key="s8" id="f7" description="never written"/>
+  <rec time="0.000000" f1="1.0" f2="false" f5="7" f6="0.5"/>
+  <rec time="0.002000" f1="2.0"/>
+  <rec time="0.004000" f5="7"/>
+  <rec time="0.008000" f1="3.0" f2="true" f5="8"/>
+</dataFrame></traceData></traceSession>
+"""
+
+
+def test_a_trace_says_what_is_new(tmp_path: Path) -> None:
+    """Names stand in the display, by key; a value that is not written is that of the sample before; bits are words."""
+    record = read_record(written(tmp_path, "a.xml", TRACE))
+    assert record.names == ["Setpoint (64 bit) AX1", "started", "Setpoint (64 bit) AX2", "Current"]
+    assert [channel.unit for channel in record.channels] == ["mm", "", "", "A"]
+    assert record.notes == ("signals without a value are left out: never written",)
+    fast, bit, slow, current = record.channels
+    for channel, values in (
+        (fast, [1.0, 2.0, 2.0, 2.0, 3.0, 3.0]),
+        (bit, [0.0, 0.0, 0.0, 0.0, 1.0, 1.0]),
+        (slow, [7.0, 7.0, 8.0]),
+        (current, [0.5] * 5),
+    ):
+        assert channel.values.tolist() == values and channel.time is not None
+        assert channel.time == pytest.approx((0.004 if channel is slow else 0.002) * np.arange(len(values)))
+    columns = parse_columns(["position.x=Setpoint (64 bit) AX1", "position.y=Setpoint (64 bit) AX2 [mm]"])
+    assert load_log(tmp_path / "a.xml", columns=columns).result["position"][:4, 0] == pytest.approx([1e-3, 2e-3, 2e-3, 2e-3])
+    with pytest.raises(LogError, match=r"column 'Setpoint \(64 bit\) AX2' says no unit"):
+        load_log(tmp_path / "a.xml", columns=parse_columns(["position.y=Setpoint (64 bit) AX2"]))
+
+
+@pytest.mark.parametrize(
+    ("written_as", "read_as"),
+    [
+        ('interval="0.002000" datapointCount="6"', 'interval="0.003" datapointCount="6"'),  # not the times that there are
+        ('interval="0.002000" datapointCount="6"', 'interval="0.002" datapointCount="3"'),  # all that there are
+        ('interval="0.002000" datapointCount="6"', 'interval="fast" datapointCount="6"'),
+        ('interval="0.002000" datapointCount="6"', 'interval="0.002" datapointCount="1e12"'),
+    ],
+)
+def test_a_trace_whose_interval_is_none_has_what_is_written(tmp_path: Path, written_as: str, read_as: str) -> None:
+    channel = read_record(written(tmp_path, "a.xml", TRACE.replace(written_as, read_as))).channels[0]
+    assert channel.values.tolist() == [1.0, 2.0, 3.0]
+
+
+def test_samples_that_a_trace_lost_are_told(tmp_path: Path) -> None:
+    record = read_record(written(tmp_path, "a.xml", TRACE.replace('dropOuts="0"', 'dropOuts="3"')))
+    assert "the trace lost samples (3 drop-outs): values are held there" in record.notes
 
 
 @pytest.mark.parametrize(
@@ -159,6 +229,16 @@ def test_tables_of_numbers(tmp_path: Path, text: str) -> None:
     assert (first.name, first.unit, second.name.replace("_", " "), second.unit) == ("t", "s", "x pos", "mm")
     assert first.values.tolist() == [0.0, 0.001]
     assert second.values.tolist() == [1.5, 2.5]
+
+
+def test_bits_are_numbers(tmp_path: Path) -> None:
+    lines = ["x;on;y", "0,5;TRUE;1", "0,6;False;2", "0,7;1;3", ""]
+    for name, head in (("a.csv", "# made by hand"), ("b.csv", "# Sampling period is 1000000 ns")):
+        record = read_record(written(tmp_path, name, "\n".join([head, *lines])))
+        assert record.format == ("csv" if name == "a.csv" else "halscope")
+        assert record.channel("on").values.tolist() == [1.0, 0.0, 1.0] and record.channel("x").values.tolist() == [0.5, 0.6, 0.7]
+    with pytest.raises(LogError, match=r"b\.csv:4: 'ON' in column 2 is no number"):
+        read_record(written(tmp_path, "b.csv", "\n".join([head, *lines]).replace("False", "ON")))
 
 
 def test_a_table_may_have_gaps_and_no_names(tmp_path: Path) -> None:
