@@ -204,3 +204,14 @@ def test_rows_without_a_time_are_gaps(tmp_path: Path, stamps: list[str]) -> None
     assert "2 of 50 rows say no time, and are left out" in found.notes
     assert any("1 of 49 samples are missing, in 1 gaps" in note for note in found.notes)
     assert found.result["position"][19, 0] == pytest.approx(20e-4)  # between the rows beside it
+
+
+def test_rows_without_a_time_in_parquet_are_gaps(tmp_path: Path) -> None:
+    arrow = pytest.importorskip("pyarrow")
+    from pyarrow import parquet
+
+    stamps = [None if k in (0, 30) else datetime(2024, 5, 31, 23, 59, 59) + timedelta(milliseconds=k) for k in range(60)]
+    parquet.write_table(arrow.table({"stamp": stamps, "x pos [mm]": [1e-3 * k for k in range(60)]}), tmp_path / "log.parquet")
+    found = load_log(tmp_path / "log.parquet")
+    assert found.result.servo_period == pytest.approx(1e-3)
+    assert "2 of 60 rows say no time, and are left out" in found.notes
