@@ -78,6 +78,43 @@ def test_json_alone_holds_curves_and_limits(circle: str, capsys: pytest.CaptureF
     assert controller["local_parameters"]["1"]
 
 
+def test_a_sweep_that_ends_early_says_so(circle: str, capsys: pytest.CaptureFixture[str]) -> None:
+    """A delay beyond 1 ms never holds here: there is no need to look at each up to --longest."""
+    words = (circle, "--division", "observer", "--ways", "both", "--vary", "delay", "--longest", "50 ms")
+    said = told(capsys, *words)
+    assert "looked at: delay every 1 ms up to 50 ms" in said and "ended" not in said
+    said = told(capsys, *words[:-1], "80 ms")
+    assert "delay ended at 63 ms: none of the last 32 values holds" in said
+    sweep = json.loads(told(capsys, *words[:-1], "80 ms", "--json"))["schemes"]["base"]["divisions"][0]["sweeps"]["delay"]
+    assert (sweep["asked"], sweep["ended_early"], sweep["values"][-1]) == (pytest.approx(0.08), True, pytest.approx(0.063))
+    assert sweep["limited_by"] == "error"
+
+
+def test_where_nothing_holds_the_reason_is_told(circle: str, capsys: pytest.CaptureFixture[str]) -> None:
+    words = (circle, "--division", "controller", "--ways", "one", "--vary", "message-period", "--longest", "4 ms")
+    said = told(capsys, *words, "--tolerance", "1 um")
+    assert "no message period holds: at 1 ms, the least, the contour error is 9.907 um, and 1 um are allowed" in said
+
+
+@pytest.mark.parametrize("chance", [("--jitter", "0.3 ms"), ("--loss", "1 %")])
+def test_no_margin_under_jitter_and_loss_is_explained(circle: str, chance: tuple[str, str], capsys: pytest.CaptureFixture[str]) -> None:
+    words = (circle, "--division", "observer", "--vary", "delay", "--longest", "3 ms", "--seeds", "1", *chance)
+    said = told(capsys, *words)
+    assert said.count("- / -") == 2
+    assert said.count("jitter and loss make the loop another one with each message: no limit of stability is told") == 1
+
+
+def test_one_lap_tells_no_stability_by_itself(circle: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    (tmp_path / "once.toml").write_text(CIRCLE.replace("LINK", "").replace("laps = 2", "laps = 1"), encoding="utf-8")
+    said = told(capsys, str(tmp_path / "once.toml"), "--division", "observer", "--vary", "delay", "--longest", "3 ms")
+    assert "1 ms / -" in said and "no two laps to compare" in said
+
+
+def test_unstable_from_the_least_on_is_none_and_not_unknown(circle: str, capsys: pytest.CaptureFixture[str]) -> None:
+    words = (circle, "--division", "observer", "--ways", "both", "--vary", "delay", "--longest", "3 ms", "--message-period", "20 ms")
+    assert "none / none" in told(capsys, *words)
+
+
 def test_a_tolerance_in_place_of_a_part_and_another_figure(circle: str, capsys: pytest.CaptureFixture[str]) -> None:
     words = (circle, "--division", "observer", "--ways", "both", "--vary", "message-period", "--longest", "20 ms", "--json")
     largest = json.loads(told(capsys, *words, "--figure", "max", "--tolerance", "30 um"))["schemes"]["base"]

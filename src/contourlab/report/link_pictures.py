@@ -50,4 +50,9 @@ def link_chart(
     marked = tuple(Level(value * scale, text) for text, value in levels.items())
     panel = Panel(label, what, drawn, marked, log_y=True)
     key = "-".join(filter(None, ("link", name, quantity.replace("_", "-"))))
-    return Chart(key, title, "Curves end where nothing holds any more. Where chance plays a part, the worst of several runs.", (panel,))
+    return Chart(
+        key,
+        title,
+        "A curve that ends early: nothing held any more over its last values. Where chance plays a part, the worst of several runs.",
+        (panel,),
+    )

@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING, Any
 from contourlab.errors import DivergenceError, ParameterError, UnitError
 from contourlab.result import write_text_atomic
 from contourlab.session.folder import staged
+from contourlab.session.link_text import SHOWN, Costs, link_lines, link_summary
 from contourlab.session.plain import plain
 from contourlab.session.stages import Stages, shown
 from contourlab.units import to_si
@@ -23,17 +24,9 @@ if TYPE_CHECKING:
     from contourlab.loop import Controller
     from contourlab.report.charts import Chart
     from contourlab.scenario import Case
-    from contourlab.studies.division import DivisionCost
-    from contourlab.studies.link_sweep import LinkSweep
 
 __all__ = ["Asked", "LinkOptions", "LinkOutcome", "link_scenario", "read_options"]
 
-SHOWN = {
-    "rms": ("contour_error_rms", "um", 1e6),
-    "max": ("contour_error_max", "um", 1e6),
-    "integral": ("contour_error_integral", "um s", 1e6),
-}
-"""Figures as they are asked for, with the unit in which they are printed."""
 LONGEST = 10.0
 """Seconds: the longest message period and delay of a network."""
 MOST_SEEDS = 256
@@ -135,10 +128,10 @@ def link_scenario(
         with shown(progress) as stages:
             for case in scenario.cases():
                 stages.begin(f"planning {case.name}")
-                whole, allowed, costs = _costs(case, case.reference(), options, asked, stages)
-                texts.append("\n".join(_lines(case.name, whole, allowed, costs, options)))
-                found["schemes"][case.name] = _summary(whole, allowed, costs, options)
-                charts += _charts(case.name if len(scenario.cases()) > 1 else "", whole, allowed, costs, options)
+                costs = _costs(case, case.reference(), options, asked, stages)
+                texts.append("\n".join(link_lines(costs)))
+                found["schemes"][case.name] = link_summary(costs)
+                charts += _charts(case.name if len(scenario.cases()) > 1 else "", costs)
         write_text_atomic(stage / "summary.json", json.dumps(plain(found), indent=2, allow_nan=False) + "\n")
         if plots:
             from contourlab.report.plots import write_charts
@@ -232,8 +225,8 @@ def _positive(option: str, text: str, unit: str, example: str) -> float:
     return value
 
 
-def _costs(case: Case, reference: Reference, options: LinkOptions, asked: Asked, stages: Stages) -> tuple[float, float, list[DivisionCost]]:
-    """Return the undivided loop's error [m, or m s], what is allowed, and what each division costs."""
+def _costs(case: Case, reference: Reference, options: LinkOptions, asked: Asked, stages: Stages) -> Costs:
+    """Return the undivided loop's error, what is allowed, and what each division costs."""
     from contourlab.studies.division import allowed_error, division_cost, undivided_error
 
     figure = SHOWN[options.figure][0]
@@ -254,7 +247,7 @@ def _costs(case: Case, reference: Reference, options: LinkOptions, asked: Asked,
             "progress": stages.advance,
         }
         costs.append(division_cost(case.machine, controller, reference, allowed=allowed, figure=figure, **same, **swept))
-    return whole, allowed, costs
+    return Costs(case.name, options.figure, whole, allowed, tuple(costs))
 
 
 def _controllers(controller: Controller, options: LinkOptions, asked: Asked) -> Iterator[tuple[str, Controller]]:
@@ -268,86 +261,18 @@ def _controllers(controller: Controller, options: LinkOptions, asked: Asked) -> 
             yield f"{division} in the axis, {ways}", divided(controller, division, ways, asked.network, options.axes or None)
 
 
-# --- what is said ------------------------------------------------------------------------------------------------------------------------
+# --- pictures ----------------------------------------------------------------------------------------------------------------------------
 
 
-def _amount(quantity: str, value: float) -> str:
-    return f"{100.0 * value:.3g} %" if quantity == "loss" else f"{value * 1e3:.4g} ms"
-
-
-def _most(sweep: LinkSweep) -> str:
-    if math.isnan(sweep.most):
-        return "none"
-    words = _amount(sweep.quantity, sweep.most)
-    if sweep.quantity == "message_period":
-        words += f" ({1.0 / sweep.most:.4g} Hz)"
-    return words if sweep.seen else f"all seen, to {words}"
-
-
-def _stable(sweep: LinkSweep) -> str:
-    def words(value: float) -> str:
-        return "-" if math.isnan(value) else "all seen" if math.isinf(value) else _amount(sweep.quantity, value)
-
-    return f"{words(sweep.stable_linear)} / {words(sweep.stable_simulated)}"
-
-
-def _lines(name: str, whole: float, allowed: float, costs: Sequence[DivisionCost], options: LinkOptions) -> Iterator[str]:
-    _, unit, scale = SHOWN[options.figure]
-    yield name
-    yield f"  contour error, {options.figure}: {whole * scale:.4g} {unit} undivided, {allowed * scale:.4g} {unit} allowed"
-    heads = [head for head in ("message_period", "delay", "jitter", "loss") if any(head in cost.sweeps for cost in costs)]
-    rows = [["in the axis", "messages", "error", *(head.replace("_", " ") for head in heads)]]
-    for cost in costs:
-        error = "runs away" if math.isnan(cost.error) else f"{cost.error * scale:.4g} {unit}"
-        rows.append([cost.division, f"{cost.ways} way{'s' * (cost.ways == 'both')}", error, *(_most(cost.sweeps[head]) for head in heads)])
-    yield "  the most of each that holds, with the others as they are given (times are those of one direction):"
-    yield from _table(rows)
-    timed = [head for head in ("message_period", "delay") if head in heads]
-    if timed:
-        yield "  the most at which the loop is stable: linear model / simulated without friction, counting and limits"
-        stable = [["in the axis", "messages", *(head.replace("_", " ") for head in timed)]]
-        stable += [[*row[:2], *(_stable(cost.sweeps[head]) for head in timed)] for row, cost in zip(rows[1:], costs, strict=True)]
-        yield from _table(stable)
-    for cost in costs:
-        yield from (f"  {cost.division}, {cost.ways}: {remark}" for remark in cost.remarks)
-
-
-def _table(rows: Sequence[Sequence[str]]) -> Iterator[str]:
-    widths = [max(map(len, column)) for column in zip(*rows, strict=True)]
-    for row in rows:
-        yield "    " + "  ".join(cell.ljust(width) for cell, width in zip(row, widths, strict=True)).rstrip()
-
-
-def _summary(whole: float, allowed: float, costs: Sequence[DivisionCost], options: LinkOptions) -> dict[str, Any]:
-    divisions = []
-    for cost in costs:
-        sweeps = {
-            name: {
-                "most": sweep.most,
-                "rate": 1.0 / sweep.most if name == "message_period" else None,
-                "limited": sweep.seen,
-                "stable_linear": sweep.stable_linear,
-                "stable_simulated": sweep.stable_simulated,
-                "values": sweep.values,
-                "error": sweep.error,
-                "median": sweep.median,
-                "growth": sweep.growth,
-            }
-            for name, sweep in cost.sweeps.items()
-        }
-        head = {"division": cost.division, "ways": cost.ways, "error": cost.error, "local_parameters": dict(cost.local)}
-        divisions.append({**head, "sweeps": sweeps, "remarks": list(cost.remarks)})
-    return {"figure": SHOWN[options.figure][0], "undivided": whole, "allowed": allowed, "divisions": divisions}
-
-
-def _charts(name: str, whole: float, allowed: float, costs: Sequence[DivisionCost], options: LinkOptions) -> Iterator[Chart]:
+def _charts(name: str, costs: Costs) -> Iterator[Chart]:
     """Yield a picture for each quantity: the error of every division over it."""
     from contourlab.report.link_pictures import link_chart
 
-    _, unit, scale = SHOWN[options.figure]
+    _, unit, scale = SHOWN[costs.figure]
     slug = re.sub(r"[^a-z0-9]+", "-", name.lower()).strip("-")
-    levels = {f"allowed; undivided {whole * scale:.3g}": allowed}
-    label = f"contour error, {options.figure} [{unit.replace('um', 'µm')}]"
-    for quantity in costs[0].sweeps:
-        curves = {f"{cost.division}, {cost.ways}": (cost.sweeps[quantity].values, cost.sweeps[quantity].error) for cost in costs}
+    levels = {f"allowed; undivided {costs.whole * scale:.3g}": costs.allowed}
+    label = f"contour error, {costs.figure} [{unit.replace('um', 'µm')}]"
+    for quantity in costs.divisions[0].sweeps:
+        sweeps = {f"{cost.division}, {cost.ways}": cost.sweeps[quantity] for cost in costs.divisions}
+        curves = {words: (sweep.values, sweep.error) for words, sweep in sweeps.items()}
         yield link_chart(quantity, curves, levels, label, scale, slug)

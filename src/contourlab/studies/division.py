@@ -245,7 +245,8 @@ def division_cost(
     divisions = ", ".join(dict.fromkeys(link.division for link in links))
     ways = ", ".join(dict.fromkeys("both" if isinstance(link.up, Network) else "one" for link in links))
     local = {name: mine.local_parameters for name, mine in controller.axes.items()}
-    return DivisionCost(divisions, ways, local, setting.as_given(), sweeps, tuple(_remarks(machine, controller, setting)))
+    remarks = [*_remarks(machine, controller, setting), *(_on_stability(setting) if {"message_period", "delay"} & set(quantities) else ())]
+    return DivisionCost(divisions, ways, local, setting.as_given(), sweeps, tuple(remarks))
 
 
 def _remarks(machine: Machine, controller: Controller, setting: LinkSetting) -> Iterator[str]:
@@ -261,6 +262,15 @@ def _remarks(machine: Machine, controller: Controller, setting: LinkSetting) -> 
             yield f"axis {axis}, {way}: messages take {part.delay:g} s, the motion {duration:g} s: none arrives"
     if controller.coupling is None and any(mine.link is not None and mine.link.up is None for mine in controller.axes.values()):
         yield "the base sees no position: contour estimator and coupling are left out"
+
+
+def _on_stability(setting: LinkSetting) -> Iterator[str]:
+    """Yield why limits of stability of times are not told."""
+    if any(part.jitter > 0.0 or part.loss > 0.0 for part in setting.networks.values()):
+        yield "jitter and loss make the loop another one with each message: no limit of stability is told, the contour error alone counts"
+        return
+    if len(setting.reference.laps) < 2:
+        yield "no two laps to compare: what is simulated tells no limit of stability"
     if not setting.loops:
         yield "no linear model: a component is not linear, or the axes have unlike links"
     elif any(part.between != "hold" for part in setting.networks.values()):

@@ -20,7 +20,7 @@ from contourlab.loop import Controller, Division, Machine, simulate_batch
 from contourlab.loop.tool import stream_of
 from contourlab.studies.idealise import perfect_sensing, undisturbed, unlimited, without_friction
 
-__all__ = ["FIGURES", "QUANTITIES", "SEEDS", "WAYS", "LinkSetting", "LinkSweep", "divided", "swept"]
+__all__ = ["CHUNK", "FIGURES", "GROWN", "QUANTITIES", "SEEDS", "WAYS", "LinkSetting", "LinkSweep", "divided", "swept"]
 
 Array = NDArray[np.float64]
 
@@ -36,6 +36,7 @@ SEEDS = 8
 """Runs of which the worst counts where chance plays a part."""
 LOSSES = np.linspace(0.0, 0.98, 50)
 CHUNK = 32
+"""Values that run at once; where none of them holds no more are looked at."""
 STEPS = 256
 """Most values of a time that are looked at."""
 LARGE, LARGEST = 200, 700
@@ -111,6 +112,8 @@ class LinkSweep:
         there are no two laps, or chance plays a part.
     allowed : float
         Largest error that is let pass.
+    asked : float
+        Up to where values were to be looked at, on their grid; nan where that is not known.
     """
 
     quantity: str
@@ -120,6 +123,7 @@ class LinkSweep:
     growth: Array
     repeats: Array
     allowed: float
+    asked: float = math.nan
 
     @property
     def holds(self) -> NDArray[np.bool_]:
@@ -135,6 +139,20 @@ class LinkSweep:
     def seen(self) -> bool:
         """Whether a value was found that does not hold, so that `most` is a limit and not the end of what was looked at."""
         return bool((~self.holds).any())
+
+    @property
+    def ended(self) -> bool:
+        """Whether it ended ahead of what was asked for: nothing held any more over the last `CHUNK` values."""
+        return bool(self.values[-1] < self.asked)
+
+    @property
+    def limited_by(self) -> tuple[float, str] | None:
+        """The first value that does not hold, and why: ``"runs away"``, ``"error"`` or ``"unstable"``, in this order; None if all hold."""
+        if not self.seen:
+            return None
+        first = int(np.argmin(self.holds))
+        worst = float(self.error[first])
+        return float(self.values[first]), "runs away" if math.isnan(worst) else "error" if worst > self.allowed else "unstable"
 
     @property
     def stable_linear(self) -> float:
@@ -289,7 +307,7 @@ def _times(quantity: str, period: float, longest: float) -> Array:
 
 
 def swept(setting: LinkSetting, quantity: str, longest: float) -> LinkSweep:
-    """Return the contour error over a quantity of the links, from the least value on to where nothing holds any more.
+    """Return the contour error over a quantity of the links, from the least value on, at most to where nothing holds over `CHUNK` values.
 
     Parameters
     ----------
@@ -322,4 +340,4 @@ def swept(setting: LinkSetting, quantity: str, longest: float) -> LinkSweep:
         if not (worst <= setting.allowed).any():
             break
     joined = dict(zip(COLUMNS, (np.concatenate(column) for column in zip(*parts, strict=True)), strict=True))
-    return LinkSweep(quantity, **joined, allowed=setting.allowed)
+    return LinkSweep(quantity, **joined, allowed=setting.allowed, asked=float(times[-1]))
