@@ -104,6 +104,46 @@ def test_the_table_says_what_was_not_seen(scene: Path, capsys: pytest.CaptureFix
     assert "unseen before  " in said and "\nunseen  " in said and "deviation" in said and "explained" in said
 
 
+@pytest.fixture
+def odd(scene: Path, tmp_path: Path) -> str:
+    """The log, and behind 1.2 s another axis': its errors are half as large and the other way."""
+    head, *lines = (scene / "log.csv").read_text().splitlines()
+    rows = np.array([[float(cell) for cell in line.split(",")] for line in lines])
+    rows[1200:, 3:] = 1.5 * rows[1200:, 1:3] - 0.5 * rows[1200:, 3:]
+    (tmp_path / "odd.csv").write_text("\n".join([head, *(",".join(f"{v:.6f}" for v in row) for row in rows)]))
+    return str(tmp_path / "odd.csv")
+
+
+def test_numbers_that_serve_their_window_alone_are_remarked_on(scene: Path, odd: str, capsys: pytest.CaptureFixture[str]) -> None:
+    typed = [odd if word == str(scene / "log.csv") else word for word in words(scene, "--json")]
+    assert main([*typed, "--window", "0 s..1.15 s", "--validation", odd]) == 0
+    found = json.loads(capsys.readouterr().out)
+    before, after = ({row["axis"]: row["rms"] for row in found[key]} for key in ("unseen_before", "unseen"))
+    assert after["y"] > 1.01 * before["y"]
+    (said,) = (remark for remark in found["remarks"] if remark.startswith("over what --window leaves out"))
+    assert all((f"position of {axis}" in said) == (after[axis] > 1.01 * before[axis]) for axis in "xy")
+    assert any(remark.startswith("on the log for validation the refined numbers follow less well") for remark in found["remarks"])
+    # A log that the same numbers made is followed better outside of the window too.
+    assert main([*words(scene, "--json"), "--window", "0 s..1.15 s"]) == 0
+    assert not any("less well" in remark for remark in json.loads(capsys.readouterr().out)["remarks"])
+
+
+def test_the_window_is_shaded_in_the_pictures(scene: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    from contourlab.report import plots
+    from contourlab.report.charts import Chart
+
+    drawn: list[Chart] = []
+    monkeypatch.setattr(plots, "write_charts", lambda charts, folder, formats: drawn.extend(charts) or ())
+    more = ["--plots", "png", "--folder", str(tmp_path)]
+    assert main(words(scene, "--window", "0.5 s..9 s", *more, names=NAMES[:1])) == 0
+    end = drawn[0].panels[0].curves[0].x[-1]
+    assert [chart.panels[0].span for chart in drawn] == [(0.5, end)] * 4
+    assert {chart.panels[0].span_label for chart in drawn} == {"fitted to what is shaded"}
+    drawn.clear()
+    assert main(words(scene, *more, names=NAMES[:1])) == 0
+    assert [chart.panels[0].span for chart in drawn] == [None] * 4
+
+
 def test_controllers_that_were_refined_get_files_of_their_own(scene: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     gain = "controller.axes.*.controller.gain"
     assert main(words(scene, "--out", str(tmp_path / "m.toml"), names=[*NAMES, gain])) == 0
@@ -125,6 +165,7 @@ def test_controllers_that_were_refined_get_files_of_their_own(scene: Path, tmp_p
         (NAMES, ["--window", "soon"], "two times"),
         (NAMES, ["--window", "2 s..1 s"], "the earlier one first"),
         (NAMES, ["--window", "0 s..1 s", "--window", "0 s..1 s"], "one for all logs"),
+        (NAMES, ["--window", "50 s..60 s"], "--window = 50 s..60 s: must be times at which log moves, 0.1 s to 1.869 s on its clock"),
         (NAMES, ["--starts", "0"], "starts from 1 to 32"),
         (NAMES, ["--also", "builtin:ubc/lead-lag", "--also", "builtin:ubc/lead-lag"], "one scenario, or one for each log"),
         (NAMES, ["--plots", "gif"], "gif"),

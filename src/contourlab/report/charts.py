@@ -68,6 +68,9 @@ class Panel:
     band : (low, high) or None
         Drawn as a shaded band: the tolerance.
     band_label : str
+    span : (low, high) or None
+        Of x, drawn as a shaded span: what a fit was made to.
+    span_label : str
     ticks : tuple of Tick
     log_x, log_y : bool
     y_range : (low, high) or None
@@ -84,6 +87,8 @@ class Panel:
     levels: tuple[Level, ...] = ()
     band: tuple[float, float] | None = None
     band_label: str = ""
+    span: tuple[float, float] | None = None
+    span_label: str = ""
     ticks: tuple[Tick, ...] = ()
     log_x: bool = False
     log_y: bool = False

@@ -115,6 +115,9 @@ def _panel(place: Axes, panel: Panel) -> None:
             place.axhline(edge, color=BAND, linewidth=0.8, linestyle=":")
         if panel.y_range is not None:
             place.set_ylim(*panel.y_range)  # the band would widen the range
+    if panel.span is not None:
+        texts.append((panel.span_label, BAND))
+        place.axvspan(*panel.span, color=BAND, alpha=0.09, linewidth=0)
     for level in panel.levels:
         if not panel.far:
             place.axhline(level.value, color=LIMIT, linewidth=0.8, linestyle="--")

@@ -193,7 +193,7 @@ def _span(panel: Panel) -> tuple[float, float]:
 
 
 def _decorate(layout: Figure, panel: Panel, tail: str) -> None:
-    """Add the tolerance band and the limit lines of a panel; their text stands above it, clear of the curves."""
+    """Add the tolerance band, the span and the limit lines of a panel; their text stands above it, clear of the curves."""
     x, y = f"x{tail} domain", f"y{tail}"
     span = {"type": "rect", "xref": x, "x0": 0, "x1": 1, "yref": y, "layer": "below"}
     if panel.band is not None:
@@ -205,6 +205,11 @@ def _decorate(layout: Figure, panel: Panel, tail: str) -> None:
             layout["shapes"].append({**span, "type": "line", "y0": edge, "y1": edge, "line": line})
         outside = panel.y_range is not None and high > panel.y_range[1]
         layout["annotations"].append(_note(panel.band_label + (", outside the picture" if outside else ""), BAND, tail))
+    if panel.span is not None:
+        across: Figure = {"type": "rect", "xref": f"x{tail}", "yref": f"y{tail} domain", "y0": 0, "y1": 1, "layer": "below"}
+        fill = {"fillcolor": BAND, "opacity": 0.09, "line": {"width": 0}}
+        layout["shapes"].append({**across, **fill, "x0": panel.span[0], "x1": panel.span[1]})
+        layout["annotations"].append(_note(panel.span_label, BAND, tail))
     for level in panel.levels:
         line = {"color": LIMIT, "width": 1.1, "dash": "dash"}
         if not panel.far:

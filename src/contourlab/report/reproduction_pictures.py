@@ -65,11 +65,19 @@ def overlaid_chart(key: str, title: str, y_label: str, tiles: Mapping[str, Overl
     return Multiples(key, title, "", y_label, tuple(made))
 
 
-def traces_chart(key: str, title: str, labels: tuple[str, str], traces: Mapping[str, tuple[Array, Array]], level: float = 0.0) -> Chart:
-    """Return curves (x, y), each in the units of its label, on one pair of axes, with a level."""
+def traces_chart(
+    key: str,
+    title: str,
+    labels: tuple[str, str],
+    traces: Mapping[str, tuple[Array, Array]],
+    level: float = 0.0,
+    span: tuple[float, float] | None = None,
+    span_label: str = "",
+) -> Chart:
+    """Return curves (x, y), each in the units of its label, on one pair of axes, with a level, and a shaded span of x if there is one."""
     count = len(traces)
     curves = tuple(Curve(x, y, name, *scheme_style(i, count)) for i, (name, (x, y)) in enumerate(traces.items()))
-    return Chart(key, title, "", (Panel(*labels, curves, (Level(level, ""),)),))
+    return Chart(key, title, "", (Panel(*labels, curves, (Level(level, ""),), span=span, span_label=span_label),))
 
 
 def circle_chart(key: str, title: str, radius: float, runs: Mapping[str, tuple[Array, Array]]) -> PolarChart:

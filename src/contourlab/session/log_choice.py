@@ -15,7 +15,7 @@ from contourlab.units import to_si
 if TYPE_CHECKING:
     from contourlab.geometry import Path as Contour
 
-__all__ = ["LogChoice", "is_program", "open_log", "positive", "program_path", "reference_columns"]
+__all__ = ["LogChoice", "is_program", "open_log", "positive", "program_path", "reference_columns", "told_apart"]
 
 PROGRAMS = (".ngc", ".nc", ".gcode", ".gc", ".tap", ".cnc", ".mpf", ".txt")
 """Endings of part programs, where a reference is one and no list of columns."""
@@ -72,6 +72,22 @@ def open_log(choice: LogChoice, more: Sequence[Column] = ()) -> Log:
         period = positive("--period", choice.period, "s", 'a time with its unit, such as "1 ms"')
     record = read_record(choice.file, choice.format or written.format)
     return result_of(record, Columns(columns, period))
+
+
+def told_apart(files: Sequence[str | Path]) -> list[str]:
+    """Return what files are called: their names, with as much of the folders above as tells those of one name apart.
+
+    >>> told_apart(["x/slow.csv", "y/slow.csv", "y/fast.csv"])
+    ['x/slow.csv', 'y/slow.csv', 'fast.csv']
+    """
+    parts = [Path(file).parts for file in files]
+
+    def called(mine: tuple[str, ...]) -> str:
+        others = [one for one in parts if one != mine]
+        length = next((n for n in range(1, len(mine)) if all(one[-n:] != mine[-n:] for one in others)), len(mine))
+        return Path(*mine[-length:]).as_posix()
+
+    return [called(mine) for mine in parts]
 
 
 def positive(option: str, text: str, unit: str, wanted: str) -> float:

@@ -13,11 +13,11 @@ import numpy as np
 from contourlab.errors import ParameterError, UnitError
 from contourlab.result import write_text_atomic
 from contourlab.session.folder import check_file, staged
-from contourlab.session.log_choice import LogChoice, open_log
+from contourlab.session.log_choice import LogChoice, open_log, told_apart
 from contourlab.session.run import check_plots
 from contourlab.studies.log_run import Agreement, LogRun, log_run
 from contourlab.studies.refine import Refined, RefineSettings, Window, refine
-from contourlab.studies.refine_remarks import shown
+from contourlab.studies.refine_remarks import shown, size_left, worse_than_before
 
 if TYPE_CHECKING:
     from contourlab.scenario import Scenario
@@ -97,13 +97,14 @@ def refine_logs(
     with staged(folder, alone=False, option="--folder") if plots else nullcontext() as stage:
         found = refine(runs, parameters, windows=spans, settings=RefineSettings(starts=starts), progress=progress)
         checked = _Validation((), ()) if held_out is None else _held_out(found, runs, held_out)
-        found = replace(found, remarks=(*found.remarks, *_on_validation(runs, held_out)))
+        on_second = worse_than_before("on the log for validation", checked.before, checked.after)
+        found = replace(found, remarks=(*found.remarks, *on_second, *_on_validation(runs, held_out)))
         text = _text(found, checked)
         if stage is not None:
             from contourlab.session.refine_pictures import draw
 
             text += "".join(f"\nplot: {Path(folder) / file.relative_to(stage)}" for file in draw(found, stage / "plots", plots))
-    sources = [Path(choice.file).name for choice in choices]
+    sources = told_apart([choice.file for choice in choices])
     if out is not None:
         text += "".join(f"\n{line}" for line in _write(found, sources, Path(out)))
     return Refinement(found.usable, _summary(found, checked, sources), text)
@@ -184,14 +185,10 @@ def _text(found: Refined, checked: _Validation) -> str:
     agreed = [("", "run", "axis", "signal", "explained", "fit", "left, rms")]
     for words, group in _groups(found, checked).items():
         for a in group:
-            agreed.append((words, a.run, a.axis, a.signal, f"{100.0 * a.explained:.3f} %", f"{a.fit:.2f} %", _size(a)))
+            agreed.append((words, a.run, a.axis, a.signal, f"{100.0 * a.explained:.3f} %", f"{a.fit:.2f} %", size_left(a)))
     lines += ["", *_table(agreed, (0, 1, 2, 3))]
     lines += [f"note: {remark}" for remark in found.remarks]
     return "\n".join(lines)
-
-
-def _size(one: Agreement) -> str:
-    return f"{one.rms * 1e6:.3g} um" if one.signal == "position" else f"{one.rms:.3g}"
 
 
 def _summary(found: Refined, checked: _Validation, sources: Sequence[str]) -> dict[str, Any]:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from pathlib import Path
+from typing import Any
 
 from contourlab.studies.refine import Refined
 
@@ -11,7 +12,7 @@ __all__ = ["draw"]
 
 
 def draw(found: Refined, folder: str | Path, formats: Sequence[str]) -> tuple[Path, ...]:
-    """Draw each signal of each run, measured and simulated, and what is left of it; return the files.
+    """Draw each signal of each run, measured and simulated, and what is left of it, with its window shaded; return the files.
 
     Parameters
     ----------
@@ -24,8 +25,11 @@ def draw(found: Refined, folder: str | Path, formats: Sequence[str]) -> tuple[Pa
     from contourlab.report.reproduction_pictures import traces_chart
 
     charts = []
-    for run, simulated in zip(found.runs, found.simulated, strict=True):
+    for run, simulated, window in zip(found.runs, found.simulated, found.windows, strict=True):
         time = run.times()
+        # Only what the picture shows of it: a window may reach beyond the log.
+        within = None if window is None else (max(window[0], float(time[0])), min(window[1], float(time[-1])))
+        marked: dict[str, Any] = {"span": within, "span_label": "fitted to what is shaded" if within else ""}
         for j, (signal, axis) in enumerate(run.channels):
             size, unit = (1e6, "um") if signal == "position" else (1.0, "")
             named = "tracking error" if signal == "position" else signal
@@ -33,6 +37,6 @@ def draw(found: Refined, folder: str | Path, formats: Sequence[str]) -> tuple[Pa
             key = f"{run.label}-{signal}-{axis}".replace(" ", "-")
             both = {"measured": (time, size * run.measured[:, j]), "simulated": (time, size * simulated[:, j])}
             left = {"measured less simulated": (time, size * (run.measured[:, j] - simulated[:, j]))}
-            charts.append(traces_chart(key, f"{run.label}: {named} of {axis}", ("time [s]", label), both))
-            charts.append(traces_chart(f"{key}-left", f"{run.label}: what is left of it", ("time [s]", label), left))
+            charts.append(traces_chart(key, f"{run.label}: {named} of {axis}", ("time [s]", label), both, **marked))
+            charts.append(traces_chart(f"{key}-left", f"{run.label}: what is left of it", ("time [s]", label), left, **marked))
     return write_charts(charts, folder, formats)

@@ -14,7 +14,7 @@ from contourlab.analysis.gauss_newton import Descent, DescentSettings, descend, 
 from contourlab.errors import ParameterError
 from contourlab.studies.log_run import Agreement, LogRun
 from contourlab.studies.refine_parameters import Sought, columns_of, seek
-from contourlab.studies.refine_remarks import remarks_on
+from contourlab.studies.refine_remarks import remarks_on, worse_than_before
 from contourlab.studies.space.values import with_values
 
 __all__ = ["RefineSettings", "Refined", "Window", "refine", "rows_within"]
@@ -71,6 +71,8 @@ class Refined:
         Of the parameters that are not at a bound.
     runs : tuple of LogRun
         With the refined parameters in place.
+    windows : tuple of (float, float) or None
+        Of each run what was fitted [s]; None for all of it.
     simulated : tuple of ndarray (n_sample, n_channel)
     before, after : tuple of Agreement
         As it began and as it is, over the samples that were fitted.
@@ -90,6 +92,7 @@ class Refined:
     at_bound: NDArray[np.bool_]
     knowledge: FitCovariance
     runs: tuple[LogRun, ...]
+    windows: tuple[Window | None, ...]
     simulated: tuple[Array, ...]
     before: tuple[Agreement, ...]
     after: tuple[Agreement, ...]
@@ -249,8 +252,10 @@ def _rows(run: LogRun, window: Window | None, row_period: float) -> Rows:
     kept[run.moves[0] :: stride] = True
     kept &= rows_within(run, window)
     if not kept.any():
-        ends = run.times()[[0, -1]]
-        raise ParameterError("--window", f"{window}", f"times within those of {run.label}, {ends[0]:.4g} to {ends[1]:.4g} s")
+        low, high = window or (0.0, 0.0)
+        begin, end = run.times()[[run.moves[0], -1]]
+        bound = f"times at which {run.label} moves, {begin:.4g} s to {end:.4g} s on its clock"
+        raise ParameterError("--window", f"{low:g} s..{high:g} s", bound)
     return kept
 
 
@@ -271,9 +276,10 @@ def _told(
     simulated = tuple(run.once() for run in ends)
     before, after, unseen_before, unseen = _agreements(runs, ends, simulated, windows)
     said, usable = remarks_on(sought, found, deviations, white, knowledge, after, descents)
+    said += worse_than_before("over what --window leaves out", unseen_before, unseen)
     said += tuple(note for run in runs for note in run.notes)
     known = found.values, deviations, white, found.at_bound, knowledge
-    return Refined(sought, *known, ends, simulated, before, after, unseen_before, unseen, *descents, said, usable)
+    return Refined(sought, *known, ends, tuple(windows), simulated, before, after, unseen_before, unseen, *descents, said, usable)
 
 
 def _placed(run: LogRun, sought: Sequence[Sought], values: Array, which: int) -> LogRun:

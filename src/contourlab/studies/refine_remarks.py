@@ -12,7 +12,7 @@ from contourlab.analysis.gauss_newton import Descent
 from contourlab.studies.log_run import Agreement
 from contourlab.studies.refine_parameters import Sought
 
-__all__ = ["remarks_on", "shown"]
+__all__ = ["remarks_on", "shown", "size_left", "worse_than_before"]
 
 Array = NDArray[np.float64]
 
@@ -22,6 +22,8 @@ UNKNOWN = 0.5
 """Relative deviation from which a parameter is said to be hardly known."""
 EXPLAINED = 0.5
 """Share of the variance of a signal below which it is remarked on."""
+WORSE = 0.01
+"""Share by which more may be left of what was not fitted than before."""
 COLOURED = 1.5
 """Ratio of deviations with and without colour from which it is remarked on."""
 
@@ -77,6 +79,30 @@ def remarks_on(
         if one.explained <= 0.0
     ]
     return tuple(said), usable
+
+
+def worse_than_before(where: str, before: Sequence[Agreement], after: Sequence[Agreement]) -> tuple[str, ...]:
+    """Return what is to be said where a refined model follows what was not fitted less well than the one that it began with.
+
+    Parameters
+    ----------
+    where : str
+        What was not fitted, in words.
+    before, after : sequence of Agreement
+        Of the same signals in the same order.
+    """
+    worse = [(one, other) for one, other in zip(before, after, strict=True) if other.rms > (1.0 + WORSE) * one.rms]
+    if not worse:
+        return ()
+    told = ", ".join(
+        f"{other.signal} of {other.axis} in {other.run} {size_left(other)} where it left {size_left(one)}" for one, other in worse
+    )
+    return (f"{where} the refined numbers follow less well than those before: {told}; they fit what was fitted and nothing else",)
+
+
+def size_left(one: Agreement) -> str:
+    """Return how much of a signal is left (rms), in the unit that people use."""
+    return f"{one.rms * 1e6:.3g} um" if one.signal == "position" else f"{one.rms:.3g}"
 
 
 def _on_values(sought: Sequence[Sought], found: Descent, deviations: Array) -> Iterator[str]:

@@ -7,7 +7,10 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from contourlab.report.matplotlib_view import line_drawing
+from contourlab.report.plotly_view import line_figure
 from contourlab.report.plots import write_charts
+from contourlab.report.reproduction_pictures import traces_chart
 from contourlab.report.sensitivity_pictures import DrawnCurve, curves_chart, indices_chart, interactions_chart
 from contourlab.report.study_view import bars_drawing, matrix_drawing, multiples_drawing
 
@@ -41,6 +44,18 @@ def test_a_matrix_leaves_its_diagonal_and_what_is_unknown_blank() -> None:
     texts = sorted(text.get_text() for text in figure.axes[0].texts)
     assert texts == ["-1", "-1", "2", "2"] and values[0, 0] == 9.0
     assert matrix_drawing(interactions_chart("nothing", NAMES, np.full((3, 3), np.nan))).axes
+
+
+def test_a_span_of_x_is_shaded_and_named_in_print_and_on_the_page() -> None:
+    trace = {"error": (np.linspace(0.0, 4.0, 9), np.linspace(-1.0, 1.0, 9))}
+    chart = traces_chart("t", "t", ("time [s]", "error [um]"), trace, span=(1.0, 2.0), span_label="fitted")
+    place = line_drawing(chart).axes[0]
+    shaded = place.patches[0].get_extents().transformed(place.transData.inverted())  # type: ignore[attr-defined]
+    assert (shaded.x0, shaded.x1) == (pytest.approx(1.0), pytest.approx(2.0)) and place.get_xlim() == (0.0, 4.0)
+    assert "fitted" in {text.get_text() for text in place.texts}
+    layout = line_figure(chart)["layout"]
+    assert [(shape["x0"], shape["x1"]) for shape in layout["shapes"] if shape["type"] == "rect"] == [(1.0, 2.0)]
+    assert "fitted" in {note["text"] for note in layout["annotations"]}
 
 
 def test_each_becomes_a_file(tmp_path: Path) -> None:
