@@ -21,6 +21,9 @@ __all__ = ["from_si", "same_dimension", "show", "split", "to_si"]
 _CLOSE = re.compile(r"(?P<number>[+-]?(\d+\.?\d*|\.\d+)([eE][+-]?\d+)?)(?P<unit>[A-Za-zµμ°%Ω].*)\Z")
 """A number and a unit without a space between them; digits behind an e are the number's exponent."""
 
+_USUAL = {"m": "mm", "s": "ms", "m/s": "mm/s", "rad": "deg"}
+"""Units that people would write where one of SI is too large for most of what a machine has."""
+
 
 @cache
 def registry() -> pint.UnitRegistry[Any]:
@@ -113,7 +116,7 @@ def to_si(value: str | float, unit: str) -> float:
     wanted, _ = _factor(unit)
     if dimension != wanted:
         if not given:
-            raise UnitError(f'{value!r} has no unit: write it with a unit such as "{number:g} {unit}"')
+            raise UnitError(f'{value!r} has no unit: write it with a unit such as "{number:g} {_USUAL.get(unit, unit)}"')
         raise UnitError(f"{value!r} cannot be converted to {unit or 'a bare number'}")
     # Dividing by the inverse keeps round decimal factors exact: 20 mm is 20 / 1000, not 20 * 0.001.
     inverse = 1.0 / size

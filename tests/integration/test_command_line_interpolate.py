@@ -185,8 +185,8 @@ def test_a_bad_file_is_2_with_its_place(typed: Run, tmp_path: Path, name: str) -
     ("options", "words"),
     [
         (["--resolution", "30nm"], "four times a whole number, such as 2.99"),
-        (["--pitch", "20"], "no unit"),
-        (["--pitch", "20 kg"], "cannot be converted to m"),
+        (["--pitch", "20"], "--pitch = '20': must be a length with its unit, such as \"20 um\""),
+        (["--resolution", "20 kg"], 'such as "25 nm"'),
         (["--columns", "u1"], "two names"),
         (["--columns", "u1,u1"], "named twice"),
         (["--columns", "u1,u7"], "no column 'u7'; there are: t, u1, u2, reference"),

@@ -169,9 +169,24 @@ def test_what_cannot_be_written_is_told_before_a_log_is_read(tmp_path: Path, cap
     assert sorted(file.name for file in tmp_path.iterdir()) == ["file", "taken"]
 
 
+@pytest.mark.parametrize(("sign", "code"), [(1.0, 0), (-1.0, 2)])
+def test_folders_above_the_file_are_made_where_it_is_written(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str], sign: float, code: int
+) -> None:
+    """As of every command; nothing is left behind where nothing is written."""
+    log, out = str(written(tmp_path, sign=sign)), tmp_path / "new" / "below" / "axis.toml"
+    assert main(["identify", log, "--column", "force.x=push", "--out", str(out)]) == code
+    capsys.readouterr()
+    assert out.is_file() == (tmp_path / "new").exists() == (code == 0)
+
+
 def test_settings_are_called_as_the_options_are(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     log = str(written(tmp_path, seconds=2.0))
     assert main(["identify", log, "--column", "force.x=push", "--slowest", "10 m/s"]) == 2
     assert "--slowest = 10 m/s" in capsys.readouterr().err
+    assert main(["identify", log, "--column", "force.x=push", "--cutoff", "9 kHz"]) == 2
+    assert "--cutoff = 9000 Hz: must be > 0 and below the Nyquist frequency" in capsys.readouterr().err
+    assert main(["identify", log, "--column", "force.x=push", "--decimation=0"]) == 2
+    assert "--decimation = 0" in capsys.readouterr().err
     assert main(["identify", log, "--column", "command.x=push [V]", "--gain", "1e13 N/V"]) == 2
     assert "below 1e12" in capsys.readouterr().err

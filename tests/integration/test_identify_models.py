@@ -14,6 +14,7 @@ import pytest
 from contourlab.analysis.closed_first_order import closed_loop_position
 from contourlab.analysis.first_order_motion import first_order_motion
 from contourlab.cli.main import main
+from contourlab.loop import Machine
 from contourlab.scenario.load import load_axis
 
 PERIOD = 1e-3
@@ -359,12 +360,69 @@ def test_an_identified_axis_can_be_asked_for_its_own_motion(tmp_path: Path, caps
     assert limits.origins["velocity"].source == "assumed" and "give the axis' own" in limits.origins["velocity"].note
 
 
+@pytest.mark.parametrize("model", ["first-order", "linear-motor", "rigid"])
+def test_part_programs_can_be_planned_with_an_identified_axis(tmp_path: Path, capsys: pytest.CaptureFixture[str], model: str) -> None:
+    """An axis file has a limit of acceleration a fifth above what its log has."""
+    out, mass = tmp_path / "axis.toml", 50.0
+    log = stepped(tmp_path, "N", mass)
+    column = "force.x=cmd" if model == "rigid" else "command.x=cmd"
+    found_by([log, "--column", column, "--model", model, "--out", str(out)], capsys)
+    axis = load_axis(out)
+    speed = 1.695 * first_order_motion(steps() + 0.01, PERIOD, 10.1, 0.055, 0.055)[0]
+    largest = float(np.abs(np.diff(speed)).max()) / PERIOD
+    # What passes a filter is less at a step than the step itself.
+    assert axis.limits.acceleration == pytest.approx(1.2 * largest, rel=0.02 if model == "first-order" else 0.1)
+    assert axis.limits.jerk == pytest.approx(100.0 * axis.limits.acceleration / 1.2, rel=1e-4)
+    assert axis.limits.origins["acceleration"].note == "20 % above the largest in the log: give the axis' own"
+    assert Machine("m", (axis,), PERIOD).planner_limits().acceleration[0] == axis.limits.acceleration
+
+
+def test_a_limit_that_is_missing_is_told_with_its_file(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    (tmp_path / "axis.toml").write_text(PLANT + '[limits]\nvelocity = "50 mm/s"\n')
+    text = SCENARIO.replace("GAIN", "1.695 m/s^2/full_scale").replace("RATE", "10.1").replace("limits =", "#")
+    (tmp_path / "way.ngc").write_text("G21 G90\nG1 X20 F1800\nX0\nM2\n")
+    (tmp_path / "run.toml").write_text(text)
+    assert main(["run", str(tmp_path / "run.toml"), "--out", str(tmp_path / "out")]) == 2
+    said = capsys.readouterr().err
+    assert f"{tmp_path / 'axis.toml'}: axis x of found has no limit for its ramps: give it limits.acceleration" in said
+
+
+def test_logs_of_one_name_are_told_apart_by_their_folders(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    for name, speeds in (("slow", [10, 20, 40]), ("fast", [80, 120, 160])):
+        (tmp_path / name).mkdir()
+        v = np.repeat(np.ravel(np.column_stack([speeds, np.negative(speeds)])), 600) * 1e-3
+        u = 0.5 * np.sign(v) + 5.0 * v + 0.01 * np.random.default_rng(1).standard_normal(v.size)
+        written(tmp_path / name / "jog.csv", "time [s],cmd [N],pos x [mm]", PERIOD * np.arange(v.size), u, 1e3 * PERIOD * np.cumsum(v))
+    logs, out = [str(tmp_path / name / "jog.csv") for name in ("slow", "fast")], tmp_path / "axis.toml"
+    words = [*logs, "--column", "force.x=cmd", "--model", "friction", "--out", str(out)]
+    found = found_by(words, capsys)
+    assert found["logs"] == ["slow/jog.csv", "fast/jog.csv"]
+    assert {point["log"] for point in found["points"]} == {"slow/jog.csv", "fast/jog.csv"}
+    assert 'from = "slow/jog.csv and 1 more"' in out.read_text() and str(tmp_path) not in out.read_text()
+    assert main(["identify", *words]) == 0
+    assert "slow/jog.csv, fast/jog.csv, axis x" in capsys.readouterr().out
+    # What is to be said of one log only names it.
+    rows = (tmp_path / "fast" / "jog.csv").read_text().splitlines()
+    (tmp_path / "fast" / "jog.csv").write_text("\n".join([*rows[:700], *rows[703:]]) + "\n")
+    notes = found_by(words, capsys)["notes"]
+    assert any(note.startswith("fast/jog.csv: ") and "missing" in note for note in notes)
+
+
 def jogged(tmp_path: Path, law: Callable[[np.ndarray], np.ndarray]) -> str:
     """Return the log of jogs both ways, from 5 to 200 mm/s, under a friction in volts."""
     speeds = np.array([5, 10, 20, 50, 80, 120, 160, 200]) * 1e-3
     v = np.repeat(np.ravel(np.column_stack([speeds, -speeds])), 600)
     u = law(v) + 0.01 * np.random.default_rng(1).standard_normal(v.size)
     return written(tmp_path / "jog.csv", "time [s],cmd [V],pos x [mm]", PERIOD * np.arange(v.size), u, 1e3 * PERIOD * np.cumsum(v))
+
+
+def test_friction_that_rises_is_not_called_stribeck(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    log = jogged(tmp_path, lambda v: np.sign(v) * (0.6 - 0.3 * np.exp(-((v / 0.06) ** 2))) + 3.0 * v)
+    found = found_by([log, "--column", "command.x=cmd", "--model", "friction"], capsys)
+    assert found["friction_model"] == "Coulomb, viscous and a rise"
+    assert not any("Stribeck is what" in said or "and Stribeck" in said for said in found["remarks"])
+    log = jogged(tmp_path, lambda v: np.sign(v) * (0.3 + 0.3 * np.exp(-((v / 0.03) ** 2))) + 3.0 * v)
+    assert found_by([log, "--column", "command.x=cmd", "--model", "friction"], capsys)["friction_model"] == "Coulomb, viscous and Stribeck"
 
 
 def test_friction_that_rises_from_rest_keeps_its_rise_in_the_file(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:

@@ -97,6 +97,25 @@ class FrictionCurve:
         """Return a parameter by name; 0 for one that the model lacks."""
         return float(self.values[self.names.index(name)]) if name in self.names else 0.0
 
+    @property
+    def rises(self) -> bool:
+        """Whether friction is least at rest, over both directions: the contrary of a Stribeck dip."""
+        return sum(self._drops) < 0.0
+
+    @property
+    def name(self) -> str:
+        """What the curve is in words: a curve that bends upwards from rest has no Stribeck effect."""
+        return self.model.name.replace("Stribeck", "a rise") if self.rises else self.model.name
+
+    @property
+    def _drops(self) -> list[float]:
+        return [float(value) for name, value in zip(self.names, self.values, strict=True) if name.startswith("drop")]
+
+    @property
+    def bends_both_ways(self) -> bool:
+        """Whether one direction dips and the other rises."""
+        return len({drop < 0.0 for drop in self._drops}) > 1
+
     def deviation(self, name: str) -> float:
         """Return the deviation of a parameter by name; 0 for one that the model lacks."""
         return float(self.deviations[self.names.index(name)]) if name in self.names else 0.0
@@ -259,16 +278,18 @@ def _remarks(
 ) -> tuple[list[str], bool]:
     said, usable = [], True
     w = np.abs(v)
-    others = [f"{curve.model.name} {curve.criterion - chosen.criterion:+.1f}" for curve in sound if curve is not chosen]
+    others = [f"{curve.name} {curve.criterion - chosen.criterion:+.1f}" for curve in sound if curve is not chosen]
     beside = f"; AICc of the others above it: {', '.join(others)}" if others else ""
-    said.append(f"{chosen.model.name} is what the {v.size} points ask for{beside}")
+    said.append(f"{chosen.name} is what the {v.size} points ask for{beside}")
     for curve in tried:
         if not any(curve is other for other in sound):
-            said.append(f"{curve.model.name} would need a friction below zero")
+            said.append(f"{curve.name} would need a friction below zero")
     if not both:
         said.append("one direction only: Coulomb friction and an offset, such as gravity, are not told apart, and are both in Fc")
     if chosen.model.stribeck:
-        if all(curve_drop < 0.0 for curve_drop in _drops(chosen)):
+        if chosen.bends_both_ways:
+            said.append("friction dips from rest on one way and rises the other: one law for both has the mean")
+        elif chosen.rises:
             said.append(f"concave: friction rises from {1e3 * w.min():.3g} mm/s on to its Coulomb level over vs; this is no Stribeck dip")
         elif chosen["vs"] < 1.2 * w.min():
             said.append(f"vs is below the slowest run, {1e3 * w.min():.3g} mm/s: the level at rest is a guess from one speed")
@@ -290,7 +311,3 @@ def _remarks(
             share = 100.0 * chosen.deviation(name) / abs(chosen[name]) if chosen[name] else math.inf
             said.append(f"{name} = {chosen[name]:.4g} is known to {share:.2g} % only")
     return said, usable
-
-
-def _drops(curve: FrictionCurve) -> list[float]:
-    return [curve[name] for name in curve.names if name.startswith("drop")]

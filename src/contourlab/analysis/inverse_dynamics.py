@@ -55,7 +55,7 @@ class InverseDynamicsSettings:
         Of the columns and the force: 0.8 of the Nyquist frequency over twice the bandwidth is usual.
     dropped : (int, int), >= 0
         Samples dropped at the start and at the end, where filter and differences have no neighbours.
-    slowest_velocity : float [m/s], >= 0
+    slowest : float [m/s], >= 0
         Rows below it are left out: at rest, friction is whatever the force is, and the sign of v is noise.
     lost_degrees : int or None
         What is taken from the number of rows under the residual's variance; None takes the number of parameters. The figures published for
@@ -67,7 +67,7 @@ class InverseDynamicsSettings:
     order: int = 4
     decimation: int = 10
     dropped: tuple[int, int] = (50, 50)
-    slowest_velocity: float = 0.0
+    slowest: float = 0.0
     lost_degrees: int | None = None
 
     def __post_init__(self) -> None:
@@ -77,8 +77,8 @@ class InverseDynamicsSettings:
             raise ParameterError("decimation", self.decimation, "a whole number of 1 or more")
         if len(self.dropped) != 2 or min(self.dropped) < 0:
             raise ParameterError("dropped", self.dropped, "two numbers of samples >= 0, at the start and at the end")
-        if not (math.isfinite(self.slowest_velocity) and self.slowest_velocity >= 0.0):
-            raise ParameterError("slowest_velocity", f"{self.slowest_velocity:g}", ">= 0", "m/s")
+        if not (math.isfinite(self.slowest) and self.slowest >= 0.0):
+            raise ParameterError("slowest", f"{self.slowest:g}", ">= 0", "m/s")
         if self.lost_degrees is not None and self.lost_degrees < 0:
             raise ParameterError("lost_degrees", self.lost_degrees, ">= 0")
 
@@ -205,7 +205,7 @@ def identify_inverse_dynamics(
     robust = coloured_deviations(rows.columns, residual, unscaled, bartlett(usual_lags(residual.size)))
     told = _judged(rows, rows.columns @ values)
     check_signs(names, values, np.maximum(deviations, robust))
-    remarks, usable = remarks_on(names, values, deviations, robust, rows.columns, rows.velocity, told.fit, chosen.slowest_velocity)
+    remarks, usable = remarks_on(names, values, deviations, robust, rows.columns, rows.velocity, told.fit, chosen.slowest)
     with np.errstate(divide="ignore"):
         relative = 100.0 * deviations / np.abs(values)
     return InverseDynamicsFit(
@@ -253,11 +253,11 @@ def _rows(time: ArrayLike, position: ArrayLike, force: ArrayLike, settings: Inve
     columns = decimate(_columns(motion.acceleration[part], v, settings.friction), settings.decimation)
     kept = kept_samples(v.size, settings.decimation)
     rows = _Rows(t[part][kept], v[kept], columns, decimate(f[part], settings.decimation))
-    if settings.slowest_velocity == 0.0:
+    if settings.slowest == 0.0:
         return rows
-    moving = np.abs(rows.velocity) >= settings.slowest_velocity
+    moving = np.abs(rows.velocity) >= settings.slowest
     if np.count_nonzero(moving) < FEWEST_ROWS:
-        raise ParameterError("slowest_velocity", f"{settings.slowest_velocity:g}", f"passed in at least {FEWEST_ROWS} rows", "m/s")
+        raise ParameterError("slowest", f"{settings.slowest:g}", f"passed in at least {FEWEST_ROWS} rows", "m/s")
     return _Rows(rows.time[moving], rows.velocity[moving], rows.columns[moving], rows.force[moving])
 
 

@@ -1,9 +1,10 @@
 """The servo loop: machine and controller as values, and the runs that bring them to life."""
 
+from contourlab.loop.axis_parts import AxisError, Limits
 from contourlab.loop.batch import BatchResult, simulate_batch
 from contourlab.loop.division import DIVISIONS, Division
 from contourlab.loop.feeding import Learned
-from contourlab.loop.machine import Axis, AxisController, AxisError, Controller, Limits, Machine, parameter_names
+from contourlab.loop.machine import Axis, AxisController, Controller, Machine, parameter_names
 from contourlab.loop.reconfigure import Change
 from contourlab.loop.simulate import result_of, simulate, simulate_blocks
 

@@ -8,7 +8,6 @@ from dataclasses import dataclass, field, replace
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from contourlab.components.contract import Component
 from contourlab.components.controller.position import PositionController
@@ -20,71 +19,10 @@ from contourlab.components.sensor.ideal import IdealSensor
 from contourlab.components.velocity.true import TrueVelocity
 from contourlab.errors import FeedError, ParameterError
 from contourlab.feed import AxisLimits
+from contourlab.loop.axis_parts import AxisError, Limits
 from contourlab.loop.division import Division
 
-__all__ = ["CONTROLLER_SLOTS", "Axis", "AxisController", "AxisError", "Controller", "Limits", "Machine"]
-
-
-@dataclass(frozen=True)
-class Limits:
-    """What an axis may be asked for.
-
-    Attributes
-    ----------
-    velocity : float [m/s], > 0
-    acceleration : float [m/s^2], > 0
-    jerk : float [m/s^3], > 0
-    following_error : float [m], > 0
-        A larger tracking error ends the run as diverged, as a drive would trip.
-    travel : tuple of two floats [m]
-        Lowest and highest position of the axis.
-    origins : mapping of str to Origin
-        Where the numbers are from, by name.
-    """
-
-    velocity: float = math.inf
-    acceleration: float = math.inf
-    jerk: float = math.inf
-    following_error: float = 0.05
-    travel: tuple[float, float] = (-math.inf, math.inf)
-    origins: Mapping[str, Origin] = field(default_factory=dict, compare=False, repr=False)
-
-    def __post_init__(self) -> None:
-        for name in ("velocity", "acceleration", "jerk", "following_error"):
-            value = getattr(self, name)
-            if not value > 0.0:
-                raise ParameterError(f"limits.{name}", f"{value:g}", "> 0")
-        if not self.travel[0] < self.travel[1]:
-            raise ParameterError("limits.travel", f"{self.travel}", "two positions, the lower one first", "m")
-
-
-@dataclass(frozen=True)
-class AxisError:
-    """How the tool's position differs from what the encoder can see, for one axis.
-
-    Attributes
-    ----------
-    position, lead_error : ndarray (n,) [m]
-        Error of the tool's position over the axis' position, rising positions, linear between them; empty for none.
-    repeatability : float [m], >= 0
-        Unidirectional repeatability in the sense of ISO 230-2 (4 s): at each reversal the tool takes a new offset, normal with s = a
-        quarter of it.
-    origins : mapping of str to Origin
-        Where the numbers are from, by name.
-    """
-
-    position: NDArray[np.float64] = field(default_factory=lambda: np.zeros(0))
-    lead_error: NDArray[np.float64] = field(default_factory=lambda: np.zeros(0))
-    repeatability: float = 0.0
-    origins: Mapping[str, Origin] = field(default_factory=dict, compare=False, repr=False)
-
-    def __post_init__(self) -> None:
-        if self.position.shape != self.lead_error.shape or np.any(np.diff(self.position) <= 0.0):
-            raise ParameterError("error.position", "a table", "as long as lead_error, and rising", "m")
-        if not (np.isfinite(self.position).all() and np.isfinite(self.lead_error).all()):
-            raise ParameterError("error.lead_error", "a table", "finite", "m")
-        if not self.repeatability >= 0.0:
-            raise ParameterError("error.repeatability", f"{self.repeatability:g}", ">= 0", "m")
+__all__ = ["CONTROLLER_SLOTS", "Axis", "AxisController", "Controller", "Machine"]
 
 
 @dataclass(frozen=True)
@@ -169,15 +107,19 @@ class Machine:
         FeedError
             If an axis has no velocity limit, or neither an acceleration nor a jerk limit.
         """
-        free = [axis.name for axis in self.axes if not np.isfinite(axis.limits.velocity)]
+        free = [axis for axis in self.axes if not np.isfinite(axis.limits.velocity)]
         if free:
-            raise FeedError(f"axis {free[0]} of {self.name} has no velocity limit to plan with: give it limits.velocity")
+            raise FeedError(f"{self._place(free[0])} has no velocity limit to plan with: give it limits.velocity")
         found = [axis.limits for axis in self.axes]
         limits = AxisLimits([x.velocity for x in found], [x.acceleration for x in found], [x.jerk for x in found])
         if limits.unbounded.any():
-            name = self.axes[int(np.argmax(limits.unbounded))].name
-            raise FeedError(f"axis {name} of {self.name} has no limit for its ramps: give it limits.acceleration, limits.jerk, or both")
+            steep = self.axes[int(np.argmax(limits.unbounded))]
+            raise FeedError(f"{self._place(steep)} has no limit for its ramps: give it limits.acceleration, limits.jerk, or both")
         return limits
+
+    def _place(self, axis: Axis) -> str:
+        """Return an axis in words, with the file in which its limits stand, or would."""
+        return f"{axis.limits.file}: axis {axis.name} of {self.name}".removeprefix(": ")
 
     def _check_masses(self, axis: Axis) -> None:
         """A plant that is known by its response only cannot be given more mass, nor tell what it moves."""

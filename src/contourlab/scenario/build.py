@@ -74,7 +74,7 @@ def _limits(table: Table) -> Limits:
     if "travel" in given and len(given["travel"]) != 2:
         raise table.error('two positions are wanted, the lower one first: ["-100 mm", "100 mm"]', "travel")
     with located(table):
-        return Limits(**given, origins=origins)
+        return Limits(**given, origins=origins, file=table.file)
 
 
 def _error(table: Table) -> AxisError:

@@ -68,6 +68,8 @@ def read_number(value: Any, unit: str, display: str = "") -> float:
     given = split(value)[1]
     if not _UNIT.match(given):
         raise UnitError(said)
+    if unit and not given:
+        raise UnitError(f'{value!r} has no unit: write "{value.strip()} {shown}", or the same in another unit')
     try:
         _check_turns(value, given, unit)
         number = to_si(value, unit)

@@ -14,7 +14,7 @@ from contourlab.scenario.provenance import origin_table
 from contourlab.scenario.toml_text import Noted, toml
 from contourlab.session.folder import check_file, staged
 from contourlab.session.identification.register import MODELS, study_of
-from contourlab.session.identification.request import Request
+from contourlab.session.identification.request import Request, listed
 from contourlab.session.plain import plain
 from contourlab.session.run import check_plots
 from contourlab.studies.identification.finding import Figure, Finding, Picture
@@ -81,12 +81,12 @@ def identify_log(
 
 def axis_file(found: Finding) -> str:
     """Return the text of the axis file, with where each number is from behind it."""
-    listed = [list(one) for one in found.correlations]
-    tables: dict[str, Any] = {"correlations": Noted(listed, "of what was fitted together")} if listed else {}
+    together = [list(one) for one in found.correlations]
+    tables: dict[str, Any] = {"correlations": Noted(together, "of what was fitted together")} if together else {}
     for name, rows in found.tables.items():
         tables[name] = {key: value if origin is None else _number(key, value, unit, origin) for key, (value, unit, origin) in rows.items()}
     worth = "" if found.fit is None else f": fit {found.fit:.4g} %"
-    head = [f"# Axis {found.axis}, model {found.model}, identified from {_named(found.sources)}{worth}."]
+    head = [f"# Axis {found.axis}, model {found.model}, identified from {listed(found.sources)}{worth}."]
     if "plant" not in tables:
         head.append("# Tables of an axis file; what is not in these logs is to be added.")
     head += [f"# {remark}" for remark in found.remarks]
@@ -98,14 +98,10 @@ def _number(key: str, value: Any, unit: str, origin: Origin) -> Noted:
     return Noted(origin_table(f"{from_si(value, shown):.6g} {shown}", origin, lambda number: f"{from_si(number, shown):.3g} {shown}"))
 
 
-def _named(sources: Sequence[str]) -> str:
-    return ", ".join(sources) if len(sources) <= 3 else f"{', '.join(sources[:2])} and {len(sources) - 2} more"
-
-
 def _text(found: Finding, notes: Sequence[str]) -> str:
     rows = [("parameter", "value", "unit", "deviation", "with colour", "%"), *(_cells(figure) for figure in found.figures)]
     widths = [max(len(row[i]) for row in rows) for i in range(len(rows[0]))]
-    lines = [f"{_named(found.sources)}, axis {found.axis}"]
+    lines = [f"{listed(found.sources)}, axis {found.axis}"]
     rows = rows if found.figures else []
     lines += ["  ".join(c.ljust(w) if i in (0, 2) else c.rjust(w) for i, (c, w) in enumerate(zip(r, widths, strict=True))) for r in rows]
     lines += [*([f"fit {found.fit:.4g} %"] if found.fit is not None else []), *found.lines]

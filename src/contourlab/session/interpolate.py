@@ -11,7 +11,7 @@ from typing import Any
 from contourlab.analysis.interpolation import interpolation_order
 from contourlab.analysis.quadrature import QuadratureConstants, fit_ellipse
 from contourlab.analysis.quadrature_tracking import track_ellipse
-from contourlab.errors import ParameterError, ResultError
+from contourlab.errors import ParameterError, ResultError, UnitError
 from contourlab.session.interpolate_text import counts_csv, summary_json, summary_text
 from contourlab.session.interpolated_record import InterpolatedRecord
 from contourlab.session.quadrature_record import read_quadrature
@@ -77,7 +77,7 @@ def interpolate_file(
     OutputError
         If the results cannot be written; then none is.
     """
-    period, count = _length(pitch), _length(resolution)
+    period, count = _length("--pitch", pitch, "20 um"), _length("--resolution", resolution, "25 nm")
     order = interpolation_order(period, count)
     record = read_quadrature(file, columns, reference)
     try:
@@ -96,10 +96,13 @@ def interpolate_file(
     return Interpolated(summary["missed"]["n_sample"] == 0, summary, summary_text(summary))
 
 
-def _length(text: str) -> float:
-    """Read a length, also one whose number and unit stand together, such as ``20um``."""
+def _length(option: str, text: str, example: str) -> float:
+    """Read a length, also one in micrometres by their sign, such as ``20µm``."""
     parted = re.fullmatch(r"\s*([-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?)\s*(\D.*)", text)
-    return to_si(f"{parted[1]} {parted[2].replace(MICRO, 'u').replace(MU, 'u')}" if parted else text, "m")
+    try:
+        return to_si(f"{parted[1]} {parted[2].replace(MICRO, 'u').replace(MU, 'u')}" if parted else text, "m")
+    except UnitError as error:
+        raise ParameterError(option, repr(text), f'a length with its unit, such as "{example}"') from error
 
 
 def _write(folder: Path, judged: InterpolatedRecord, summary: dict[str, Any]) -> dict[str, str]:

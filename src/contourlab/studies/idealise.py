@@ -11,7 +11,8 @@ from dataclasses import replace
 from contourlab.components.contract import Component
 from contourlab.components.friction.none import NoFriction
 from contourlab.components.sensor.ideal import IdealSensor
-from contourlab.loop.machine import AxisController, AxisError, Controller, Machine
+from contourlab.loop.axis_parts import AxisError
+from contourlab.loop.machine import AxisController, Controller, Machine
 
 __all__ = [
     "perfect_geometry",

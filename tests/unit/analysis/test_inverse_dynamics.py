@@ -233,7 +233,7 @@ def test_parameters_that_one_speed_does_not_tell_apart_are_named() -> None:
     """Rows at the reversals are left out: what remains has one speed, so that v and sign(v) are one column."""
     t = PERIOD * np.arange(4000)
     way = np.where((t // 0.5) % 2 == 0, 1.0, -1.0)
-    whole = InverseDynamicsSettings(cutoff=499.99999, order=1, decimation=1, dropped=(0, 0), slowest_velocity=0.049)
+    whole = InverseDynamicsSettings(cutoff=499.99999, order=1, decimation=1, dropped=(0, 0), slowest=0.049)
     with pytest.raises(ParameterError, match="tells Fv and Fc apart"):
         identify_inverse_dynamics(t, 0.05 * PERIOD * np.cumsum(way), 20.0 * way + 3.0, whole)
 
@@ -246,7 +246,7 @@ def test_rest_is_remarked_on_and_left_out_when_asked() -> None:
     force = np.where(t > t[stop], 11.0, force_of(v, a, **AXIS))  # any force up to Coulomb friction holds
     whole = identify_inverse_dynamics(t, q, force, SETTINGS)
     assert any("stand still" in said for said in whole.remarks)
-    moving = identify_inverse_dynamics(t, q, force, replace(SETTINGS, slowest_velocity=5e-3))
+    moving = identify_inverse_dynamics(t, q, force, replace(SETTINGS, slowest=5e-3))
     assert not any("stand still" in said for said in moving.remarks)
     assert moving["offset"] == pytest.approx(AXIS["offset"], abs=0.2)
     assert abs(whole["offset"] - AXIS["offset"]) > 1.0

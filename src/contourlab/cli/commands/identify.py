@@ -42,7 +42,7 @@ def identify(
     ] = None,
     lead: Annotated[str | None, typer.Option(help='two-inertia: travel per turn, as "10 mm".', show_default=False)] = None,
     side: Annotated[str, typer.Option(help="two-inertia: where the position is measured, motor or load.")] = "motor",
-    out: Annotated[Path | None, typer.Option(help="The axis file to write.", show_default=False)] = None,
+    out: Annotated[Path | None, typer.Option(help="The axis file to write; folders above it are made.", show_default=False)] = None,
     folder: Annotated[Path, typer.Option(help="Folder of the pictures.")] = Path("results"),
     as_json: Json = False,
     plots: Plots = None,

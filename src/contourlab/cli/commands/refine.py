@@ -36,7 +36,8 @@ def refine(
     starts: Annotated[int, typer.Option(help="Descents, from the scenario's numbers and from others around them.")] = 3,
     plugin: Plugins = None,
     machine: Annotated[
-        Path | None, typer.Option("--out", help="The machine's file to write; controllers beside it.", show_default=False)
+        Path | None,
+        typer.Option("--out", help="The machine's file to write, controllers beside it; folders above are made.", show_default=False),
     ] = None,
     folder: Annotated[Path, typer.Option(help="Folder of the pictures.")] = Path("results"),
     as_json: Json = False,

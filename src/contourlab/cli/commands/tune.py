@@ -37,7 +37,7 @@ def tune(
     starts: Annotated[int, typer.Option(help="Starts of the global search.")] = 5,
     seed: Seed = 0,
     threads: Threads = None,
-    out: Annotated[Path | None, typer.Option(help="The controller file to write.", show_default=False)] = None,
+    out: Annotated[Path | None, typer.Option(help="The controller file to write; folders above it are made.", show_default=False)] = None,
     folder: Annotated[Path, typer.Option(help="Folder of the pictures.")] = Path("results"),
     as_json: Json = False,
     plots: Plots = None,

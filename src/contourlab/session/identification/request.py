@@ -2,17 +2,18 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 
 from contourlab.errors import ParameterError, UnitError
 from contourlab.logs import Log
-from contourlab.session.log_choice import LogChoice, open_log
+from contourlab.session.log_choice import LogChoice, open_log, told_apart
 from contourlab.studies.identification.doubts import doubts
 from contourlab.studies.identification.signals import AxisRecord, axis_pieces, axis_record
 from contourlab.units import split, to_si
 
-__all__ = ["Request", "per_command"]
+__all__ = ["Request", "listed", "per_command"]
 
 
 @dataclass(frozen=True)
@@ -40,8 +41,8 @@ class Request:
         Travel per turn, as ``"10 mm"``.
     side : str
         Where the position is measured, ``"motor"`` or ``"load"``.
-    notes : list of str
-        What reading the logs had to say; filled while they are read.
+    said : dict of str to list of str
+        What reading the logs had to say, and of which of them; filled while they are read.
     doubts : list of str
         What stands against their signals, in words; filled alike.
     """
@@ -59,8 +60,14 @@ class Request:
     velocity_gain: str | None = None
     lead: str | None = None
     side: str = "motor"
-    notes: list[str] = field(default_factory=list)
+    said: dict[str, list[str]] = field(default_factory=dict)
     doubts: list[str] = field(default_factory=list)
+
+    @property
+    def notes(self) -> list[str]:
+        """What reading the logs had to say: of which of them, where it is not of all."""
+        count = len(self.choices) + (self.validation is not None)
+        return [note if len(named) == count else f"{listed(named)}: {note}" for note, named in self.said.items()]
 
     def records(self, *, pieces: bool = False) -> list[AxisRecord]:
         """Return the axis' signals of all logs; with `pieces` a record for each stretch between long gaps, not the longest alone."""
@@ -74,12 +81,18 @@ class Request:
             return None
         return self._read(replace(self.choices[0], file=self.validation))[0]
 
+    def _name(self, file: str | Path) -> str:
+        """Return what a log is called among those of this request."""
+        files = [choice.file for choice in self.choices] + ([] if self.validation is None else [self.validation])
+        return dict(zip(map(Path, files), told_apart(files), strict=True))[Path(file)]
+
     def _read(self, choice: LogChoice, pieces: bool = False) -> tuple[AxisRecord, ...]:
         log = open_log(choice)
         self._check_unit(log)
-        given = self.axis, self.force_gain(), self._full_scale()
+        given = self.axis, self.force_gain(), self._full_scale(), self._name(choice.file)
         found = axis_pieces(log, *given) if pieces else (axis_record(log, *given),)
-        self.notes.extend(note for note in log.notes if note not in self.notes)
+        for note in log.notes:
+            self.said.setdefault(note, []).append(self._name(choice.file))
         said = dict.fromkeys(words for record in found for words in (*record.notes, *doubts(record)))
         self.doubts.extend(words for words in said if words not in self.doubts)
         return found
@@ -124,6 +137,15 @@ class Request:
     def force_gain(self) -> float | None:
         """Return the force per command [N per unit of command], or None."""
         return None if self.gain is None else per_command("--gain", self.gain, "N", 'a force per command, such as "35.15 N/V"')
+
+
+def listed(names: Sequence[str]) -> str:
+    """Return names of logs in words, a few of many.
+
+    >>> listed(["a", "b", "c", "d"])
+    'a, b and 2 more'
+    """
+    return ", ".join(names) if len(names) <= 3 else f"{', '.join(names[:2])} and {len(names) - 2} more"
 
 
 def per_command(option: str, text: str, top: str, wanted: str) -> float:

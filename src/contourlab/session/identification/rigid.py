@@ -11,8 +11,6 @@ from contourlab.studies.identification.rigid import identify_rigid
 
 __all__ = ["study"]
 
-OPTIONS = {"slowest_velocity": "--slowest", "cutoff": "--cutoff", "decimation": "--decimation"}
-"""Settings as the command line calls them."""
 FRICTION = {"rigid": "symmetric", "rigid-by-direction": "asymmetric"}
 
 
@@ -24,10 +22,6 @@ def study(request: Request) -> Finding:
         raise ParameterError("--full-scale", request.full_scale, f"left out: model {request.model} takes forces, by --gain")
     if len(request.choices) > 1:
         raise ParameterError("LOG", f"{len(request.choices)} logs", f"one: model {request.model} takes a single run and --validation")
-    try:
-        settings = InverseDynamicsSettings(FRICTION[request.model], cutoff=cutoff, decimation=request.decimation, slowest_velocity=slowest)
-        return identify_rigid(request.record(), settings, request.second())
-    except ParameterError as error:
-        if error.name not in OPTIONS:
-            raise
-        raise ParameterError(OPTIONS[error.name], error.value, error.bound, error.unit) from error
+    # Settings have the names of their options: where one was typed, the command line calls it so.
+    settings = InverseDynamicsSettings(FRICTION[request.model], cutoff=cutoff, decimation=request.decimation, slowest=slowest)
+    return identify_rigid(request.record(), settings, request.second())

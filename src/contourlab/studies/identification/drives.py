@@ -18,6 +18,7 @@ from contourlab.analysis.drive_models import (
     resonances,
     two_inertia,
 )
+from contourlab.analysis.filtered_motion import filtered_motion
 from contourlab.analysis.frequency_response import MeasuredResponse
 from contourlab.analysis.identification_remarks import on_mass
 from contourlab.components.origin import Origin
@@ -36,12 +37,14 @@ from contourlab.studies.identification.finding import (
 )
 from contourlab.studies.identification.frequency import FEW, bode_graphs, measured_response, response_points
 from contourlab.studies.identification.plant_tables import Forces, drive_table, forces_of, plant_numbers, plant_table
-from contourlab.studies.identification.signals import AxisRecord, measured_tables
+from contourlab.studies.identification.signals import AxisRecord, measured_tables, source_of
 
 __all__ = ["identify_linear_motor", "identify_two_inertia"]
 
 CURVE = 400
 """Points of a model's curve."""
+BEYOND, BELOW_NYQUIST = 2.0, 0.4
+"""Cut-off ahead of accelerations: of the highest frequency that was fitted, and at most of the sampling frequency."""
 SMOOTHED, SLOW, RARELY = 0.005, 0.1, 0.05
 """Time [s] over which speed is told, share of the largest from which it counts as motion, share of the samples that turning round is."""
 
@@ -63,7 +66,7 @@ def identify_linear_motor(records: Sequence[AxisRecord]) -> Finding:
     fit = fit_linear_motor(found)
     forces = forces_of(records)
     worth = _motor_worth(forces, fit)
-    tables = {**_motor_tables(records, forces, fit, worth.deviations), **measured_tables(records[0])} if fit.usable else {}
+    tables = {**_motor_tables(records, forces, fit, worth.deviations), **_measured(records, fit)} if fit.usable else {}
     return _finding("linear-motor", records, found, fit, tables, (), worth=worth)
 
 
@@ -97,7 +100,7 @@ def identify_two_inertia(records: Sequence[AxisRecord], side: str = "motor", lea
             remarks.append("an axis file of two inertias takes --lead, and --gain where the log has no force")
         else:
             worth = _inertia_worth(fit, lead)
-            tables = {**_inertia_tables(records, fit, lead, worth.deviations), **measured_tables(records[0])}
+            tables = {**_inertia_tables(records, fit, lead, worth.deviations), **_measured(records, fit)}
     return _finding("two-inertia", records, found, fit, tables, tuple(lines), tuple(remarks), worth)
 
 
@@ -182,8 +185,18 @@ def _left(fit: DriveFit, label: str, values: NDArray[np.float64]) -> Graph:
 
 
 def _told(records: Sequence[AxisRecord], deviation: float, note: str = "") -> Origin:
-    more = f" and {len(records) - 1} more" if len(records) > 1 else ""
-    return fitted(f"{records[0].source}{more}", deviation, note or "frequency response")
+    return fitted(source_of(records), deviation, note or "frequency response")
+
+
+def _measured(records: Sequence[AxisRecord], fit: DriveFit) -> dict[str, dict[str, Row]]:
+    """Return what the logs tell beside the response; accelerations as far as frequencies were fitted, above them counts and noise rule."""
+    found = []
+    for record in records:
+        cutoff = min(BEYOND * float(fit.frequency[-1]), BELOW_NYQUIST / record.period)
+        ends = math.ceil(1.0 / (cutoff * record.period))
+        acceleration = filtered_motion(record.position, record.period, cutoff=cutoff).acceleration
+        found.append(float(np.abs(acceleration[ends:-ends]).max(initial=0.0)))
+    return measured_tables(records, max(found))
 
 
 def _worth(fit: DriveFit, numbers: Callable[[Mapping[str, float]], Mapping[str, float]]) -> Carried:

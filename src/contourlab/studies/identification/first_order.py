@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
+import numpy as np
+
 from contourlab.analysis.closed_first_order import identify_closed_loop
 from contourlab.analysis.first_order import FirstOrderFit, FirstOrderSettings, identify_first_order
 from contourlab.analysis.identification_remarks import on_mass
@@ -14,6 +16,10 @@ from contourlab.studies.identification.plant_tables import Forces, drive_table, 
 from contourlab.studies.identification.signals import AxisRecord, measured_tables
 
 __all__ = ["identify_behind_observer", "identify_open_loop"]
+
+
+AT_REST = 1e-3
+"""Share of the largest speed below which friction counts against the command, not against the motion."""
 
 
 def identify_open_loop(record: AxisRecord, settings: FirstOrderSettings | None = None) -> Finding:
@@ -162,5 +168,13 @@ def _tables(record: AxisRecord, forces: Forces, fit: FirstOrderFit, deviations: 
         "friction": {"kind": ("coulomb", "", None), "coulomb": (friction, forces.unit, told("friction.coulomb"))},
         "disturbance": {"kind": ("constant", "", None), "force": (-offset, forces.unit, told("disturbance.force"))},
         "drive": drive_table(forces, fit["delay"], told),
-        **measured_tables(record),
+        **measured_tables([record], _acceleration(fit)),
     }
+
+
+def _acceleration(fit: FirstOrderFit) -> float:
+    """Return the largest acceleration [m/s^2] of the model: what of the command is left over friction and damping."""
+    v, u, friction = fit.predicted, fit.command - fit["offset"], fit["friction"]
+    rests = np.abs(v) < AT_REST * np.abs(v).max()
+    force = np.where(rests, np.sign(u) * np.maximum(np.abs(u) - friction, 0.0), u - friction * np.sign(v))
+    return float(np.abs(fit["a"] * force - fit["b"] * v).max())

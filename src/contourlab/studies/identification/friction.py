@@ -21,7 +21,7 @@ from contourlab.studies.identification.finding import (
     fitted,
     of_command,
 )
-from contourlab.studies.identification.signals import NO_PLANT, AxisRecord, fits_a_plant, one_unit, sources_of
+from contourlab.studies.identification.signals import NO_PLANT, AxisRecord, fits_a_plant, one_unit, source_of, sources_of
 from contourlab.studies.identification.ways import on_ways
 
 __all__ = ["identify_friction"]
@@ -61,7 +61,7 @@ def identify_friction(records: Sequence[AxisRecord], settings: StretchSettings |
         remarks.append(NO_PLANT.format(unit=unit))
         shown = None
     elif shown is not fit.chosen and shown is not None:
-        remarks.append(f"the curve is below zero at rest: an axis file is given {shown.model.name}, fit {shown.fit:.4g} %")
+        remarks.append(f"the curve is below zero at rest: an axis file is given {shown.name}, fit {shown.fit:.4g} %")
     if shown is not None:
         remarks += on_ways(_values(shown), _units(unit))
     if shown is not None and _mean(_values(shown), "Fv") > 0.0:
@@ -113,7 +113,7 @@ def _lines(stretches: Sequence[Stretch], unit: str) -> tuple[str, ...]:
 
 def _more(fit: FrictionFit, stretches: Sequence[Stretch], unit: str) -> dict[str, object]:
     return {
-        "friction_model": fit.chosen.model.name,
+        "friction_model": fit.chosen.name,
         "scatter_between_runs": fit.chosen.scatter,
         "points": [
             {
@@ -129,7 +129,7 @@ def _more(fit: FrictionFit, stretches: Sequence[Stretch], unit: str) -> dict[str
         ],
         "tried": [
             {
-                "model": curve.model.name,
+                "model": curve.name,
                 "aicc": curve.criterion if np.isfinite(curve.criterion) else None,
                 "fit_percent": curve.fit,
                 "parameters": dict(zip(curve.names, curve.values.tolist(), strict=True)),
@@ -153,11 +153,6 @@ def _mean(x: Mapping[str, float], name: str) -> float:
     return 0.5 * (x[f"{name}+"] + x[f"{name}-"]) if f"{name}+" in x else x.get(name, 0.0)
 
 
-def _rises(curve: FrictionCurve) -> bool:
-    """Tell whether a curve is least at rest: the component is another one than that of a Stribeck dip."""
-    return curve.model.stribeck and _mean(_values(curve), "drop") < 0.0
-
-
 def _numbers(x: Mapping[str, float], rises: bool) -> dict[str, float]:
     """Return the numbers of the axis file: a component has one friction for both directions, and what differs in level is an offset."""
     found = {"friction.coulomb": max(_mean(x, "Fc"), 0.0), "friction.viscous": max(_mean(x, "Fv"), 0.0)}
@@ -173,18 +168,17 @@ def _values(curve: FrictionCurve) -> dict[str, float]:
 
 def _worth(curve: FrictionCurve) -> Carried:
     """Return what the numbers of the axis file are worth."""
-    rises = _rises(curve)
+    rises = curve.rises
     return carried(lambda x: _numbers(x, rises), curve.names, curve.values, curve.deviations, curve.correlation)
 
 
 def _tables(curve: FrictionCurve, unit: str, records: Sequence[AxisRecord], worth: Carried) -> Tables:
-    named = sources_of(records)
-    source = named[0] if len(named) == 1 else f"{named[0]} and {len(named) - 1} more"
+    source = source_of(records)
     shown = unit or "full_scale"
     units = {"friction.viscous": f"{shown}*s/m", f"friction.{DIP}": "m/s", f"friction.{RISE}": "m/s"}
-    kind: Row = ("rising" if _rises(curve) else "coulomb", "", None)
+    kind: Row = ("rising" if curve.rises else "coulomb", "", None)
     tables: dict[str, dict[str, Row]] = {"friction": {"kind": kind}, "disturbance": {"kind": ("constant", "", None)}}
-    for name, value in _numbers(_values(curve), _rises(curve)).items():
+    for name, value in _numbers(_values(curve), curve.rises).items():
         table, _, key = name.partition(".")
         note = "offset of the command" if table == "disturbance" else "constant speeds"
         tables[table][key] = (value, units.get(name, shown), fitted(source, worth.deviations[name], note))
@@ -201,8 +195,7 @@ def _pictures(curve: FrictionCurve, stretches: Sequence[Stretch], unit: str, axi
     model = curve.at(np.where(np.isnan(line), top, line))
     model[np.isnan(line)] = np.nan
     rest = u - curve.predicted
-    name = curve.model.name.replace("Stribeck", "a rise") if _rises(curve) else curve.model.name
-    curves: dict[str, Drawn] = {"measured, two deviations": (1e3 * v, u, 2.0 * s), name: (1e3 * line, model)}
+    curves: dict[str, Drawn] = {"measured, two deviations": (1e3 * v, u, 2.0 * s), curve.name: (1e3 * line, model)}
     over = of_command(unit).replace("command", "residual")
     left = Graph("velocity [mm/s]", over, {"residual, two deviations": (1e3 * v, rest, 2.0 * s)})
     title = f"Friction of axis {axis} at constant speed"

@@ -21,12 +21,9 @@ from contourlab.studies.identification.finding import (
     Finding,
     Graph,
     Picture,
-    Row,
     Tables,
-    assumed,
     carried,
     fitted,
-    limit,
 )
 from contourlab.studies.identification.plant_tables import Forces, drive_table, forces_of, plant_numbers, plant_table
 from contourlab.studies.identification.signals import AxisRecord, measured_tables
@@ -121,19 +118,13 @@ def _tables(record: AxisRecord, forces: Forces, fit: InverseDynamicsFit, worth: 
     def told(name: str, note: str = "") -> Origin:
         return fitted(record.source, worth.deviations[name], note)
 
-    tables: dict[str, dict[str, Row]] = {
+    return {
         "plant": plant_table(forces, 1.0 / value["plant.mass"], value["plant.damping"] / value["plant.mass"], told),
         "friction": {"kind": ("coulomb", "", None), "coulomb": (value["friction.coulomb"], "N", told("friction.coulomb"))},
         "disturbance": {"kind": ("constant", "", None), "force": (value["disturbance.force"], "N", told("disturbance.force"))},
         "drive": drive_table(forces, 0.0, told),
-        **measured_tables(record),
+        **measured_tables([record], _acceleration(fit)),
     }
-    fastest = _acceleration(fit)
-    tables["limits"] |= {
-        "acceleration": limit(fastest, "m/s^2", record.source),
-        "jerk": (100.0 * fastest, "m/s^3", assumed("the acceleration in 10 ms")),
-    }
-    return tables
 
 
 def _acceleration(fit: InverseDynamicsFit) -> float:

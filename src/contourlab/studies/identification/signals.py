@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from contourlab.errors import ResultError
 from contourlab.logs import Log
 from contourlab.result import Result
-from contourlab.studies.identification.finding import Row, limit, reached
+from contourlab.studies.identification.finding import Row, assumed, limit, reached
 
 __all__ = [
     "NO_PLANT",
@@ -23,6 +23,7 @@ __all__ = [
     "fits_a_plant",
     "measured_tables",
     "one_unit",
+    "source_of",
     "sources_of",
 ]
 
@@ -162,7 +163,9 @@ def chosen_axis(result: Result, axis: str | None) -> str:
     return axis
 
 
-def axis_pieces(log: Log, axis: str | None = None, gain: float | None = None, full_scale: float | None = None) -> tuple[AxisRecord, ...]:
+def axis_pieces(
+    log: Log, axis: str | None = None, gain: float | None = None, full_scale: float | None = None, source: str | None = None
+) -> tuple[AxisRecord, ...]:
     """Return the signals of an axis of a log, one record for each stretch without a long gap.
 
     Parameters
@@ -173,6 +176,8 @@ def axis_pieces(log: Log, axis: str | None = None, gain: float | None = None, fu
     gain : float [N per unit of command], optional
     full_scale : float [unit of the command], optional
         What counts as full scale of the command, which is told in parts of it then.
+    source : str, optional
+        What the log is called; by default by the name of its file.
 
     Raises
     ------
@@ -180,7 +185,7 @@ def axis_pieces(log: Log, axis: str | None = None, gain: float | None = None, fu
         If the log has several axes and none is named, or no position; or a gain is given for a log of forces alone.
     """
     name = chosen_axis(log.result, axis)
-    whole = _whole(log, name, gain, full_scale)
+    whole = _whole(log, name, gain, full_scale, source or log.record.file.name)
     spans = log.stretches(name)
     if spans == [(0, whole.position.size)]:
         return (whole,)
@@ -189,9 +194,11 @@ def axis_pieces(log: Log, axis: str | None = None, gain: float | None = None, fu
     return tuple(whole.part(*span) for span in spans)
 
 
-def axis_record(log: Log, axis: str | None = None, gain: float | None = None, full_scale: float | None = None) -> AxisRecord:
+def axis_record(
+    log: Log, axis: str | None = None, gain: float | None = None, full_scale: float | None = None, source: str | None = None
+) -> AxisRecord:
     """Return the signals of an axis over the longest stretch of a log that has no long gap; parameters as of `axis_pieces`."""
-    pieces = axis_pieces(log, axis, gain, full_scale)
+    pieces = axis_pieces(log, axis, gain, full_scale, source)
     longest = max(pieces, key=lambda piece: piece.position.size)
     if len(pieces) == 1 and longest.position.size == log.result.n_sample:
         return longest
@@ -200,7 +207,7 @@ def axis_record(log: Log, axis: str | None = None, gain: float | None = None, fu
     return replace(longest, notes=(words,))
 
 
-def _whole(log: Log, axis: str, gain: float | None, full_scale: float | None) -> AxisRecord:
+def _whole(log: Log, axis: str, gain: float | None, full_scale: float | None, source: str) -> AxisRecord:
     """Return the signals of an axis, gaps and all."""
     result = log.result
     column = result.axes.index(axis)
@@ -216,7 +223,7 @@ def _whole(log: Log, axis: str, gain: float | None, full_scale: float | None) ->
     command, force = of("command"), of("force")
     logged = unit = result.signals["command"].unit if command is not None else ""
     if command is None and gain is not None and force is not None:
-        raise ResultError(f"{log.record.file.name} has the force of {axis} and no command: leave --gain out")
+        raise ResultError(f"{source} has the force of {axis} and no command: leave --gain out")
     if gain is not None and command is not None:
         command, unit = gain * command, "N"
     elif full_scale is not None and command is not None:
@@ -224,21 +231,46 @@ def _whole(log: Log, axis: str, gain: float | None, full_scale: float | None) ->
     elif gain is None and force is not None:
         command, unit = force, "N"
     signals = position, command, unit, of("reference"), of("disturbance_estimate")
-    return AxisRecord(log.record.file.name, axis, result.servo_period, *signals, gain=1.0 if gain is None else gain, logged=logged)
+    return AxisRecord(source, axis, result.servo_period, *signals, gain=1.0 if gain is None else gain, logged=logged)
 
 
-def measured_tables(record: AxisRecord) -> dict[str, dict[str, Row]]:
-    """Return the tables of an axis file that any log tells: the encoder, and limits of the motion as far as a log has them."""
-    steps = np.abs(np.diff(record.position))
-    stride = max(1, round(0.002 / record.period))
-    speed = np.abs(np.diff(record.position[::stride])) / (stride * record.period)
+def source_of(records: Sequence[AxisRecord]) -> str:
+    """Return what an axis file says a number is from that several logs tell: the first, and how many more there are."""
+    named = sources_of(records)
+    return named[0] if len(named) == 1 else f"{named[0]} and {len(named) - 1} more"
+
+
+def measured_tables(records: Sequence[AxisRecord], acceleration: float) -> dict[str, dict[str, Row]]:
+    """Return the tables of an axis file that any log tells: the encoder, and limits of the motion as far as logs have them.
+
+    Parameters
+    ----------
+    records : sequence of AxisRecord
+        Of one axis.
+    acceleration : float [m/s^2]
+        The largest in them.
+    """
+    source = source_of(records)
+    velocity = max(_fastest(record) for record in records)
     tables: dict[str, dict[str, Row]] = {
-        "limits": {"velocity": limit(float(speed.max()) if speed.size else 0.0, "m/s", record.source)},
+        "limits": {
+            "velocity": limit(velocity, "m/s", source),
+            "acceleration": limit(acceleration, "m/s^2", source),
+            "jerk": (100.0 * acceleration, "m/s^3", assumed("the acceleration in 10 ms")),
+        },
     }
+    steps = np.concatenate([np.abs(np.diff(record.position)) for record in records])
     seen = steps[steps > 1e-12]
     if seen.size:
         tables["sensor"] = {
             "kind": ("encoder", "", None),
-            "resolution": (float(seen.min()), "m", reached(record.source, "the smallest step in the log")),
+            "resolution": (float(seen.min()), "m", reached(source, "the smallest step in the log")),
         }
     return tables
+
+
+def _fastest(record: AxisRecord) -> float:
+    """Return the largest velocity [m/s]."""
+    stride = max(1, round(0.002 / record.period))
+    speed = np.abs(np.diff(record.position[::stride])) / (stride * record.period)
+    return float(speed.max()) if speed.size else 0.0

@@ -11,7 +11,7 @@ import numpy as np
 from contourlab.analysis.stiction import Breakaway, breakaways
 from contourlab.errors import ParameterError
 from contourlab.studies.identification.finding import Drawn, Figure, Finding, Graph, Picture, Row, Tables, assumed, fitted, of_command
-from contourlab.studies.identification.signals import NO_PLANT, AxisRecord, fits_a_plant, one_unit, sources_of
+from contourlab.studies.identification.signals import NO_PLANT, AxisRecord, fits_a_plant, one_unit, source_of, sources_of
 
 __all__ = ["identify_stiction"]
 
@@ -113,7 +113,7 @@ def _tables(by_way: dict[str, list[Breakaway]], unit: str, records: Sequence[Axi
     level = float(np.mean([_levels(ones).mean() for ones in ways]))
     spread = float(np.hypot.reduce([_spread(ones) for ones in ways])) / len(ways)
     shown, count = unit or "full_scale", sum(len(ones) for ones in ways)
-    told = fitted(records[0].source, spread, f"spread over {count} slow ramps")
+    told = fitted(source_of(records), spread, f"spread over {count} slow ramps")
     friction: dict[str, Row] = {
         "kind": ("coulomb", "", None),
         "coulomb": (level, shown, assumed("as at rest")),
@@ -122,7 +122,7 @@ def _tables(by_way: dict[str, list[Breakaway]], unit: str, records: Sequence[Axi
     tables: dict[str, dict[str, Row]] = {"friction": friction}
     if len(ways) == 2:
         forward, backward = (float(_levels(ones).mean()) for ones in by_way.values())
-        half = fitted(records[0].source, spread, "half the difference of the two directions")
+        half = fitted(source_of(records), spread, "half the difference of the two directions")
         tables["disturbance"] = {"kind": ("constant", "", None), "force": (0.5 * (backward - forward), shown, half)}
     return tables
 

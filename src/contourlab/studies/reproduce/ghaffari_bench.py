@@ -16,7 +16,8 @@ from contourlab.components.friction.none import NoFriction
 from contourlab.components.sensor.ideal import IdealSensor
 from contourlab.engine.runner import make_group
 from contourlab.geometry import Line, Path
-from contourlab.loop.machine import AxisController, Controller, Limits, Machine
+from contourlab.loop.axis_parts import Limits
+from contourlab.loop.machine import AxisController, Controller, Machine
 from contourlab.loop.simulate import jit_enabled
 from contourlab.loop.template import build
 from contourlab.studies.reproduce.ghaffari_setup import AXES, TABLE_2, TABLE_3, Gains, Reading, axis, axis_controller

@@ -17,7 +17,8 @@ from contourlab.analysis.closed_first_order import identify_closed_loop
 from contourlab.components.controller.position import PositionController
 from contourlab.engine.runner import make_group
 from contourlab.geometry import Line, Path
-from contourlab.loop.machine import Controller, Limits, Machine
+from contourlab.loop.axis_parts import Limits
+from contourlab.loop.machine import Controller, Machine
 from contourlab.loop.simulate import jit_enabled
 from contourlab.loop.template import build
 from contourlab.studies.reproduce.ghaffari_setup import AXES, TABLE_2, TABLE_3, Gains, Reading, axis, axis_controller

@@ -19,7 +19,8 @@ from contourlab.components.observer.disturbance_observer import DisturbanceObser
 from contourlab.components.plant.rigid_axis import RigidAxis
 from contourlab.components.sensor.encoder import Encoder
 from contourlab.components.velocity.filtered_difference import FilteredDifference
-from contourlab.loop.machine import Axis, AxisController, Controller, Limits, Machine
+from contourlab.loop.axis_parts import Limits
+from contourlab.loop.machine import Axis, AxisController, Controller, Machine
 
 __all__ = ["AXES", "PLACED_POLES", "TABLE_2", "TABLE_3", "Gains", "Reading", "axis_controller", "controller", "machine"]
 

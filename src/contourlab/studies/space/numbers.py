@@ -57,8 +57,11 @@ class Number:
     logarithmic: bool = True
 
     def __post_init__(self) -> None:
-        if not (math.isfinite(self.low) and math.isfinite(self.high) and self.low < self.high):
-            raise ParameterError(self.name, self.bounds, "finite, the lower one first")
+        if not (math.isfinite(self.low) and math.isfinite(self.high)):
+            raise ParameterError(self.name, self.bounds, "finite")
+        if not self.low < self.high:
+            wanted = "two that differ: leave out a number that is to stay" if self.low == self.high else "in order, the lower one first"
+            raise ParameterError(self.name, self.bounds, wanted)
         if self.logarithmic and self.low <= 0.0:
             raise ParameterError(self.name, self.bounds, "above 0 for equal factors")
 

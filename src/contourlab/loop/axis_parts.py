@@ -1,0 +1,80 @@
+"""What an axis is besides its components: what it may be asked for, and how its tool strays from what the encoder sees."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+
+import numpy as np
+from numpy.typing import NDArray
+
+from contourlab.components.origin import Origin
+from contourlab.errors import ParameterError
+
+__all__ = ["AxisError", "Limits"]
+
+
+@dataclass(frozen=True)
+class Limits:
+    """What an axis may be asked for.
+
+    Attributes
+    ----------
+    velocity : float [m/s], > 0
+    acceleration : float [m/s^2], > 0
+    jerk : float [m/s^3], > 0
+    following_error : float [m], > 0
+        A larger tracking error ends the run as diverged, as a drive would trip.
+    travel : tuple of two floats [m]
+        Lowest and highest position of the axis.
+    origins : mapping of str to Origin
+        Where the numbers are from, by name.
+    file : str
+        What they were read from, and where one that is missing has to stand; empty where there is none.
+    """
+
+    velocity: float = math.inf
+    acceleration: float = math.inf
+    jerk: float = math.inf
+    following_error: float = 0.05
+    travel: tuple[float, float] = (-math.inf, math.inf)
+    origins: Mapping[str, Origin] = field(default_factory=dict, compare=False, repr=False)
+    file: str = field(default="", compare=False, repr=False)
+
+    def __post_init__(self) -> None:
+        for name in ("velocity", "acceleration", "jerk", "following_error"):
+            value = getattr(self, name)
+            if not value > 0.0:
+                raise ParameterError(f"limits.{name}", f"{value:g}", "> 0")
+        if not self.travel[0] < self.travel[1]:
+            raise ParameterError("limits.travel", f"{self.travel}", "two positions, the lower one first", "m")
+
+
+@dataclass(frozen=True)
+class AxisError:
+    """How the tool's position differs from what the encoder can see, for one axis.
+
+    Attributes
+    ----------
+    position, lead_error : ndarray (n,) [m]
+        Error of the tool's position over the axis' position, rising positions, linear between them; empty for none.
+    repeatability : float [m], >= 0
+        Unidirectional repeatability in the sense of ISO 230-2 (4 s): at each reversal the tool takes a new offset, normal with s = a
+        quarter of it.
+    origins : mapping of str to Origin
+        Where the numbers are from, by name.
+    """
+
+    position: NDArray[np.float64] = field(default_factory=lambda: np.zeros(0))
+    lead_error: NDArray[np.float64] = field(default_factory=lambda: np.zeros(0))
+    repeatability: float = 0.0
+    origins: Mapping[str, Origin] = field(default_factory=dict, compare=False, repr=False)
+
+    def __post_init__(self) -> None:
+        if self.position.shape != self.lead_error.shape or np.any(np.diff(self.position) <= 0.0):
+            raise ParameterError("error.position", "a table", "as long as lead_error, and rising", "m")
+        if not (np.isfinite(self.position).all() and np.isfinite(self.lead_error).all()):
+            raise ParameterError("error.lead_error", "a table", "finite", "m")
+        if not self.repeatability >= 0.0:
+            raise ParameterError("error.repeatability", f"{self.repeatability:g}", ">= 0", "m")
