@@ -200,6 +200,36 @@ def test_numbers_that_were_refined_together_say_so(scene: Path, tmp_path: Path, 
         assert value == pytest.approx(found["correlation"][i][j], abs=1e-4) and value < -0.3
 
 
+def test_numbers_of_two_axes_that_were_refined_together_say_so(scene: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """Under a cross-coupled controller each axis answers to the other: the machine's file has what goes together between them."""
+    coupled = tmp_path / "coupled.toml"
+    text = (scene / "guess-circle.toml").read_text().replace('"guess.toml"', f'"{scene / "guess.toml"}"')
+    coupled.write_text(text + '[controller.estimator]\nkind = "newton"\n[controller.coupling]\nkind = "cross-coupled"\ngain = "1 A/mm"\n')
+    out = tmp_path / "machine.toml"
+    typed = [str(coupled) if word == str(scene / "guess-circle.toml") else word for word in words(scene, "--out", str(out), "--json")]
+    assert main(typed) in (0, 1)
+    found = json.loads(capsys.readouterr().out)
+    assert found["usable"]
+    names = found["correlation_of"]
+    machine = load_machine(out)
+    told = {(one, other): value for one, other, value in machine.correlations}
+    assert len(told) >= 2 and all(one.split(".")[0] != other.split(".")[0] for one, other in told)
+    for (one, other), value in told.items():
+        assert value == pytest.approx(found["correlation"][names.index(f"axes.{one}")][names.index(f"axes.{other}")], abs=1e-4)
+    assert max(map(abs, told.values())) > 0.01
+    # Refined again without one of the axes, what it was told together with the other is no longer so.
+    again = tmp_path / "again.toml"
+    coupled.write_text(coupled.read_text().replace(str(scene / "guess.toml"), str(out)))
+    typed = [word if word != str(out) else str(again) for word in typed if word != "axes.*.plant.damping"]
+    typed[typed.index("axes.*.friction.coulomb=5 N..80 N")] = "axes.x.friction.coulomb=5 N..80 N"
+    del typed[typed.index("--parameter")]
+    assert main(typed) in (0, 1)
+    capsys.readouterr()
+    assert {frozenset(pair[:2]) for pair in load_machine(again).correlations} == {
+        frozenset(pair) for pair in told if "x.friction.coulomb" not in pair
+    }
+
+
 def test_correlations_of_the_file_before_are_kept_only_where_both_numbers_are(
     scene: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:

@@ -80,8 +80,8 @@ def test_stiction_over_ramps(tmp_path: Path, capsys: pytest.CaptureFixture[str])
     assert len(found["ramps"]) == 4 and "spread over 4 slow ramps" in out.read_text()
 
 
-def test_two_inertias_make_an_axis(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    """The response of motor 4, load 3 kg and a shaft at 60 Hz, built from its lines: a multisine of ten periods."""
+def shaken(tmp_path: Path, side: str) -> tuple[str, dict[str, float]]:
+    """Write the log of motor 4, load 3 kg and a shaft at 60 Hz, built from its lines: a multisine of ten periods."""
     from contourlab.analysis.drive_models import held_response, two_inertia
 
     period, lap = PERIOD, 2000
@@ -90,10 +90,36 @@ def test_two_inertias_make_an_axis(tmp_path: Path, capsys: pytest.CaptureFixture
     spectrum = np.zeros(lap // 2 + 1, dtype=complex)
     spectrum[lines] = np.exp(2j * np.pi * np.random.default_rng(0).random(lines.size))
     answer = np.zeros_like(spectrum)
-    answer[lines] = spectrum[lines] * held_response(lambda s: two_inertia(true, s), lines / (lap * period), period)
+    answer[lines] = spectrum[lines] * held_response(lambda s: two_inertia(true, s, side), lines / (lap * period), period)
     force, place = (np.tile(np.fft.irfft(part, lap) * 400.0, 10) for part in (spectrum, answer))
     time = period * np.arange(force.size)
-    log = written(tmp_path / "multisine.csv", "time [s],push [N],pos x [mm]", time, force, 1e3 * place)
+    return written(tmp_path / "multisine.csv", "time [s],push [N],pos x [mm]", time, force, 1e3 * place), true
+
+
+def test_the_load_s_side_makes_an_axis_with_the_motor_s_inertia(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    log, true = shaken(tmp_path, "load")
+    out, turn = tmp_path / "drive.toml", 0.01 / (2.0 * math.pi)
+    words = [log, "--column", "force.x=push", "--model", "two-inertia", "--side", "load", "--lead", "10 mm", "--out", str(out)]
+    found = found_by(words, capsys, code=1)
+    assert any("takes --motor-inertia, of motor and screw" in said for said in found["remarks"]) and not out.exists()
+    inertia = f"{1e4 * 4.0 * turn**2:.8g} kg*cm^2"
+    found = found_by([*words, "--motor-inertia", inertia], capsys)
+    plant = load_axis(out).plant
+    for name, key in (("load_inertia", "load_mass"), ("stiffness", "stiffness"), ("shaft_damping", "shaft_damping")):
+        assert plant.values()[name] == pytest.approx(true[key] * turn**2, rel=0.02), name
+    assert plant.origins["motor_inertia"].source == "assumed" and plant.origins["motor_inertia"].deviation is None
+    # The whole less what is given is off by as much as the whole.
+    deviation = found["parameters"]["mass"]["robust_deviation"] * turn**2
+    assert plant.origins["load_inertia"].deviation == pytest.approx(deviation, rel=0.02)
+    for more, said in ((["--motor-inertia", "1 kg*m^2"], "below the whole inertia"), (["--motor-inertia", "2 kg"], "2 kg*cm^2")):
+        assert main(["identify", *words, *more]) == 2
+        assert said in capsys.readouterr().err
+    assert main(["identify", *words, "--motor-inertia", inertia, "--side", "motor"]) == 2
+    assert "at the motor it is measured" in capsys.readouterr().err
+
+
+def test_two_inertias_make_an_axis(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    log, true = shaken(tmp_path, "motor")
     out = tmp_path / "drive.toml"
     words = [log, "--column", "force.x=push", "--model", "two-inertia", "--lead", "10 mm"]
     figures = found_by([*words, "--out", str(out)], capsys)["parameters"]
@@ -103,6 +129,7 @@ def test_two_inertias_make_an_axis(tmp_path: Path, capsys: pytest.CaptureFixture
     turn = 0.01 / (2.0 * math.pi)
     assert axis.plant.values()["load_inertia"] == pytest.approx(3.0 * turn**2, rel=5e-3)
     assert axis.plant.values()["stiffness"] == pytest.approx(2.4e5 * turn**2, rel=5e-3)
+    assert axis.limits.acceleration > 0.0
     points = found_by([*words[:-2], "--model", "frequency-response"], capsys)["points"]
     assert len(points) > 400 and min(point["coherence"] for point in points[:300]) > 0.99
 

@@ -71,6 +71,8 @@ class Machine:
         Deviation from 90 degrees of two axes: the tool moves along the first one by `squareness` times the second one's position.
     origins : mapping of str to Origin
         Where `servo_period` and the angles (``squareness.x-y``) are from.
+    correlations : tuple of (str, str, float)
+        Of numbers of two axes that were fitted together, such as ``x.plant.damping``; those within an axis are the axis' own.
     """
 
     name: str
@@ -78,6 +80,7 @@ class Machine:
     servo_period: float
     squareness: Mapping[tuple[str, str], float] = field(default_factory=dict)
     origins: Mapping[str, Origin] = field(default_factory=dict, compare=False, repr=False)
+    correlations: tuple[tuple[str, str, float], ...] = field(default=(), compare=False, repr=False)
 
     def __post_init__(self) -> None:
         if not (math.isfinite(self.servo_period) and self.servo_period > 0.0):
@@ -195,7 +198,8 @@ class Machine:
     def swapped(self, name: str, other: Axis) -> Machine:
         """Return the machine with one axis exchanged for another module, which takes its name and place."""
         placed = replace(other, name=name, mounted_on=self.axis(name).mounted_on, alignment=self.axis(name).alignment)
-        return replace(self, axes=tuple(placed if axis.name == name else axis for axis in self.axes))
+        apart = tuple(pair for pair in self.correlations if name not in (one.partition(".")[0] for one in pair[:2]))
+        return replace(self, axes=tuple(placed if axis.name == name else axis for axis in self.axes), correlations=apart)
 
 
 AXIS_SLOTS = ("plant", "friction", "motor_friction", "drive", "sensor", "motor_sensor", "disturbance")

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from itertools import pairwise
 from typing import Any
 
@@ -13,8 +13,9 @@ from contourlab.components.contract import Component
 from contourlab.loop import Axis, AxisController, AxisError, Controller, Division, Limits, Machine
 from contourlab.loop.machine import AXIS_SLOTS
 from contourlab.scenario.components import find_kind, located, read_component, read_values, read_wishes
+from contourlab.scenario.correlations import read_correlations, read_machine_correlations
 from contourlab.scenario.files import EVERY
-from contourlab.scenario.provenance import read_correlations, without_origins
+from contourlab.scenario.provenance import without_origins
 from contourlab.scenario.quantities import read_number
 from contourlab.scenario.tables import (
     AxisControllerTable,
@@ -119,7 +120,8 @@ def build_machine(part: Table) -> Machine:
     angles, from_where = without_origins(table.table("squareness"))
     origins |= {f"squareness.{pair}": origin for pair, origin in from_where.items()}
     with located(table):
-        return Machine(plain.name, built, plain.servo_period, _squareness(angles, names), origins)
+        found = Machine(plain.name, built, plain.servo_period, _squareness(angles, names), origins)
+    return replace(found, correlations=read_machine_correlations(table, axes, found))
 
 
 def _check_carrier(axis: Axis, names: list[str], table: Table) -> None:

@@ -182,6 +182,8 @@ def machine_tables(machine: Machine) -> dict[str, Any]:
     if machine.squareness:
         angles = {f"{a}-{b}": quantity(angle, "rad", "um/m") for (a, b), angle in machine.squareness.items()}
         table["squareness"] = written(angles, {k.removeprefix("squareness."): v for k, v in machine.origins.items()})
+    if machine.correlations:
+        table["correlations"] = [list(one) for one in machine.correlations]
     table = written(table, machine.origins)
     return {"machine": table, "axes": {axis.name: axis_table(axis) for axis in machine.axes}}
 

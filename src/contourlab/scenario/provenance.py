@@ -10,8 +10,6 @@ from collections.abc import Callable, Mapping
 from dataclasses import fields, is_dataclass, replace
 from typing import Any
 
-import numpy as np
-
 from contourlab.components.contract import Component, Parameter
 from contourlab.components.origin import SOURCES, Origin
 from contourlab.errors import ContourlabError, ParameterError
@@ -19,7 +17,7 @@ from contourlab.scenario.quantities import read_number
 from contourlab.scenario.toml_text import Noted
 from contourlab.scenario.tree import STATED, Leaf, Node, Table, hint
 
-__all__ = ["bare", "origin_table", "read_correlations", "read_origins", "unstated", "without_origins", "written"]
+__all__ = ["bare", "origin_table", "read_origins", "unstated", "without_origins", "written"]
 
 _KEYS = (STATED, "source", "deviation", "range", "from", "note")
 _EXAMPLE = '{value = "33 kg", source = "fitted", deviation = "1 %", from = "log.mat"}'
@@ -140,71 +138,6 @@ def _span(given: Any, parameter: Parameter, value: float) -> tuple[float, float]
     if not (low <= value <= high and low < high):
         raise ParameterError("range", repr(given), "the lower one first, with the value between them")
     return low, high
-
-
-# --- what was fitted together --------------------------------------------------------------------------------------------------------
-
-
-def read_correlations(table: Table, parts: Mapping[str, Component]) -> tuple[tuple[str, str, float], ...]:
-    """Return the correlations of an axis' numbers: ``correlations = [["plant.mass", "friction.coulomb", -0.3]]``.
-
-    Those of numbers that have lost their deviation, because something else was put in their place, are left out.
-
-    Parameters
-    ----------
-    table : Table
-        Of the axis.
-    parts : mapping of str to Component
-        By slot.
-
-    Raises
-    ------
-    ScenarioError
-        If an item is no correlation of two numbers of the axis, or together they contradict each other.
-    """
-    node = table.get("correlations")
-    if node is None:
-        return ()
-    if not isinstance(node, Leaf) or not isinstance(node.value, list):
-        raise table.error('a list is wanted: [["plant.mass", "friction.coulomb", -0.3], ...]', "correlations")
-    kept = []
-    for i, item in enumerate(node.value):
-        fault = _fault(item, table, node, parts)
-        if fault:
-            raise node.error(f"item {i + 1}: {fault}")
-        if all(_deviates(name, parts) for name in item[:2]):
-            kept.append((item[0], item[1], float(item[2])))
-    names = sorted({name for item in kept for name in item[:2]})
-    if len({frozenset(item[:2]) for item in kept}) < len(kept):
-        raise node.error("a pair is listed twice")
-    matrix = np.eye(len(names))
-    for one, other, value in kept:
-        i, j = names.index(one), names.index(other)
-        matrix[i, j] = matrix[j, i] = value
-    if names and float(np.linalg.eigvalsh(matrix).min()) < -1e-3:
-        raise node.error("these contradict each other: no set of numbers has all of these correlations")
-    return tuple(kept)
-
-
-def _fault(item: Any, table: Table, node: Leaf, parts: Mapping[str, Component]) -> str:
-    if not isinstance(item, list) or len(item) != 3 or not all(isinstance(name, str) for name in item[:2]) or item[0] == item[1]:
-        return f'{item!r:.80}: two different numbers and a coefficient are wanted, ["plant.mass", "friction.coulomb", -0.3]'
-    if isinstance(item[2], bool) or not isinstance(item[2], int | float) or not -1.0 <= item[2] <= 1.0:
-        return f"{item[2]!r:.40} is no coefficient: between -1 and 1"
-    for name in item[:2]:
-        slot = name.partition(".")[0]
-        known = [f"{label}.{key}" for label, part in parts.items() for key in part.numeric()]
-        part = table.get(slot)
-        replaced = part is not None and (part.file, part.key.rpartition(".")[0]) != (node.file, node.key.rpartition(".")[0])
-        if name not in known and not replaced:
-            return f"no number {name!r}: {hint(name, known)}"
-    return ""
-
-
-def _deviates(name: str, parts: Mapping[str, Component]) -> bool:
-    slot, _, number = name.partition(".")
-    origin = parts[slot].origins.get(number) if slot in parts else None
-    return origin is not None and origin.deviation is not None
 
 
 # --- the way back --------------------------------------------------------------------------------------------------------------------

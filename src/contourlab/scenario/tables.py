@@ -102,6 +102,7 @@ class MachineTable(_Strict):
     servo_period: Period
     axes: Annotated[list[Name], Field(min_length=1, max_length=64)]
     squareness: Any = None
+    correlations: Any = None
 
 
 class LimitsTable(_Strict):

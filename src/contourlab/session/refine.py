@@ -214,6 +214,7 @@ def _summary(found: Refined, checked: _Validation, sources: Sequence[str]) -> di
         },
         **{words.replace(" ", "_"): rows(group) for words, group in _groups(found, checked).items()},
         "correlation": found.knowledge.correlation.tolist(),
+        "correlation_of": [one.label for one, bound in zip(found.sought, found.at_bound, strict=True) if not bound],
         "descents": found.descents,
         "descents_agreeing": found.agreeing,
         "usable": found.usable,

@@ -31,6 +31,7 @@ def machine_text(found: Refined, sources: Sequence[str]) -> str:
     _note(found, sources, {"axes": tables["axes"]}, "axes.")
     for axis in found.runs[0].machine.axes:
         _correlate(found, axis, tables["axes"])
+    _correlate_axes(found, tables["machine"])
     return _head(found, sources) + toml(tables)
 
 
@@ -61,19 +62,43 @@ def _head(found: Refined, sources: Sequence[str]) -> str:
 def _correlate(found: Refined, axis: Axis, tables: dict[str, Any]) -> None:
     """Put the correlations of an axis' refined numbers into its table; those with numbers that were refined anew are no longer so."""
     head = f"axes.{axis.name}."
-    anew = {one.name.removeprefix(head) for one in found.sought if 0 in one.runs and one.name.startswith(head)}
-    free = [i for i, bound in enumerate(found.at_bound.tolist()) if not bound]  # rows of what is known
-    told = {
-        found.sought[i].name.removeprefix(head): row
-        for row, i in enumerate(free)
-        if found.sought[i].name.startswith(head) and 0 in found.sought[i].runs and math.isfinite(found.deviations[i])
-    }
+    told = {name.removeprefix(head): row for name, row in _told(found).items() if name.startswith(head)}
+    anew = {name.removeprefix(head) for name in _sought(found)}
     kept = [list(one) for one in axis.correlations if not anew & set(one[:2])]
-    for (one, i), (other, j) in combinations(told.items(), 2):
-        value = round(float(found.knowledge.correlation[i, j]), 4)
-        kept += [[one, other, value]] if value else []
     rest = {key: value for key, value in tables[axis.name].items() if key != "correlations"}
-    tables[axis.name] = ({"correlations": Noted(kept, "of what was fitted together")} if kept else {}) | rest
+    tables[axis.name] = _together([*kept, *_pairs(found, told)]) | rest
+
+
+def _correlate_axes(found: Refined, table: dict[str, Any]) -> None:
+    """Put the correlations between numbers of two axes into the table of the machine, alike."""
+    head = "axes."
+    told = {name.removeprefix(head): row for name, row in _told(found).items() if name.startswith(head)}
+    anew = {name.removeprefix(head) for name in _sought(found)}
+    kept = [list(one) for one in found.runs[0].machine.correlations if not anew & set(one[:2])]
+    across = [pair for pair in _pairs(found, told) if pair[0].partition(".")[0] != pair[1].partition(".")[0]]
+    table.pop("correlations", None)
+    table |= _together([*kept, *across])
+
+
+def _sought(found: Refined) -> set[str]:
+    """Return the names of the numbers of the machine that were refined."""
+    return {one.name for one in found.sought if 0 in one.runs}
+
+
+def _told(found: Refined) -> dict[str, int]:
+    """Return the refined numbers that the logs tell, with their rows in what is known."""
+    free = [i for i, bound in enumerate(found.at_bound.tolist()) if not bound]
+    known = {found.sought[i].name: row for row, i in enumerate(free) if math.isfinite(found.deviations[i])}
+    return {name: row for name, row in known.items() if name in _sought(found)}
+
+
+def _pairs(found: Refined, told: dict[str, int]) -> list[list[Any]]:
+    pairs = [[one, other, round(float(found.knowledge.correlation[i, j]), 4)] for (one, i), (other, j) in combinations(told.items(), 2)]
+    return [pair for pair in pairs if pair[2]]
+
+
+def _together(pairs: list[list[Any]]) -> dict[str, Any]:
+    return {"correlations": Noted(pairs, "of what was fitted together")} if pairs else {}
 
 
 def _note(found: Refined, sources: Sequence[str], tables: dict[str, Any], head: str, run: int = 0) -> None:

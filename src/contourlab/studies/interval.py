@@ -249,11 +249,11 @@ def _root(uncertain: Sequence[Number], machine: Machine) -> Array:
     """Return a root of the correlation matrix."""
     place = {number.name: i for i, number in enumerate(uncertain)}
     matrix = np.eye(len(uncertain))
-    for axis in machine.axes:
-        for one, other, value in axis.correlations:
-            i, j = (place.get(f"axes.{axis.name}.{name}") for name in (one, other))
-            if i is not None and j is not None:
-                matrix[i, j] = matrix[j, i] = value
+    within = [(f"axes.{axis.name}.", *pair) for axis in machine.axes for pair in axis.correlations]
+    for head, one, other, value in (*within, *(("axes.", *pair) for pair in machine.correlations)):
+        i, j = (place.get(f"{head}{name}") for name in (one, other))
+        if i is not None and j is not None:
+            matrix[i, j] = matrix[j, i] = value
     if np.array_equal(matrix, np.eye(len(uncertain))):
         return matrix
     sizes, directions = np.linalg.eigh(matrix)

@@ -175,6 +175,42 @@ def test_correlations_that_contradict_each_other_are_refused() -> None:
         axis(mass=FITTED, coulomb=TWO["coulomb"] + viscous, top=f"correlations = {three}")
 
 
+BETWEEN = """
+[machine]
+name = "m"
+servo_period = "1 ms"
+axes = ["x", "y"]
+correlations = {pairs}
+[axes."*"]
+correlations = [["plant.mass", "friction.coulomb", 0.5]]
+plant = {{kind = "mass-damper", mass = {{value = "50 kg", source = "fitted", deviation = "1 kg"}}, force_constant = "1 N/A"}}
+friction = {{kind = "coulomb", coulomb = {{value = "10 N", source = "fitted", deviation = "1 N"}}}}
+"""
+
+
+def test_correlations_between_axes_stand_at_the_machine(written: Callable[..., Path]) -> None:
+    pairs = '[["x.plant.mass", "y.plant.mass", 0.4]]'
+    found = load_machine(written(machine=BETWEEN.format(pairs=pairs)))
+    assert found.correlations == (("x.plant.mass", "y.plant.mass", 0.4),)
+    assert load_machine(written(machine=dump(found))).correlations == found.correlations
+    other = '[axes.y.plant]\nmass = "40 kg"\n'
+    assert load_machine(written(machine=BETWEEN.format(pairs=pairs) + other)).correlations == (), "one has lost its deviation"
+
+
+@pytest.mark.parametrize(
+    ("said", "words"),
+    [
+        ('[["x.plant.mass", "x.friction.coulomb", 0.4]]', "both are of axis x"),
+        ('[["x.plant.mass", "z.plant.mass", 0.4]]', "no number 'z.plant.mass'"),
+        ('[["x.plant.mass", "y.plant.mass", 0.9], ["x.friction.coulomb", "y.plant.mass", -0.9]]', "contradict"),
+        ('"x.plant.mass"', "a list is wanted"),
+    ],
+)
+def test_other_correlations_between_axes_are_refused(said: str, words: str, written: Callable[..., Path]) -> None:
+    with pytest.raises(ScenarioError, match=words):
+        load_machine(written(machine=BETWEEN.format(pairs=said)))
+
+
 # --- files on top of files -----------------------------------------------------------------------------------------------------------
 
 

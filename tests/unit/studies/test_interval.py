@@ -150,6 +150,16 @@ def test_numbers_that_were_fitted_together_move_together() -> None:
     assert points["axes.y.plant.mass"].std() == pytest.approx(0.5, rel=0.01)
 
 
+def test_numbers_of_two_axes_that_were_fitted_together_move_together() -> None:
+    origin = Origin(**FITTED, deviation=0.5)
+    x, y = (replace(axis(name, 40.0, force=origin, mass=origin), correlations=(("plant.mass", "disturbance.force", 0.5),)) for name in "xy")
+    pair, law = replace(machine(x, y), correlations=(("x.plant.mass", "y.plant.mass", -0.6),)), controller()
+    points = draw(uncertain(pair, law), pair, law, 0, 4096)
+    found = np.corrcoef([points[f"axes.{name}"] for name in ("x.plant.mass", "y.plant.mass", "x.disturbance.force")])
+    assert found == pytest.approx(np.array([[1.0, -0.6, 0.5], [-0.6, 1.0, 0.0], [0.5, 0.0, 1.0]]), abs=0.02)
+    assert pair.swapped("x", y).correlations == (), "another axis was fitted apart"
+
+
 def test_a_controller_computes_with_the_number_it_was_given() -> None:
     law = controller()
     stated = law.axes["y"].controller.traced({"position_gain": Origin(**FITTED, deviation=100.0)})

@@ -41,6 +41,10 @@ def identify(
         str | None, typer.Option(help='closed-loop: K_V as it ran, as "0.1 full_scale*s/mm".', show_default=False)
     ] = None,
     lead: Annotated[str | None, typer.Option(help='two-inertia: travel per turn, as "10 mm".', show_default=False)] = None,
+    motor_inertia: Annotated[
+        str | None,
+        typer.Option(help='two-inertia at the load: of motor and screw, as "2 kg*cm^2", for an axis file.', show_default=False),
+    ] = None,
     side: Annotated[str, typer.Option(help="two-inertia: where the position is measured, motor or load.")] = "motor",
     out: Annotated[Path | None, typer.Option(help="The axis file to write; folders above it are made.", show_default=False)] = None,
     folder: Annotated[Path, typer.Option(help="Folder of the pictures.")] = Path("results"),
@@ -64,6 +68,7 @@ def identify(
         position_gain=position_gain,
         velocity_gain=velocity_gain,
         lead=lead,
+        motor_inertia=motor_inertia,
         side=side,
     )
     found = identify_log(request, out=out, plots=tuple(plots or ()), folder=folder)

@@ -14,7 +14,10 @@ __all__ = ["study"]
 def study(request: Request) -> Finding:
     """Measure the frequency response of an axis from one or several logs, and fit the model that was asked for to it."""
     lead = None if request.lead is None else positive("--lead", request.lead, "m", 'travel per turn, such as "10 mm"')
+    inertia = None
+    if request.motor_inertia is not None:
+        inertia = positive("--motor-inertia", request.motor_inertia, "kg*m^2", 'of motor and screw, such as "2 kg*cm^2"')
     records = request.records()
     if request.model == "frequency-response":
         return identify_response(records)
-    return identify_linear_motor(records) if request.model == "linear-motor" else identify_two_inertia(records, request.side, lead)
+    return identify_linear_motor(records) if request.model == "linear-motor" else identify_two_inertia(records, request.side, lead, inertia)

@@ -39,6 +39,8 @@ class Request:
         Of the loop as it ran, as ``"4 full_scale/mm"``.
     lead : str or None
         Travel per turn, as ``"10 mm"``.
+    motor_inertia : str or None
+        Of motor and screw, as ``"2 kg*cm^2"``.
     side : str
         Where the position is measured, ``"motor"`` or ``"load"``.
     said : dict of str to list of str
@@ -59,6 +61,7 @@ class Request:
     position_gain: str | None = None
     velocity_gain: str | None = None
     lead: str | None = None
+    motor_inertia: str | None = None
     side: str = "motor"
     said: dict[str, list[str]] = field(default_factory=dict)
     doubts: list[str] = field(default_factory=list)

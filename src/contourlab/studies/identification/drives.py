@@ -22,6 +22,7 @@ from contourlab.analysis.filtered_motion import filtered_motion
 from contourlab.analysis.frequency_response import MeasuredResponse
 from contourlab.analysis.identification_remarks import on_mass
 from contourlab.components.origin import Origin
+from contourlab.errors import ParameterError
 from contourlab.studies.identification.finding import (
     Carried,
     Drawn,
@@ -31,13 +32,13 @@ from contourlab.studies.identification.finding import (
     Picture,
     Row,
     Tables,
-    assumed,
     carried,
     fitted,
 )
 from contourlab.studies.identification.frequency import FEW, bode_graphs, measured_response, response_points
 from contourlab.studies.identification.plant_tables import Forces, drive_table, forces_of, plant_numbers, plant_table
 from contourlab.studies.identification.signals import AxisRecord, measured_tables, source_of
+from contourlab.studies.identification.two_inertias import TwoInertias
 
 __all__ = ["identify_linear_motor", "identify_two_inertia"]
 
@@ -70,7 +71,9 @@ def identify_linear_motor(records: Sequence[AxisRecord]) -> Finding:
     return _finding("linear-motor", records, found, fit, tables, (), worth=worth)
 
 
-def identify_two_inertia(records: Sequence[AxisRecord], side: str = "motor", lead: float | None = None) -> Finding:
+def identify_two_inertia(
+    records: Sequence[AxisRecord], side: str = "motor", lead: float | None = None, motor_inertia: float | None = None
+) -> Finding:
     """Fit two inertias, their shaft, damping and delay of a drive to its frequency response.
 
     Parameters
@@ -80,28 +83,40 @@ def identify_two_inertia(records: Sequence[AxisRecord], side: str = "motor", lea
         Where the position is measured, ``"motor"`` or ``"load"``.
     lead : float [m], optional
         Travel per turn; wanted for an axis file, whose inertias turn.
+    motor_inertia : float [kg m^2], optional
+        Of motor and screw, from a data sheet: what the response at the load does not tell, and an axis file wants.
 
     Raises
     ------
     ResultError, ParameterError
-        If the response cannot be measured, or the model not fitted to it.
+        If the response cannot be measured, or the model not fitted to it; if the motor's inertia is given beside one that is measured, or
+        is more than the whole.
     """
+    if motor_inertia is not None and side == "motor":
+        raise ParameterError("motor_inertia", f"{motor_inertia:g}", "left out: at the motor it is measured", "kg*m^2")
     found = measured_response(records)
     fit = fit_two_inertia(found, side)
-    values = dict(zip(fit.found.names, fit.found.values.tolist(), strict=True))
     lines, tables, remarks = [], {}, []
     worth = Carried({}, ())
+    wanted = [] if lead is not None else ["--lead"]
+    wanted += ["--motor-inertia, of motor and screw"] if side == "load" and motor_inertia is None else []
+    wanted += [] if records[0].unit == "N" else ["--gain"]
     if side == "motor":
-        resonance, antiresonance = resonances(values)
+        resonance, antiresonance = resonances(_values(fit))
         lines.append(f"resonance {resonance:.4g} Hz, antiresonance {antiresonance:.4g} Hz")
-        if not fit.usable:
-            pass
-        elif lead is None or records[0].unit != "N":
-            remarks.append("an axis file of two inertias takes --lead, and --gain where the log has no force")
-        else:
-            worth = _inertia_worth(fit, lead)
-            tables = {**_inertia_tables(records, fit, lead, worth.deviations), **_measured(records, fit)}
+    if fit.usable and wanted:
+        remarks.append(f"an axis file of two inertias takes {' and '.join(wanted)}")
+    elif fit.usable and lead is not None:
+        drive = TwoInertias(lead, motor_inertia)
+        drive.check(_values(fit))
+        worth = _worth(fit, drive.numbers)
+        told = {name: _told(records, deviation, drive.note) for name, deviation in worth.deviations.items()}
+        tables = {**drive.tables(_values(fit), told, forces_of(records)), **_measured(records, fit)}
     return _finding("two-inertia", records, found, fit, tables, tuple(lines), tuple(remarks), worth)
+
+
+def _values(fit: DriveFit) -> dict[str, float]:
+    return dict(zip(fit.found.names, fit.found.values.tolist(), strict=True))
 
 
 def _finding(
@@ -167,7 +182,7 @@ def _turning(records: Sequence[AxisRecord], found: MeasuredResponse) -> list[str
 
 def _pictures(axis: str, model: str, found: MeasuredResponse, fit: DriveFit, unit: str) -> tuple[Picture, ...]:
     of = linear_motor if "M" in fit.found.names else load_side if "resonance" in fit.found.names else two_inertia
-    x = dict(zip(fit.found.names, fit.found.values.tolist(), strict=True))
+    x = _values(fit)
     f = np.geomspace(found.frequency[0], found.frequency[-1], CURVE)
     velocity = 2j * np.pi * f * held_response(lambda s: of(x, s), f, found.period)
     ratio = fit.measured / fit.predicted
@@ -209,40 +224,9 @@ def _motor_worth(forces: Forces, fit: DriveFit) -> Carried:
     return _worth(fit, lambda x: plant_numbers(forces, 1.0 / x["M"], x["B"] / x["M"]) | {"drive.delay": x["delay"]})
 
 
-PLANT = {
-    "motor_inertia": ("motor_mass", "kg*m^2"),
-    "load_inertia": ("load_mass", "kg*m^2"),
-    "stiffness": ("stiffness", "N*m/rad"),
-    "shaft_damping": ("shaft_damping", "N*m*s/rad"),
-    "motor_damping": ("damping", "N*m*s/rad"),
-}
-"""Numbers of a plant of two inertias: what each is found as, and its unit."""
-
-
-def _inertia_worth(fit: DriveFit, lead: float) -> Carried:
-    """Return what the numbers of the axis file of two inertias are worth."""
-    turn = lead / (2.0 * math.pi)
-    return _worth(fit, lambda x: {f"plant.{name}": turn**2 * x[key] for name, (key, _) in PLANT.items()} | {"drive.delay": x["delay"]})
-
-
 def _motor_tables(records: Sequence[AxisRecord], forces: Forces, fit: DriveFit, deviations: Mapping[str, float]) -> Tables:
     def told(name: str, note: str = "") -> Origin:
         return _told(records, deviations[name], note)
 
     plant = plant_table(forces, 1.0 / fit["M"], fit["B"] / fit["M"], told)
     return {"plant": plant, "drive": drive_table(forces, fit["delay"], told)}
-
-
-def _inertia_tables(records: Sequence[AxisRecord], fit: DriveFit, lead: float, deviations: Mapping[str, float]) -> Tables:
-    arm = lead / (2.0 * math.pi)
-
-    def told(name: str, note: str = "") -> Origin:
-        return _told(records, deviations[name], note)
-
-    plant: dict[str, Row] = {
-        "kind": ("two-inertia", "", None),
-        "lead": (lead, "m", assumed("as given")),
-        **{name: (fit[key] * arm**2, unit, told(f"plant.{name}")) for name, (key, unit) in PLANT.items()},
-        "torque_gain": (1.0, "", assumed("the command is counted as torque, force times lead over 2 pi")),
-    }
-    return {"plant": plant, "drive": drive_table(forces_of(records), fit["delay"], told, arm)}
