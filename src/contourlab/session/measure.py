@@ -19,7 +19,7 @@ from contourlab.metrics import reversal_figures
 from contourlab.metrics.circles import pairs
 from contourlab.result import write_text_atomic
 from contourlab.session.folder import staged
-from contourlab.session.log_choice import LogChoice, is_program, open_log, positive, program_path, reference_columns
+from contourlab.session.log_choice import LogChoice, is_program, open_log, positive, program_path, reference_columns, told_apart
 from contourlab.session.plain import plain
 from contourlab.session.run import RunOutcome, check_plots, file_names
 from contourlab.session.summary import SCHEMA
@@ -98,7 +98,7 @@ def compare_runs(files: Sequence[str | Path], out: str | Path, *, plots: Sequenc
     """
     check_plots(plots)
     opened = [_judged(LogChoice(_signals_of(Path(file)))) for file in files]
-    names = _told_apart([Path(file) for file in files])
+    names = _names([Path(file) for file in files])
     runs = [_Judged(name, run.log, run.found) for name, run in zip(names, opened, strict=True)]
     for run in runs[1:]:
         if run.found.result.axes != runs[0].found.result.axes:
@@ -149,11 +149,10 @@ def _signals_of(path: Path) -> Path:
     return found[0]
 
 
-def _told_apart(files: Sequence[Path]) -> list[str]:
-    """Return names for files: their own, with as much of their folders as it takes to tell them apart."""
-    parts = [file.parts if file.is_dir() else (*file.parts[:-1], file.stem) for file in files]
-    for depth in range(1, max(len(p) for p in parts) + 1):
-        names = ["/".join(p[-depth:]) for p in parts]
+def _names(files: Sequence[Path]) -> list[str]:
+    """Return names for files: without their endings, where that tells them apart."""
+    for named in ([file if file.is_dir() else file.with_suffix("") for file in files], files):
+        names = told_apart(named)
         if len(set(names)) == len(names):
             return names
     raise LogError("is given twice: name two runs", file=files[0])

@@ -47,7 +47,7 @@ def identify(
     ] = None,
     side: Annotated[str, typer.Option(help="two-inertia: where the position is measured, motor or load.")] = "motor",
     out: Annotated[Path | None, typer.Option(help="The axis file to write; folders above it are made.", show_default=False)] = None,
-    folder: Annotated[Path, typer.Option(help="Folder of the pictures.")] = Path("results"),
+    folder: Annotated[Path, typer.Option(help="Folder of the pictures; made if it is not there.")] = Path("results"),
     as_json: Json = False,
     plots: Plots = None,
 ) -> int:

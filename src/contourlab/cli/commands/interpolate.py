@@ -26,7 +26,7 @@ def interpolate(
         float | None,
         typer.Option(help="Correct sample by sample, with recursive least squares and this factor (0.995 to 0.9995).", show_default=False),
     ] = None,
-    out: Annotated[Path | None, typer.Option(help="Folder for counts, constants and picture.", show_default=False)] = None,
+    out: Annotated[Path | None, typer.Option(help="Folder for counts, constants, picture; made if not there.", show_default=False)] = None,
     as_json: Annotated[bool, typer.Option("--json", help="Print JSON alone on standard output.")] = False,
 ) -> int:
     """Correct quadrature signals of an encoder, interpolate them to counts, and say how good they are."""

@@ -39,7 +39,7 @@ def refine(
         Path | None,
         typer.Option("--out", help="The machine's file to write, controllers beside it; folders above are made.", show_default=False),
     ] = None,
-    folder: Annotated[Path, typer.Option(help="Folder of the pictures.")] = Path("results"),
+    folder: Annotated[Path, typer.Option(help="Folder of the pictures; made if it is not there.")] = Path("results"),
     as_json: Json = False,
     plots: Plots = None,
 ) -> int:

@@ -25,7 +25,7 @@ reproduce = typer.Typer(no_args_is_help=True, help="Compute the figures of a pap
 def ghaffari(
     as_json: Json = False,
     plots: Annotated[list[str] | None, typer.Option(help="Also draw Figs 6 and 7 as png, svg or pdf; may be given again.")] = None,
-    out: Annotated[Path, typer.Option(help="Folder of the pictures.")] = Path("results"),
+    out: Annotated[Path, typer.Option(help="Folder of the pictures; made if it is not there.")] = Path("results"),
 ) -> int:
     """Ghaffari and Ulsoy: component swapping modularity for distributed precision contouring."""
     from contourlab.session.reproduce import write_ghaffari
@@ -38,7 +38,7 @@ def ghaffari(
 def gecer_ulu(
     as_json: Json = False,
     plots: Annotated[list[str] | None, typer.Option(help="Also draw Figs 9 and 10 as png, svg or pdf; may be given again.")] = None,
-    out: Annotated[Path, typer.Option(help="Folder of the pictures.")] = Path("results"),
+    out: Annotated[Path, typer.Option(help="Folder of the pictures; made if it is not there.")] = Path("results"),
 ) -> int:
     """Gecer Ulu, Ulu and Cakmakci: modular learning based cross-coupled control for multi-axis precision positioning systems."""
     from contourlab.session.reproduce import write_gecer_ulu
@@ -51,7 +51,7 @@ def gecer_ulu(
 def shahin(
     as_json: Json = False,
     plots: Annotated[list[str] | None, typer.Option(help="Also draw Figs 7 to 13 as png, svg or pdf; may be given again.")] = None,
-    out: Annotated[Path, typer.Option(help="Folder of the pictures.")] = Path("results"),
+    out: Annotated[Path, typer.Option(help="Folder of the pictures; made if it is not there.")] = Path("results"),
 ) -> int:
     """Shahin, ElMaraghy and ElBeheiry: nonlinearity control of CNC feed drives, backlash and switching controllers."""
     from contourlab.session.reproduce import write_shahin
@@ -66,7 +66,7 @@ def emps(
     validation: Annotated[Path | None, typer.Option(help="DATA_EMPS_PULSES.mat: a second record, to hold the parameters against.")] = None,
     as_json: Json = False,
     plots: Annotated[list[str] | None, typer.Option(help="Also draw force, friction and position error as png, svg or pdf.")] = None,
-    out: Annotated[Path, typer.Option(help="Folder of the pictures.")] = Path("results"),
+    out: Annotated[Path, typer.Option(help="Folder of the pictures; made if it is not there.")] = Path("results"),
 ) -> int:
     """Janot, Gautier and Brunot: data set and reference models of the EMPS, a linear axis identified from its log."""
     from contourlab.session.reproduce import write_emps
@@ -81,7 +81,7 @@ def ubc(
     unseen: Annotated[bool, typer.Option(help="Also fit with parts of the runs left out, which takes minutes.")] = True,
     as_json: Json = False,
     plots: Annotated[list[str] | None, typer.Option(help="Also draw measured and simulated errors as png, svg or pdf.")] = None,
-    out: Annotated[Path, typer.Option(help="Folder of the pictures.")] = Path("results"),
+    out: Annotated[Path, typer.Option(help="Folder of the pictures; made if it is not there.")] = Path("results"),
 ) -> int:
     """The XY table of the UBC course MECH 467: two measured line-circle runs, and the machine found from them."""
     from contourlab.session.reproduce import write_ubc

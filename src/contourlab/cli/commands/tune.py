@@ -38,7 +38,7 @@ def tune(
     seed: Seed = 0,
     threads: Threads = None,
     out: Annotated[Path | None, typer.Option(help="The controller file to write; folders above it are made.", show_default=False)] = None,
-    folder: Annotated[Path, typer.Option(help="Folder of the pictures.")] = Path("results"),
+    folder: Annotated[Path, typer.Option(help="Folder of the pictures; made if it is not there.")] = Path("results"),
     as_json: Json = False,
     plots: Plots = None,
     plugin: Plugins = None,

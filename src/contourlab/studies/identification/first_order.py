@@ -43,7 +43,8 @@ def identify_open_loop(record: AxisRecord, settings: FirstOrderSettings | None =
     units = {"a": _over("m/s^2", unit), "b": "1/s", "friction": unit, "offset": unit, "delay": "s", "start": "m/s"}
     figures = _figures(fit, units, {name: name for name in units})
     pictures = _pictures(fit, "velocity", f"Velocity of axis {record.axis}, {record.source}", ("velocity [mm/s]", of_command(unit)))
-    lines = (f"velocity over {fit.smoothing} samples; steady {1e3 * fit['a'] / max(fit['b'], 1e-12):.4g} mm/s per {unit or 'command'}",)
+    steady = f"steady {1e3 * fit['a'] / max(fit['b'], 1e-12):.4g} mm/s per {unit or 'command'}"
+    lines = (f"velocity over {fit.smoothing} sample{'s' * (fit.smoothing > 1)}; {steady}",)
     forces = forces_of([record])
     worth = _worth(forces, fit)
     told, possible = on_mass(1.0 / fit["a"]) if unit == "N" else ([], True)
