@@ -63,7 +63,7 @@ def _correlate(found: Refined, axis: Axis, tables: dict[str, Any]) -> None:
     """Put the correlations of an axis' refined numbers into its table; those with numbers that were refined anew are no longer so."""
     head = f"axes.{axis.name}."
     told = {name.removeprefix(head): row for name, row in _told(found).items() if name.startswith(head)}
-    anew = {name.removeprefix(head) for name in _sought(found)}
+    anew = {name.removeprefix(head) for name in _anew(found)}
     kept = [list(one) for one in axis.correlations if not anew & set(one[:2])]
     rest = {key: value for key, value in tables[axis.name].items() if key != "correlations"}
     tables[axis.name] = _together([*kept, *_pairs(found, told)]) | rest
@@ -73,23 +73,22 @@ def _correlate_axes(found: Refined, table: dict[str, Any]) -> None:
     """Put the correlations between numbers of two axes into the table of the machine, alike."""
     head = "axes."
     told = {name.removeprefix(head): row for name, row in _told(found).items() if name.startswith(head)}
-    anew = {name.removeprefix(head) for name in _sought(found)}
+    anew = {name.removeprefix(head) for name in _anew(found)}
     kept = [list(one) for one in found.runs[0].machine.correlations if not anew & set(one[:2])]
     across = [pair for pair in _pairs(found, told) if pair[0].partition(".")[0] != pair[1].partition(".")[0]]
     table.pop("correlations", None)
     table |= _together([*kept, *across])
 
 
-def _sought(found: Refined) -> set[str]:
-    """Return the names of the numbers of the machine that were refined."""
+def _anew(found: Refined) -> set[str]:
+    """Return the names of the numbers that were refined, of the first run: its machine is the one that is written."""
     return {one.name for one in found.sought if 0 in one.runs}
 
 
 def _told(found: Refined) -> dict[str, int]:
     """Return the refined numbers that the logs tell, with their rows in what is known."""
     free = [i for i, bound in enumerate(found.at_bound.tolist()) if not bound]
-    known = {found.sought[i].name: row for row, i in enumerate(free) if math.isfinite(found.deviations[i])}
-    return {name: row for name, row in known.items() if name in _sought(found)}
+    return {found.sought[i].name: row for row, i in enumerate(free) if 0 in found.sought[i].runs and math.isfinite(found.deviations[i])}
 
 
 def _pairs(found: Refined, told: dict[str, int]) -> list[list[Any]]:
