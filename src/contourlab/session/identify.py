@@ -59,7 +59,7 @@ def identify_log(
         If `out` or `folder` cannot be written; found before a log is read.
     """
     check_plots(plots)
-    study = study_of(request.model)
+    study = study_of(request)
     if out is not None:
         check_file(out)
     with staged(folder, alone=False, option="--folder") if plots else nullcontext() as stage:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, fields
 from importlib import import_module
 
 from contourlab.errors import ParameterError
@@ -17,35 +17,44 @@ _HERE = "contourlab.session.identification"
 
 @dataclass(frozen=True)
 class Model:
-    """A model: the module that has its `study`, and what it is in words."""
+    """A model: the module that has its `study`, what it is in words, and which options are its own, by their names in a request."""
 
     module: str
     words: str
+    options: tuple[str, ...] = ()
 
 
+_RIGID = ("cutoff", "slowest", "decimation", "validation")
 MODELS = {
-    "rigid": Model("rigid", "mass, viscous and Coulomb friction, offset, by inverse dynamics"),
-    "rigid-by-direction": Model("rigid", "the same with friction of its own each way"),
+    "rigid": Model("rigid", "mass, viscous and Coulomb friction, offset, by inverse dynamics", _RIGID),
+    "rigid-by-direction": Model("rigid", "the same with friction of its own each way", _RIGID),
     "friction": Model("friction", "friction curve from stretches of constant speed"),
     "stiction": Model("stiction", "breakaway each way from slow ramps of the command"),
     "first-order": Model("first_order", "gain a and damping b, friction and delay, from steps or random commands"),
-    "closed-loop": Model("closed_loop", "a' and b' behind a disturbance observer"),
+    "closed-loop": Model("closed_loop", "a' and b' behind a disturbance observer", ("position_gain", "velocity_gain")),
     "frequency-response": Model("frequency", "position over command from sines, a chirp, noise or a multisine"),
     "linear-motor": Model("frequency", "mass, damping and delay fitted to the frequency response"),
-    "two-inertia": Model("frequency", "motor, load and shaft fitted to the frequency response"),
+    "two-inertia": Model("frequency", "motor, load and shaft fitted to the frequency response", ("lead", "motor_inertia", "side")),
 }
 """By name, in the order in which they are told."""
 
 
-def study_of(name: str) -> Callable[[Request], Finding]:
-    """Return the study of a model.
+def study_of(request: Request) -> Callable[[Request], Finding]:
+    """Return the study of the model that is asked for.
 
     Raises
     ------
     ParameterError
-        If there is no such model.
+        If there is no such model, or an option is another model's.
     """
-    if name not in MODELS:
-        raise ParameterError("--model", repr(name), f"one of {', '.join(MODELS)}")
-    study: Callable[[Request], Finding] = import_module(f"{_HERE}.{MODELS[name].module}").study
+    if request.model not in MODELS:
+        raise ParameterError("--model", repr(request.model), f"one of {', '.join(MODELS)}")
+    model = MODELS[request.model]
+    for each in fields(Request):
+        owners = [name for name, other in MODELS.items() if each.name in other.options]
+        value = getattr(request, each.name)
+        if owners and each.name not in model.options and value != each.default:
+            option = f"--{each.name.replace('_', '-')}"
+            raise ParameterError(option, value, f"left out: it is for {', '.join(owners)}, and the model is {request.model}")
+    study: Callable[[Request], Finding] = import_module(f"{_HERE}.{model.module}").study
     return study
