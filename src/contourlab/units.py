@@ -9,14 +9,18 @@ from __future__ import annotations
 import math
 import re
 from functools import cache
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, TypeVar
 
 from contourlab.errors import UnitError
 
 if TYPE_CHECKING:
+    import numpy as np
     import pint
+    from numpy.typing import NDArray
 
-__all__ = ["from_si", "same_dimension", "show", "split", "to_si"]
+__all__ = ["from_si", "in_si", "same_dimension", "show", "split", "to_si"]
+
+Numbers = TypeVar("Numbers", float, "NDArray[np.float64]")
 
 _CLOSE = re.compile(r"(?P<number>[+-]?(\d+\.?\d*|\.\d+)([eE][+-]?\d+)?)(?P<unit>[A-Za-zµμ°%Ω].*)\Z")
 """A number and a unit without a space between them; digits behind an e are the number's exponent."""
@@ -112,19 +116,29 @@ def to_si(value: str | float, unit: str) -> float:
     number, given = split(value) if isinstance(value, str) else (float(value), "")
     if not math.isfinite(number):
         raise UnitError(f"{value!r} is not a finite number")
-    dimension, size = _factor(given)
+    dimension, _ = _factor(given)
     wanted, _ = _factor(unit)
     if dimension != wanted:
         if not given:
             raise UnitError(f'{value!r} has no unit: write it with a unit such as "{number:g} {_USUAL.get(unit, unit)}"')
         raise UnitError(f"{value!r} cannot be converted to {unit or 'a bare number'}")
+    return in_si(number, given)
+
+
+def in_si(number: Numbers, unit: str) -> Numbers:
+    """Return numbers that count a unit in SI: what `to_si` reads of ``"20 mm"`` is that of 20.0 and ``"mm"``, bit by bit.
+
+    >>> in_si(20.0, "mm")
+    0.02
+    """
+    size = _factor(unit)[1]
     # Dividing by the inverse keeps round decimal factors exact: 20 mm is 20 / 1000, not 20 * 0.001.
     inverse = 1.0 / size
     return number / round(inverse) if size < 1.0 and abs(inverse - round(inverse)) < 1e-9 * inverse else number * size
 
 
-def from_si(value: float, unit: str) -> float:
-    """Express an SI value in `unit`.
+def from_si(value: Numbers, unit: str) -> Numbers:
+    """Express SI values in `unit`.
 
     >>> from_si(0.02, "mm")
     20.0

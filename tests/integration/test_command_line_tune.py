@@ -96,6 +96,29 @@ def test_a_tolerance_that_is_missed_is_a_failed_verdict(tmp_path: Path, capsys: 
     assert "FAIL" in capsys.readouterr().out
 
 
+def test_what_becomes_larger_is_called_larger(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """Energy is saved at the cost of the path: what was asked for comes first."""
+    words = ["tune", str(written(tmp_path)), "--objective", "energy", "--parameter", "y.model_gain", "--parameter", "y.model_damping"]
+    assert main([*words, "--json"]) == 1
+    found = json.loads(capsys.readouterr().out)
+    assert found["calibration_gain"] < 1.0
+    assert main(words) == 1
+    said = capsys.readouterr().out
+    larger = f", the integral of the contour error is {1.0 / found['calibration_gain']:.4g} times larger, after"
+    assert larger in said and "the energy of the commands is 1." in said.rpartition(larger)[0]
+    (row,) = [line for line in said.splitlines() if line.startswith("integral of contour error")]
+    assert f"x {1.0 / found['calibration_gain']:.3g}" in row
+
+
+def test_an_end_of_a_range_is_told(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    words = ["tune", str(written(tmp_path)), "--parameter", "x.model_gain=0.8 m/s^2/full_scale..1 m/s^2/full_scale"]
+    assert main([*words, "--json"]) == 0
+    found = json.loads(capsys.readouterr().out)
+    (number,) = found["parameters"].values()
+    assert number["end"] == "lower end of its range" and number["after"] == pytest.approx(0.8, rel=1e-3)
+    assert any("x.model_gain stands on an end of its range: a wider --width" in note for note in found["notes"])
+
+
 def test_what_does_not_keep_the_bounds_is_not_written(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     out = tmp_path / "tuned.toml"
     words = ["tune", str(written(tmp_path)), "--parameter", "x.model_gain", "--phase-margin", "85", "--out", str(out)]

@@ -35,7 +35,7 @@ def _drawn(curve: Curve, factor: float) -> DrawnCurve:
     number, lowest = curve.number, curve.minimum
     return DrawnCurve(
         number.short,
-        number.display or number.unit or "value",
+        number.written_in or "value",
         np.array([number.shown(value) for value in curve.values]),
         curve.figures * factor,
         number.shown(number.value),

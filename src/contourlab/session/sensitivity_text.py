@@ -48,7 +48,7 @@ def table(rows: Sequence[Sequence[str]]) -> list[str]:
 
 
 def _unit(number: Number) -> str:
-    return number.display or number.unit
+    return number.written_in
 
 
 def _curves(study: Study) -> Iterator[str]:

@@ -109,7 +109,7 @@ def _within(number: Number, value: float) -> bool:
 
 def _beyond(number: Number, value: float) -> str:
     low, high, shown = (f"{number.shown(each):.4g}" for each in (number.low, number.high, value))
-    return f"{number.short} is {shown}, its bounds are {low} to {high} {number.display or number.unit}".rstrip()
+    return f"{number.short} is {shown}, its bounds are {low} to {high} {number.written_in}".rstrip()
 
 
 def _room(beyond: Sequence[Number], values: dict[str, float]) -> str:

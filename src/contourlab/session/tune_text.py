@@ -29,6 +29,14 @@ SHOWN = {
     "command_largest": ("largest command", "% of drive", 100.0),
     "limited_share": ("time at a limit of a drive", "%", 100.0),
 }
+NAMED = {
+    "contour_error_integral": "integral of the contour error",
+    "contour_error_rms": "rms of the contour error",
+    "contour_error_max": "largest contour error",
+    "tracking_error_rms": "rms of the tracking error",
+    "command_energy": "energy of the commands",
+}
+"""What may be asked for, in a sentence."""
 
 
 def text_of(name: str, case: Case, settings: TuneSettings, found: Tuned) -> str:
@@ -40,7 +48,7 @@ def text_of(name: str, case: Case, settings: TuneSettings, found: Tuned) -> str:
         lines += [*_searched(settings, found), ""]
     lines += [*_figures(found), "", *_margins(found), "", *_gains(found), "", *_drives(found.terms), ""]
     lines += [f"note: {note}" for note in found.notes]
-    lines.append(_verdict(case, found))
+    lines.append(_verdict(case, settings, found))
     return "\n".join(lines)
 
 
@@ -71,7 +79,7 @@ def _path(settings: TuneSettings, steps: Iterable[Step]) -> list[str]:
         number = step.number
         shown = [_number(number.shown(value), 5) for value in (step.before, step.after)]
         told = [_objective(settings, value) for value in (step.objective_before, step.objective_after)]
-        rows.append((step.stage, number.short, *shown, number.display or number.unit, *told, step.bound))
+        rows.append((step.stage, number.short, *shown, number.written_in, *told, step.bound))
     return _table(rows, 2)
 
 
@@ -87,9 +95,15 @@ def _figures(found: Tuned) -> list[str]:
     rows: list[tuple[str, ...]] = [("figure", "before", "after", "", "unit")]
     for key, (words, unit, factor) in SHOWN.items():
         before, after = found.before.figures[key], found.after.figures[key]
-        ratio = f"/ {before / after:.3g}" if after and math.isfinite(before / after) and before / after > 0.0 else ""
-        rows.append((words, _number(factor * before), _number(factor * after), ratio, unit))
+        rows.append((words, _number(factor * before), _number(factor * after), _ratio(before, after), unit))
     return _table(rows)
+
+
+def _ratio(before: float, after: float) -> str:
+    """Return how a figure became smaller or larger; nothing where it has no sign to keep."""
+    if not (before * after > 0.0 and math.isfinite(before) and math.isfinite(after)):
+        return ""
+    return f"/ {before / after:.3g}" if abs(after) <= abs(before) else f"x {after / before:.3g}"
 
 
 def _margins(found: Tuned) -> list[str]:
@@ -109,7 +123,7 @@ def _gains(found: Tuned) -> list[str]:
     rows: list[tuple[str, ...]] = [("number", "start", "in the end", "unit")]
     for number in found.space.numbers:
         shown = [_number(number.shown(value), 6) for value in (number.value, found.values[number.name])]
-        rows.append((number.short, *shown, number.display or number.unit))
+        rows.append((number.short, *shown, number.written_in))
     return _table(rows)
 
 
@@ -131,10 +145,29 @@ def _drives(terms: Iterable[DriveTerms]) -> list[str]:
     return lines
 
 
-def _verdict(case: Case, found: Tuned) -> str:
+def _gained(settings: TuneSettings, found: Tuned) -> str:
+    """Say what became of the integral, behind what was asked for where that is another figure."""
+    asked = FIGURES[settings.goal.single][0] if settings.goal.single else "contour_error_integral"
+    told = []
+    for key in dict.fromkeys((asked, "contour_error_integral")):
+        _, unit, factor = SHOWN[key]
+        before, after = found.before.figures[key], found.after.figures[key]
+        told.append(f"the {NAMED[key]} is {_times(before, after, f'{_number(factor * after)} {unit}')}")
+    return ", ".join(told)
+
+
+def _times(before: float, after: float, shown: str) -> str:
+    if not (math.isfinite(before) and math.isfinite(after)):
+        return f"{shown}, where the run did not come to its end before" if math.isfinite(after) else NOTHING
+    if f"{before:.4g}" == f"{after:.4g}":
+        return "what it was"
+    return f"{before / after:.4g} times smaller" if after < before else f"{after / before:.4g} times larger"
+
+
+def _verdict(case: Case, settings: TuneSettings, found: Tuned) -> str:
     if found.after.broken:
         return f"bounds are not kept: {'; '.join(found.after.broken)}"
-    gained = f"the integral of the contour error is {found.gain:.4g} times smaller, after {found.runs} runs"
+    gained = f"{_gained(settings, found)}, after {found.runs} runs"
     if case.tolerance is None:
         return f"done: {gained}"
     largest, allowed = (1e6 * value for value in (found.after.figures["part_error_max"], case.tolerance))
@@ -166,6 +199,7 @@ def summary_of(name: str, case: Case, settings: TuneSettings, found: Tuned, pass
                 "low": number.low,
                 "high": number.high,
                 "unit": number.unit,
+                "end": number.end(found.values[number.name]),
             }
             for number in found.space.numbers
         },

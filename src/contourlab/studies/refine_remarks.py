@@ -30,7 +30,7 @@ COLOURED = 1.5
 
 def shown(one: Sought, value: float, digits: int = 5) -> str:
     """Return a value of a parameter in the unit that people use."""
-    return f"{one.number.shown(value):.{digits}g} {one.number.display or one.number.unit}".strip()
+    return f"{one.number.shown(value):.{digits}g} {one.number.written_in}".strip()
 
 
 def remarks_on(

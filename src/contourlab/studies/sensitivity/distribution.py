@@ -97,7 +97,7 @@ def _called(number: Number, name: str) -> bool:
 
 
 def _deviation(number: Number, text: str) -> float:
-    shown = number.display or number.unit
+    shown = number.written_in
     wanted = f"a deviation of {number.short} above 0, as 5 %{f' or 2 {shown}' if shown else ''}"
     try:
         if text.endswith("%"):

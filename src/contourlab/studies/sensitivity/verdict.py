@@ -146,10 +146,7 @@ def _first(study: Study) -> Iterator[str]:
         minimum, number = curve.minimum, curve.number
         assert minimum is not None
         beyond = ", where the bound is: it may be lower beyond" if minimum.bound else ""
-        told.append(
-            f"{number.short} (at {number.shown(minimum.value):.4g} {number.display or number.unit}".rstrip()
-            + f"{beyond}: {part:.2g} of it)"
-        )
+        told.append(f"{number.short} (at {number.shown(minimum.value):.4g} {number.written_in}".rstrip() + f"{beyond}: {part:.2g} of it)")
     yield f"Calibrate first what alone lowers the figure most: {'; '.join(told)}."
 
 

@@ -16,6 +16,7 @@ from contourlab.components.contract import Component
 from contourlab.errors import ParameterError, UnitError
 from contourlab.loop import Controller, Machine, parameter_names
 from contourlab.scenario.quantities import read_number
+from contourlab.studies.space.digits import with_digits
 from contourlab.studies.space.order import calibration_order
 from contourlab.units import from_si
 
@@ -24,6 +25,8 @@ __all__ = ["Number", "Space"]
 Array = NDArray[np.float64]
 WIDTH = 4.0
 """Bounds are this factor either side of the value where none are given."""
+NEAR = 0.005
+"""So close to a bound, in parts of the range, a value counts as standing on it."""
 MOST_NAMES = 8
 """So many names are listed where one is wrong."""
 
@@ -46,6 +49,8 @@ class Number:
         Unit in which people write it.
     logarithmic : bool
         Whether equal steps are equal factors.
+    least, most : float [SI]
+        Beyond which the component itself takes no value.
     """
 
     name: str
@@ -55,6 +60,8 @@ class Number:
     unit: str = ""
     display: str = ""
     logarithmic: bool = True
+    least: float = -math.inf
+    most: float = math.inf
 
     def __post_init__(self) -> None:
         if not (math.isfinite(self.low) and math.isfinite(self.high)):
@@ -74,16 +81,44 @@ class Number:
     @property
     def bounds(self) -> str:
         """The bounds in words, in the unit that people write."""
-        return f"bounds {self.shown(self.low):g} to {self.shown(self.high):g} {self.display or self.unit}".rstrip()
+        return f"bounds {self.shown(self.low):g} to {self.shown(self.high):g} {self.written_in}".rstrip()
 
     @property
     def nearest(self) -> float:
         """The value [SI], or the bound that is nearest to it where it lies beyond."""
         return min(max(self.value, self.low), self.high)
 
+    @property
+    def written_in(self) -> str:
+        """The unit that people write."""
+        return self.display or self.unit
+
     def shown(self, value: float) -> float:
         """Return a value in the unit that people write."""
-        return from_si(value, self.display) if self.display and self.display != self.unit else value
+        return from_si(value, self.written_in)
+
+    def end(self, value: float) -> str:
+        """Return in words on which end of the range a value [SI] stands, or within `NEAR` of it; empty for one between them."""
+        place = float(self.place(value))
+        if place < NEAR:
+            return "lower end of its range" if self.low > self.least else "the least it may be"
+        if place > 1.0 - NEAR:
+            return "upper end of its range" if self.high < self.most else "the most it may be"
+        return ""
+
+    def cramped(self, value: float) -> bool:
+        """Tell whether a value [SI] stands on an end of the range beyond which the component would take more."""
+        return self.end(value).endswith("its range")
+
+    def written(self, values: ArrayLike) -> Array:
+        """Return values [SI] within the range as a file has them: six digits in the unit that people write, the bounds kept.
+
+        What comes to the digits of the scenario's own value is that one as it is.
+        """
+        made = np.clip(with_digits(values, self.written_in, self.low, self.high), self.least, self.most)
+        if not math.isfinite(self.value):
+            return made
+        return np.where(made == with_digits(self.value, self.written_in), self.value, made)
 
     def physical(self, place: ArrayLike) -> Array:
         """Return the values [SI] at places from 0 (lower bound) to 1 (upper bound)."""
@@ -102,9 +137,17 @@ class Number:
 
 @dataclass(frozen=True)
 class Space:
-    """A box of numbers; points in it are rows of places from 0 to 1."""
+    """A box of numbers; points in it are rows of places from 0 to 1.
+
+    Attributes
+    ----------
+    numbers : tuple of Number
+    written : bool
+        Whether the values of points are those that a file has, as of `Number.written`.
+    """
 
     numbers: tuple[Number, ...]
+    written: bool = False
 
     def __post_init__(self) -> None:
         names = self.names
@@ -125,7 +168,8 @@ class Space:
     def columns(self, points: ArrayLike) -> dict[str, Array]:
         """Return values [SI] of points (n, n_number) as `contourlab.loop.simulate_batch` takes them: name -> (n,)."""
         rows = np.atleast_2d(np.asarray(points, dtype=float))
-        return {number.name: number.physical(rows[:, i]) for i, number in enumerate(self.numbers)}
+        found = {number: number.physical(rows[:, i]) for i, number in enumerate(self.numbers)}
+        return {number.name: number.written(values) if self.written else values for number, values in found.items()}
 
     def values(self, point: ArrayLike) -> dict[str, float]:
         """Return the values [SI] of one point."""
@@ -180,11 +224,11 @@ class Space:
     def only(self, names: Iterable[str]) -> Space:
         """Return the space of some of the numbers."""
         wanted = set(names)
-        return Space(tuple(number for number in self.numbers if number.name in wanted))
+        return replace(self, numbers=tuple(number for number in self.numbers if number.name in wanted))
 
     def around(self, values: Mapping[str, float]) -> Space:
         """Return the space with other values to start from, in the same bounds."""
-        return Space(tuple(replace(number, value=float(values.get(number.name, number.value))) for number in self.numbers))
+        return replace(self, numbers=tuple(replace(one, value=float(values.get(one.name, one.value))) for one in self.numbers))
 
 
 def _value(known: tuple[Component, str]) -> float:
@@ -229,7 +273,8 @@ def _number(name: str, known: tuple[Component, str], units: Mapping[str, tuple[s
         low, high = width * value, value / width
     else:
         low, high = max(value / width, parameter.minimum), min(value * width, parameter.maximum)
-    return Number(name, value, low, high, parameter.unit, parameter.display, logarithmic=low > 0.0)
+    least, most = parameter.minimum, parameter.maximum
+    return Number(name, value, low, high, parameter.unit, parameter.display, logarithmic=low > 0.0, least=least, most=most)
 
 
 def _bounds(name: str, text: str, unit: str, display: str) -> tuple[float, float]:

@@ -68,7 +68,8 @@ class Step:
         Its value.
     objective_before, objective_after : float
     bound : str
-        What kept it from a value at which the objective would be smaller; empty where nothing did.
+        What kept it from a value at which the objective would be smaller, and the end of its range that it stands on; empty where nothing
+        did.
     values, objectives : ndarray (k,)
         All that was tried, values rising.
     allowed : ndarray (k,) of bool
@@ -212,14 +213,18 @@ class _Line:
         return int(min(alike, key=lambda i: self.value[i]))
 
     def bound(self, best: int, found: int) -> str:
-        """Return in words what stands between the value taken and a smaller objective."""
+        """Return in words what stands between the value taken and a smaller objective, an end of the range included."""
+        end, barred = self.number.end(float(self.values[found])), self.barred(best)
+        if barred or end:
+            return "; ".join(filter(None, (barred, end)))
+        return "" if found == best else "as good as the best"
+
+    def barred(self, best: int) -> str:
+        """Return in words which bound a value with a smaller objective than the best that may be taken would cross."""
         lower = int(np.argmin(self.value))
         if self.value[lower] < self.value[best] and lower != best:
             if not self.within_limits()[lower]:
                 return "limit of a drive"
             margins = self.margins(lower)[0]
             return "stability" if math.isinf(margins) else "margins"
-        ends = {0: "lower end of its range", len(self.values) - 1: "upper end of its range"}
-        if found in ends and float(self.value[found]) < float(self.value[self.present]):
-            return ends[found]
-        return "" if found == best else "as good as the best"
+        return ""

@@ -66,5 +66,7 @@ def _tried(objective: Objective, guards: Guards, axis: str, number: Number, now:
     far = np.abs(number.place(values) - number.place(own))
     at = int(np.lexsort((far, judged.value, ~(fine & (short <= shortest))))[0])
     here, reached = int(np.flatnonzero(values == own)[0]), float(judged.value[at])
-    step = Step("repair", number, own, float(values[at]), float(judged.value[here]), reached, "margins", values, judged.value, short <= 0.0)
+    barred = "margins" if bool((judged.value[fine & (short > shortest)] < reached).any()) else ""
+    bound = "; ".join(filter(None, (barred, number.end(float(values[at])))))
+    step = Step("repair", number, own, float(values[at]), float(judged.value[here]), reached, bound, values, judged.value, short <= 0.0)
     return shortest, reached, float(far[at]), step

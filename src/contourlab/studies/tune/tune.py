@@ -23,7 +23,6 @@ from contourlab.studies.tune.objective import Goal, Objective
 from contourlab.studies.tune.placed import fastest, placed_gains
 from contourlab.studies.tune.repair import repaired
 from contourlab.studies.tune.sequential import Path, sequential
-from contourlab.units import to_si
 
 __all__ = ["METHODS", "STARTS", "TuneSettings", "Tuned", "tune"]
 
@@ -188,11 +187,12 @@ def tune(
     guards = Guards([(machine, from_here)], settings.bounds)
     found = _Search(objective, guards, space, settings, begin, tell).run(values)
     begin("checking the answer")
-    answer = {number.name: rounded(number, found.values[number.name]) for number in space.numbers}
+    answer = {number.name: float(number.written(found.values[number.name])) for number in space.numbers}
     made = with_values(machine, from_here, answer)[1]
     after = checked(machine, made, reference, guards, seed=seed, moving=moving)
     notes = [f"axis {axis} has no linear model, so its margins are not known: {why}" for axis, why in guards.unknown.items()]
     notes += [_beyond(number) for number in space.numbers if number.nearest != number.value]
+    notes += _cramped(space, answer)
     return Tuned(
         made,
         space,
@@ -209,18 +209,18 @@ def tune(
     )
 
 
-def rounded(number: Number, value: float) -> float:
-    """Return a value with six digits in the unit that people write, as a file has it; one that was not changed stays as it is."""
-    if value == number.value:
-        return value
-    shown = float(f"{number.shown(value):.6g}")
-    return to_si(f"{shown:.6g} {number.display}", number.unit) if number.display and number.display != number.unit else shown
-
-
 def _beyond(number: Number) -> str:
     """Say that a number was begun at a bound."""
-    value, unit = number.shown(number.value), number.display or number.unit
-    return f"{number.short} = {value:.6g} {unit} lies beyond its {number.bounds}: begun at the nearer one"
+    return f"{number.short} = {number.shown(number.value):.6g} {number.written_in} lies beyond its {number.bounds}: begun at the nearer one"
+
+
+def _cramped(space: Space, answer: Mapping[str, float]) -> list[str]:
+    """Say which numbers ended on an end of their ranges, whoever put them there."""
+    ended = [number.short for number in space.numbers if number.cramped(answer[number.name])]
+    if not ended:
+        return []
+    stand = "stands on an end of its range" if len(ended) == 1 else "stand on an end of their ranges"
+    return [f"{', '.join(ended)} {stand}: a wider --width, or --parameter NAME=LOW..HIGH, may come to more"]
 
 
 def _known(machine: Machine, controller: Controller, settings: TuneSettings) -> None:

@@ -110,6 +110,19 @@ def test_margins_that_the_start_lacks_are_restored_first() -> None:
     assert all(math.degrees(margins.phase) >= 40.0 for margins in found.after.margins.values())
 
 
+def test_a_number_on_an_end_of_its_range_is_told_whoever_put_it_there() -> None:
+    found = tune(rigid_stage(), position_control(position_gain=60000.0), circle(), TuneSettings(bounds=Bounds(6.0, 40.0)))
+    ends = {number.short: number.end(found.values[number.name]) for number in found.space.numbers}
+    assert ends["y.velocity_gain"] == ends["x.velocity_gain"] == "upper end of its range" and sum(map(bool, ends.values())) == 2
+    for stage in ("repair", "pass 1"):
+        moved = [step for step in found.steps if step.stage == stage and step.number.short.endswith("velocity_gain")]
+        assert len(moved) == 2 and all(step.bound.endswith("upper end of its range") for step in moved)
+    (note,) = [note for note in found.notes if "range" in note]
+    assert note.startswith("y.velocity_gain, x.velocity_gain stand on an end of their ranges: a wider --width")
+    # The other number of the repair stopped at the margins, within its range.
+    assert {step.bound for step in found.steps if step.stage == "repair" and "position_gain" in step.number.name} == {"margins"}
+
+
 def test_a_start_that_runs_away_is_brought_back() -> None:
     found = tune(rigid_stage(), position_control(position_gain=3e5), circle(), TuneSettings(width=10.0))
     assert found.before.run is None and "runs away" in found.before.broken[0]
