@@ -3,12 +3,17 @@
 from __future__ import annotations
 
 import json
+import re
 from pathlib import Path
 
+import numpy as np
 import pytest
+from typed_commands import Run
 
 from contourlab.cli.main import main
+from contourlab.scenario import load_scenario
 from contourlab.scenario.load import load_controller, load_machine
+from contourlab.studies.space import Evaluator
 from contourlab.studies.swap import course
 
 SCENARIO = """\
@@ -41,6 +46,7 @@ y.file = "plain.toml"
 """
 PLAIN = '[plant]\nkind = "rigid-axis"\ngain = "1000 mm/s^2/full_scale"\n[drive]\nkind = "saturation"\nlimit = "1 full_scale"\n'
 WORDS = ["--parameter", "model_gain=300 mm/s^2/full_scale..4000 mm/s^2/full_scale", "--budget", "400"]
+BRIEF = ["--budget", "100", "--plots", "svg", "--ways", "one", "--longest", "1 ms"]
 
 
 @pytest.fixture
@@ -72,6 +78,17 @@ def test_one_local_number_restores_what_a_stronger_axis_takes(typed: Path, capsy
     gains = [load_controller(file, machine).axes["x"].controller.values()["model_gain"] for file in files]
     assert gains[0] < 1.3 < 1.7 < gains[1]
     assert all(load_controller(file, machine).axes["x"].local for file in files)
+    # What is written has the digits that people write, and is what was judged: the figures are those of the files.
+    case = load_scenario(typed / "circle.toml").base
+    name = "controller.axes.x.controller.model_gain"
+    for file, words in (("own-x-as-it-is", found["variants"]["x = as it is"]), ("x-as-it-is", None), ("shared", None)):
+        path = results / "controllers" / f"{file}.toml"
+        assert all(len(digits.strip("0.")) <= 7 for digits in re.findall(r'model_gain = "([\d.]+) ', path.read_text()))
+        made = load_controller(path, case.machine)
+        gain = np.array([made.axes["x"].controller.values()["model_gain"]])
+        figures = Evaluator(case.machine, made, case.reference(), moving=case.moving)({name: gain})
+        choice = {"shared": found["choices"][0], "x-as-it-is": found["choices"][-1]}.get(file)
+        assert figures["contour_error_integral"][0] == (words["best"] if words else choice["values"][0])
     # The margins are the exact ones, of what is recommended; what is local decides what has to be in the axis.
     assert all(found["margins"][name]["axes"]["x"]["gain"] >= 10 ** (6.0 / 20.0) for name in found["variants"])
     assert [(one["division"], one["ways"]) for one in found["networks"]] == [("controller", "both"), ("controller", "one")]
@@ -144,6 +161,70 @@ def test_an_interrupted_study_is_taken_up_by_the_same_command(
     assert main([*words, "--seed", "1"]) == 0
     said = capsys.readouterr().out
     assert "also keeps searches of another scenario" in said and "not made again" not in said
+
+
+@pytest.mark.parametrize("late", ["final", "written", "network_cost"])
+def test_an_interrupt_behind_the_searches_says_that_they_are_kept(
+    typed: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch, late: str
+) -> None:
+    words = ["swap", "circle.toml", "--axis", "x", "--with", "strong.toml", *WORDS, *BRIEF]
+
+    def interrupted(*_: object, **__: object) -> None:
+        raise KeyboardInterrupt
+
+    with monkeypatch.context() as patch:
+        patch.setattr(f"contourlab.session.swap.{late}", interrupted)
+        assert main(words) == 130
+    searches = Path("results") / "searches"
+    kept = len(list(searches.glob("*/*.npz")))
+    assert f"kept in {searches}: the same command goes on from there" in capsys.readouterr().err
+    assert main(words) in (0, 1)
+    assert f"{kept} searches were kept from an earlier time" in capsys.readouterr().out
+
+
+def test_an_interrupt_ahead_of_the_first_search_promises_nothing(
+    typed: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def interrupted(*_: object, **__: object) -> None:
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr(course, "best_of_its_own", interrupted)
+    assert main(["swap", "circle.toml", "--axis", "x", "--with", "strong.toml", *WORDS]) == 130
+    assert "kept" not in capsys.readouterr().err and not (typed / "results").exists()
+
+
+PLUGIN = """
+from contourlab.components.contract import Component, param
+
+
+class Drag(Component):
+    family = "friction"
+    kind = "drag-of-a-swapped-axis"
+    law = "smooth"
+    example = {"coefficient": 1.0}
+    reference = "F = c v"
+    coefficient: float = param(unit="{force}*s/m", minimum=0.0, doc="force at unit speed")
+
+    @staticmethod
+    def force(par, v):
+        return par.coefficient * v
+"""
+
+
+def test_searches_hang_on_the_plugins_in_use(contourlab: Run, typed: Path) -> None:
+    (typed / "strong.toml").write_text(
+        (typed / "strong.toml").read_text() + '[friction]\nkind = "drag-of-a-swapped-axis"\ncoefficient = "0.02 full_scale*s/m"\n'
+    )
+    words = ["swap", "circle.toml", "--axis", "x", "--with", "strong.toml", *WORDS, *BRIEF]
+    kept = []
+    # One that stands in no variant decides nothing; that of the axis which takes the place does.
+    for used, idle in (("", ""), ("", "2.0 * "), ("2.0 * ", "2.0 * ")):
+        (typed / "drag.py").write_text(PLUGIN.replace("par.c", f"{used}par.c"))
+        (typed / "idle.py").write_text(PLUGIN.replace("par.c", f"{idle}par.c").replace("swapped", "third"))
+        said = contourlab(*words, "--plugin", "drag.py", "--plugin", "idle.py")
+        assert said.code in (0, 1) and said.err == ""
+        kept.append("searches were kept from an earlier time" in said.out)
+    assert kept == [False, True, False]
 
 
 def test_a_network_that_is_too_late_is_part_of_the_verdict(typed: Path, capsys: pytest.CaptureFixture[str]) -> None:

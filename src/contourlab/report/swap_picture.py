@@ -32,6 +32,8 @@ class LossMatrix:
         Of 1; not finite where nothing holds.
     texts : tuple of tuple of str
         What stands in the cells.
+    untold : ndarray (n_row, n_column) of bool, optional
+        Losses that are only known to be as large at least: these cells are hatched in place of a colour that would tell.
     """
 
     title: str
@@ -39,6 +41,7 @@ class LossMatrix:
     columns: tuple[str, ...]
     losses: Array
     texts: tuple[tuple[str, ...], ...]
+    untold: NDArray[np.bool_] | None = None
 
 
 def write_matrices(
@@ -77,6 +80,8 @@ def _drawing(matrices: Sequence[LossMatrix], limit: float, title: str) -> Any:
     cells = max(3.8, 1.6 * max(len(one.columns) for one in matrices))
     figure = Figure(figsize=(max(7.2, names + cells + 0.9), 0.9 + sum(heights)), layout="constrained")
     figure.suptitle(title, fontsize=9.5, fontweight="bold")
+    if any(one.untold is not None and one.untold.any() for one in matrices):
+        figure.supxlabel("hatched: not told, as J* may lie lower and the loss be larger", fontsize=7.5, color=MUTED)
     places = figure.subplots(len(matrices), 1, squeeze=False, height_ratios=heights)[:, 0]
     for place, one in zip(places, matrices, strict=True):
         shown = _matrix(place, one, limit)
@@ -91,13 +96,15 @@ def _drawing(matrices: Sequence[LossMatrix], limit: float, title: str) -> Any:
 
 def _matrix(place: Axes, one: LossMatrix, limit: float) -> Any:
     from matplotlib.colors import LinearSegmentedColormap, LogNorm
+    from matplotlib.patches import Rectangle
 
     low, high = limit / 6.0, 1.0
     at = np.log(limit / low) / np.log(high / low)
     # Blue-green up to the limit, from there over yellow to vermilion: told apart by colour-blind readers too.
     colours = [(0.0, "#8fd3bd"), (at, "#cdeee2"), (at, "#fdf3cf"), (0.5 + 0.5 * at, "#f4b266"), (1.0, "#d9663a")]
     scale = LinearSegmentedColormap.from_list("loss", colours).with_extremes(bad="#c9ced4")
-    values = np.ma.masked_invalid(np.where(np.isfinite(one.losses), np.clip(one.losses, low, high), np.nan))
+    untold = np.zeros(one.losses.shape, dtype=bool) if one.untold is None else one.untold
+    values = np.ma.masked_invalid(np.where(np.isfinite(one.losses) & ~untold, np.clip(one.losses, low, high), np.nan))
     shown = place.imshow(values, cmap=scale, norm=LogNorm(low, high), aspect="auto")
     place.set_title(one.title, loc="left", fontsize=8.5, color=INK)
     place.set_xticks(range(len(one.columns)), one.columns, fontsize=7.5)
@@ -110,6 +117,10 @@ def _matrix(place: Axes, one: LossMatrix, limit: float) -> Any:
     place.set_yticks(np.arange(0.5, len(one.rows) - 1), minor=True)
     place.grid(visible=True, which="minor", color="white", linewidth=2.0)
     place.tick_params(which="minor", length=0)
+    for i, j in zip(*np.nonzero(untold), strict=True):
+        # Above the image, below the lines between cells.
+        cell = Rectangle((j - 0.5, i - 0.5), 1.0, 1.0, facecolor="#f3f4f6", edgecolor="#d9dde2", hatch="///", linewidth=0.0, zorder=0.2)
+        place.add_patch(cell)
     for i, row in enumerate(one.texts):
         for j, text in enumerate(row):
             place.text(j, i, text, ha="center", va="center", fontsize=7.5, color=INK)

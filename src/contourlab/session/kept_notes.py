@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from contourlab.studies.space.kept import KeptFolder
 
-__all__ = ["kept_notes"]
+__all__ = ["kept_notes", "taken_up_again"]
 
 
 def kept_notes(kept: KeptFolder, found: int, pieces: str, decides: str) -> list[str]:
@@ -33,3 +36,14 @@ def kept_notes(kept: KeptFolder, found: int, pieces: str, decides: str) -> list[
     if kept.damaged:
         notes.append(f"{kept.damaged} files of kept {pieces} could not be read; their {pieces} were made again")
     return notes
+
+
+@contextmanager
+def taken_up_again(folder: Path, pieces: str) -> Iterator[None]:
+    """Say at an interrupt, whenever it comes, that the pieces in a folder are kept for the same command to go on from, if there are any."""
+    try:
+        yield
+    except KeyboardInterrupt as stop:
+        if any(folder.glob("*/*.npz")):
+            stop.add_note(f"The {pieces} that had ended are kept in {folder}: the same command goes on from there.")
+        raise

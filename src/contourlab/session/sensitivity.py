@@ -13,7 +13,7 @@ from contourlab.errors import ParameterError
 from contourlab.result import write_text_atomic
 from contourlab.session.component_sources import plugin_digests
 from contourlab.session.folder import staged
-from contourlab.session.kept_notes import kept_notes
+from contourlab.session.kept_notes import kept_notes, taken_up_again
 from contourlab.session.plain import plain
 from contourlab.session.program_version import DECIDES_RUNS, program_version
 from contourlab.session.sensitivity_text import summary_of, text_of
@@ -122,13 +122,9 @@ def sensitivity_of(
 
     check_plots(plots)
     case, notes = _case(file, request, plugins)
-    with staged(out) as stage:
-        try:
-            with shown(progress) as stages:
-                study, runs = _studied(case, request, Path(out) / KEPT, stages)
-        except KeyboardInterrupt as stop:
-            stop.add_note(f"The runs made so far are kept in {Path(out) / KEPT}: the same command goes on from there.")
-            raise
+    with taken_up_again(Path(out) / KEPT, "runs"), staged(out) as stage:
+        with shown(progress) as stages:
+            study, runs = _studied(case, request, Path(out) / KEPT, stages)
         notes += _kept_notes(runs)
         command = _command(file, request, plugins)
         summary = plain(summary_of(study, runs, case, notes, command))
@@ -194,7 +190,7 @@ def _studied(case: Case, request: Request, folder: Path, stages: Stages) -> tupl
     evaluator = Evaluator(
         machine, controller, reference, moving=case.moving, seed=case.seed, threads=_threads(request.threads), effort=False
     )
-    model = "\n".join([_model(case, reference), *plugin_digests(case)])
+    model = "\n".join([_model(case, reference), *plugin_digests([case.machine], case.controller)])
     runs = study.Runs(evaluator, study.Kept(folder, model), stages.advance)
     level = study.failure_level(machine, reference, figure)
     if not study.holds(space, runs):

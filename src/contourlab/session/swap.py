@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING
 from contourlab.errors import ParameterError, ScenarioError
 from contourlab.scenario.quantities import read_number
 from contourlab.session.folder import staged
-from contourlab.session.kept_notes import kept_notes
+from contourlab.session.kept_notes import kept_notes, taken_up_again
 from contourlab.session.link import Asked, LinkOptions, read_options
 from contourlab.session.run import RunOutcome, check_plots
 from contourlab.session.stages import Stages, shown
@@ -136,13 +136,9 @@ def swap_scenario(
     period = fleet.variants[0].machine.servo_period
     if asked.longest < period:
         raise ParameterError("--longest", options.network.longest, f"the servo period, {period * 1e3:g} ms, or longer")
-    with shown(progress) as stages, staged(out) as folder:
-        kept = kept_searches(Path(out) / KEPT, fleet, ready.candidates, settings, options.plugins)
-        try:
-            study = swap_study(fleet, ready.candidates, settings, _told(stages, fleet), kept)
-        except KeyboardInterrupt as stop:
-            stop.add_note(f"The searches that had ended are kept in {kept.folder}: the same command goes on from there.")
-            raise
+    with taken_up_again(Path(out) / KEPT, "searches"), shown(progress) as stages, staged(out) as folder:
+        kept = kept_searches(Path(out) / KEPT, fleet, ready.candidates, settings)
+        study = swap_study(fleet, ready.candidates, settings, _told(stages, fleet), kept)
         over = None
         if ready.region is not None:
             stages.begin("coverage of the region")

@@ -6,6 +6,7 @@ from collections.abc import Sequence
 from importlib.metadata import version
 from pathlib import Path
 
+from contourlab.session.component_sources import plugin_digests
 from contourlab.session.program_version import DECIDES_RUNS, program_version
 from contourlab.studies.swap.fleet import Fleet
 from contourlab.studies.swap.kept import Kept
@@ -17,9 +18,7 @@ KEPT = "searches"
 """Folder of the searches that are kept, in that of the results."""
 
 
-def kept_searches(
-    folder: Path, fleet: Fleet, candidates: Sequence[str], settings: SwapSettings, plugins: Sequence[str | Path] = ()
-) -> Kept:
+def kept_searches(folder: Path, fleet: Fleet, candidates: Sequence[str], settings: SwapSettings) -> Kept:
     """Return where the searches of a study are kept: under all that decides it, the content of its files included."""
     from contourlab.scenario.dump import dump
 
@@ -30,7 +29,7 @@ def kept_searches(
     local = None if settings.local is None else [sorted(names) for names in settings.local]
     known = [[sorted(values.items()) for values in design] for design in settings.known]
     words.append(f"{settings.budget} {settings.seed} {settings.full!r} {settings.exhaustive} {local} {known}")
-    words += [Path(plugin).read_text(encoding="utf-8") for plugin in plugins]
+    words += plugin_digests([variant.machine for variant in fleet.variants], fleet.controller)
     words += [f"{name} {version(name)}" for name in ("cma", "numpy")]
     words.append(program_version((*DECIDES_RUNS, "analysis", "studies/space", "studies/swap")))
     return Kept(folder, "\n".join(words))

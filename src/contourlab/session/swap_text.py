@@ -40,7 +40,7 @@ def text_of(report: SwapReport) -> str:
     for choice in (study.given, *study.choices):
         effort = "" if choice is study.given else str(choice.effort)
         named = "the scenario's own numbers" if choice is study.given else choice.name
-        table.append((named, effort, *(_number(v) for v in choice.design.values * _MICRO), _percent(choice.loss)))
+        table.append((named, effort, *(_number(v) for v in choice.design.values * _MICRO), _at_least(study, choice.loss)))
     lines = [f"J in {report.unit}, of each variant; the column behind the names counts the local numbers", *_columns(table)]
     lines += ["", report.verdict]
     best = study.recommended
@@ -99,11 +99,12 @@ def _networks(report: SwapReport, which: str) -> Iterator[str]:
 def _division(study: SwapStudy, choice: Choice) -> Iterator[str]:
     """Yield the numbers of a division: base, then local with a value for each variant."""
     space, rows = study.fleet.space, []
-    for j, number in enumerate(space.numbers):
-        shown = [float(number.shown(float(number.physical(place)))) for place in choice.design.points[:, j]]
-        unit = number.display or number.unit
+    values = space.columns(choice.design.points)
+    for number in space.numbers:
+        shown = [number.shown(value) for value in values[number.name].tolist()]
+        unit = number.written_in
         local = number.name in choice.design.local
-        rows.append((f"  {number.short}", "local" if local else "base", *(f"{v:.5g}" for v in (shown if local else shown[:1])), unit))
+        rows.append((f"  {number.short}", "local" if local else "base", *(f"{v:.6g}" for v in (shown if local else shown[:1])), unit))
     widest = max(len(row) for row in rows)
     yield from _columns([(*row[:-1], *[""] * (widest - len(row)), row[-1]) for row in rows])
 
@@ -111,7 +112,7 @@ def _division(study: SwapStudy, choice: Choice) -> Iterator[str]:
 def _coverage(study: SwapStudy, over: Coverage) -> Iterator[str]:
     low, high = over.bounds
     span = ", ".join(
-        f"{number.short} {number.shown(number.low):g} to {number.shown(number.high):g} {number.display or number.unit}".rstrip()
+        f"{number.short} {number.shown(number.low):g} to {number.shown(number.high):g} {number.written_in}".rstrip()
         for number in over.region.numbers
     )
     good = (
@@ -154,6 +155,11 @@ def _percent(loss: float) -> str:
     return "-" if not math.isfinite(loss) else f"{100.0 * loss:.0f}" if loss >= 1.0 else f"{100.0 * loss:.3g}"
 
 
+def _at_least(study: SwapStudy, loss: float) -> str:
+    """Return a loss, which is no more than a lower bound where J* was still falling."""
+    return f"{'at least ' if study.fell_short and math.isfinite(loss) else ''}{_percent(loss)}"
+
+
 def _unit(study: SwapStudy) -> str:
     return UNITS[OBJECTIVES[study.fleet.objective][0]]
 
@@ -191,7 +197,12 @@ def summary_of(report: SwapReport) -> dict[str, Any]:
         },
         "bounds": numbers,
         "variants": {
-            variant.name: {"best": float(value), "per_start": own.per_start.tolist(), "numbers": fleet.space.values(point)}
+            variant.name: {
+                "best": float(value),
+                "per_start": own.per_start.tolist(),
+                "searched_on": own.on.tolist(),
+                "numbers": fleet.space.values(point),
+            }
             for variant, value, own, point in zip(fleet.variants, fleet.best, study.owns, fleet.best_points, strict=True)
         },
         "as_given": _choice(study, study.given),
@@ -272,14 +283,18 @@ def matrices(study: SwapStudy) -> list[LossMatrix]:
     """Return the picture's matrices: variants under choices of local numbers, and variants under designs for each other."""
     fleet, unit = study.fleet, _unit(study)
     names = tuple(variant.name for variant in fleet.variants)
+    falling = np.array([name in study.fell_short for name in names])
 
-    def cells(values: Array) -> tuple[Array, tuple[tuple[str, ...], ...]]:
+    def cell(lost: float, value: float, still: bool) -> str:
+        if not math.isfinite(lost):
+            return "breaks a guard"
+        return f"{'at least ' if still else ''}{_percent(lost)} %  ({value * _MICRO:.3g} {unit})"
+
+    def cells(values: Array) -> tuple[Array, tuple[tuple[str, ...], ...], NDArray[np.bool_]]:
         lost = losses(np.where(np.isfinite(values), values, np.nan), fleet.best, fleet.floor)
-        texts = [
-            [f"{_percent(x)} %  ({v * _MICRO:.3g} {unit})" if math.isfinite(x) else "breaks a guard" for x, v in zip(*pair, strict=True)]
-            for pair in zip(lost, values, strict=True)
-        ]
-        return lost, tuple(map(tuple, texts))
+        texts = [tuple(map(cell, *row, falling.tolist())) for row in zip(lost.tolist(), values.tolist(), strict=True)]
+        # What is over the limit stays so, however far J* may fall.
+        return lost, tuple(texts), falling & (lost < study.settings.full)
 
     shown = _distinct(study)
     rows = tuple(_broken_up(choice.name if choice.effort else "nothing") for choice in shown)

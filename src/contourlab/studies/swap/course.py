@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass, field, replace
 
 import numpy as np
 from numpy.typing import NDArray
 
-from contourlab.studies.swap.design import Choice, Design, Own, best_of_its_own, shared, starts_around, within
+from contourlab.studies.space.bounds import ROUNDING
+from contourlab.studies.swap.design import Choice, Design, Own, best_of_its_own, on_from, shared, shortfalls, starts_around, within
 from contourlab.studies.swap.fleet import Fleet
 from contourlab.studies.swap.kept import Kept, Result
 from contourlab.studies.swap.loss import losses, swap_loss
@@ -28,6 +29,10 @@ AGAIN = 0.1
 """First step of the second search of the shared design."""
 MERGED = 4
 """Designs with local numbers from which that one starts."""
+ON = 0.25
+"""Budget of a search on for one variant alone from where a shared design stands, over that of its own."""
+SLIGHT = 0.1
+"""Part of the limit from which J* is searched on once more."""
 Stage = Callable[[str, int], None]
 """Told what is done next, and how many candidates of variants it takes at most."""
 
@@ -78,6 +83,18 @@ class Course:
                 return best_of_its_own(fleet, i, budget=budget, seed=settings.seed + i, starts=starts)
 
             found.append(self._searched(f"best of {variant.name}", settings.budget, Own, make))
+        return tuple(found)
+
+    def on(self, owns: Sequence[Own], turn: int) -> tuple[Own, ...]:
+        """Search on for each variant alone whose searches a shared design has passed, or whose J* still falls."""
+        short, found = shortfalls(self.fleet, owns), list(owns)
+        for i, variant in enumerate(self.fleet.variants):
+            if short[i] > (SLIGHT * self.settings.full if turn else ROUNDING):
+
+                def make(budget: int, i: int = i) -> Own:
+                    return on_from(self.fleet, i, owns[i], budget=budget, seed=self.settings.seed + i + 20 * (turn + 1))
+
+                found[i] = self._searched(f"{variant.name} alone, from the best so far", ON * self.settings.budget, Own, make)
         return tuple(found)
 
     def _starts(self, local: frozenset[str]) -> list[Array]:
@@ -189,6 +206,11 @@ class Course:
         """Return the loss of a choice as J* stands: that of the best design that has no more local numbers."""
         fewer = [design, *(one for _, one in self.designs if one.local < design.local)]
         return min(swap_loss(one.values, self.fleet.best, self.fleet.floor) for one in fewer)
+
+    def fewest(self) -> Design | None:
+        """Return the design with the fewest local numbers that is good; None where none is."""
+        good = [design for _, design in self.designs if self.good(self.loss(design))]
+        return min(good, key=lambda design: (len(design.local), self.loss(design)), default=None)
 
     def good(self, loss: float) -> bool:
         """Tell whether a loss is under the limit."""

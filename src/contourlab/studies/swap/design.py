@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -15,7 +15,7 @@ from contourlab.studies.swap.division import Division
 from contourlab.studies.swap.fleet import BROKEN, Fleet
 from contourlab.studies.swap.loss import losses
 
-__all__ = ["Choice", "Design", "Own", "best_of_its_own", "evaluated", "shared", "starts_around", "within"]
+__all__ = ["Choice", "Design", "Own", "best_of_its_own", "evaluated", "on_from", "shared", "shortfalls", "starts_around", "within"]
 
 Array = NDArray[np.float64]
 Objective = Callable[[Array], Array]
@@ -42,12 +42,25 @@ class Own:
     per_start : ndarray (n_start,)
         J that each start came to; infinite where it found nothing that keeps the guards.
     runs : int
+    on : ndarray (n_on, 2)
+        J from which further searches for the variant alone went on, J* as another search had found it, and what each came to.
     """
 
     point: Array
     value: float
     per_start: Array
     runs: int
+    on: Array = field(default_factory=lambda: np.zeros((0, 2)))
+
+    @property
+    def reached(self) -> float:
+        """What the last search for the variant alone came to."""
+        return float(self.on[-1, 1]) if len(self.on) else self.value
+
+    @property
+    def fell(self) -> float:
+        """By how much the last one that went on lowered J*; 0 where none did."""
+        return float(self.on[-1, 0] - self.on[-1, 1]) if len(self.on) else 0.0
 
 
 @dataclass(frozen=True, eq=False)
@@ -129,6 +142,24 @@ def best_of_its_own(fleet: Fleet, i: int, *, budget: int, seed: int, starts: Arr
     return Own(
         found.point, found.value * fleet.floor, np.where(found.per_start < BROKEN, found.per_start * fleet.floor, np.inf), found.runs
     )
+
+
+def on_from(fleet: Fleet, i: int, own: Own, *, budget: int, seed: int) -> Own:
+    """Search on for one variant alone, in small steps from where its J* stands, whichever search came there."""
+    before = float(fleet.best[i])
+    found = _polished(fleet.own(i), fleet.best_points[[i]], max(budget, 2 * POPULATION), seed)
+    assert found is not None  # the budget is enough for a generation
+    after = float(fleet.best[i])
+    return replace(own, point=fleet.best_points[i], runs=own.runs + found.runs, on=np.vstack([own.on, [before, after]]))
+
+
+def shortfalls(fleet: Fleet, owns: Sequence[Own]) -> Array:
+    """Return by how much J* may be too large (n_variant,), counted as a loss.
+
+    That is how far the searches for a variant alone ended above what another one found, or what the last of them still took off.
+    """
+    above = losses([own.reached for own in owns], fleet.best, fleet.floor)
+    return np.maximum(above, np.array([own.fell for own in owns]) / np.maximum(fleet.best, fleet.floor))
 
 
 def shared(

@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 from collections.abc import Callable, Sequence
 from concurrent.futures import ThreadPoolExecutor
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -38,7 +38,8 @@ class Fleet:
     controller : Controller
     reference : Reference
     space : Space
-        Numbers of the controller that are moved.
+        Numbers of the controller that are moved; its points are run with values as files have them, so that what is written is what was
+        judged.
     objective : str
         Of `OBJECTIVES`.
     floor : float [SI]
@@ -76,6 +77,7 @@ class Fleet:
         outside = [name for name in self.space.names if not name.startswith("controller.")]
         if outside:
             raise ParameterError("parameters", outside[0], "a number of the controller: the machine's own are what the variants differ in")
+        self.space = replace(self.space, written=True)
         self.evaluators = tuple(
             Evaluator(v.machine, self.controller, self.reference, moving=self.moving, seed=self.seed, threads=self.threads)
             for v in self.variants

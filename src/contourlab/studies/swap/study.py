@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from contourlab.studies.swap.course import ALL, BASE, Course, Stage, words
-from contourlab.studies.swap.design import Choice, Design, Own, evaluated
+from contourlab.studies.swap.design import Choice, Design, Own, evaluated, shortfalls
 from contourlab.studies.swap.fleet import Fleet
 from contourlab.studies.swap.kept import Kept
 from contourlab.studies.swap.loss import losses
@@ -20,6 +20,8 @@ from contourlab.studies.swap.settings import SwapSettings
 __all__ = ["SwapStudy", "swap_study"]
 
 Array = NDArray[np.float64]
+TURNS = 3
+"""How often J* is searched on at most."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -60,10 +62,9 @@ class SwapStudy:
 
     @property
     def fell_short(self) -> tuple[str, ...]:
-        """Variants whose own search ended farther above J* than a swap may lose: a shared one found better, so J* may well lie lower."""
-        fleet, values = self.fleet, np.array([own.value for own in self.owns])
-        above = losses(values, fleet.best, fleet.floor)
-        return tuple(variant.name for variant, lost in zip(fleet.variants, above, strict=True) if lost >= self.settings.full)
+        """Variants whose J* was still falling by more than a swap may lose as the searches ended, so that it may well lie lower."""
+        short = shortfalls(self.fleet, self.owns)
+        return tuple(variant.name for variant, lost in zip(self.fleet.variants, short, strict=True) if lost >= self.settings.full)
 
     @property
     def full(self) -> bool:
@@ -113,14 +114,28 @@ def swap_study(
         pare(going, candidates, {one.name: one.sensitivity for one in order})
     else:
         going.look("none", (), share=BASE)
-    stage("each design on each variant", 0)
-    going.settle()
+    owns = _in_step(going, owns)
     crossed = np.array([evaluated(fleet, frozenset(), np.tile(point, (fleet.n_variant, 1))).values for point in fleet.best_points])
     given = Choice("as given", Design(frozenset(), start, values[:, 0], np.zeros(0), 1), losses(values[:, 0], fleet.best, fleet.floor))
     # Nothing local first, all of it last.
     choices = sorted(going.choices(), key=lambda choice: (choice.effort == len(candidates) and choice.effort > 0, choice.effort > 0))
     breaks = tuple(variant.name for variant, worst in zip(fleet.variants, broken[:, 0], strict=True) if worst > 0.0)
     return SwapStudy(fleet, settings, owns, given, tuple(choices), crossed, order, breaks)
+
+
+def _in_step(going: Course, owns: tuple[Own, ...]) -> tuple[Own, ...]:
+    """Let each variant alone go on from where a shared design found better, and the design that held until then follow, in turns."""
+    for turn in range(TURNS):
+        going.stage("each design on each variant", 0)
+        going.settle()
+        held, more = going.fewest(), going.on(owns, turn)
+        if more == owns:
+            return owns
+        owns = more
+        if held is not None and not going.good(going.loss(held)):
+            going.refine(held, turn=2 + turn)
+    going.settle()
+    return owns
 
 
 def _given(going: Course, sets: tuple[frozenset[str], ...]) -> None:

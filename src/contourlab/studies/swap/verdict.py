@@ -13,9 +13,6 @@ from contourlab.studies.swap.study import SwapStudy
 
 __all__ = ["on_bounds", "search_words", "verdict"]
 
-NEAR = 0.005
-"""So close to a bound, in parts of the box, a number counts as being on it."""
-
 
 def verdict(study: SwapStudy) -> str:
     """Return the verdict in one sentence."""
@@ -23,8 +20,8 @@ def verdict(study: SwapStudy) -> str:
     if best is not None and study.fell_short:
         names, stands = " and ".join(study.fell_short), _percent(base.loss)
         return (
-            f"not told: the search for {names} alone ended more than {limit} above what a shared one found, so that J* may lie lower: "
-            f"raise --budget, or give known designs by --from; against J* as it stands the swap loss is {stands} with nothing local"
+            f"not told: J* of {names} was still falling by more than {limit} as the searches ended, so that it may lie lower: raise "
+            f"--budget, or give known designs by --from; against J* as it stands the swap loss is {stands} with nothing local"
         )
     if study.full:
         return f"full modularity: one controller serves all variants, swap loss {_percent(base.loss)} with nothing local (limit {limit})"
@@ -60,13 +57,16 @@ def search_words(study: SwapStudy) -> Iterator[str]:
     for name, why in {name: why for keeper in fleet.keepers for name, why in keeper.unknown.items()}.items():
         yield f"margins of axis {name} were not looked at: {why}"
     yield (
-        f"{fleet.runs} runs; {settings.budget} candidates a search (twice for the shared design, up to half for a set that is tried) from "
-        f"{len(study.owns[0].per_start)} starts, seed {settings.seed}; shared designs make the largest loss small, then the mean"
+        f"{fleet.runs} runs; {settings.budget} candidates a search (twice for the shared design, up to half for a set that is tried, "
+        f"a quarter to go on from J*) from {len(study.owns[0].per_start)} starts, seed {settings.seed}; "
+        "shared designs make the largest loss small, then the mean"
     )
     for variant, own in zip(fleet.variants, study.owns, strict=True):
         good = own.per_start[np.isfinite(own.per_start)] * scale
         span = f"{good.min():.3g} to {good.max():.3g} {shown}" if good.size else "nothing"
-        yield f"{variant.name}: its starts came to {span}, then {own.value * scale:.3g} {shown} around the best of them"
+        on = "".join(f"; on from {before * scale:.3g} of another search to {after * scale:.3g}" for before, after in own.on[:1].tolist())
+        on += "".join(f", then to {after * scale:.3g}" for _, after in own.on[1:].tolist())
+        yield f"{variant.name}: its starts came to {span}, then {own.value * scale:.3g} {shown} around the best of them{on}"
     each = study.base.design.per_start
     came = ", ".join(f"{100.0 * loss:.3g} %" for loss in each if math.isfinite(loss)) or "nothing that keeps the guards"
     lost = int(np.count_nonzero(~np.isfinite(each)))
@@ -79,10 +79,10 @@ def on_bounds(study: SwapStudy, choice: Choice) -> list[str]:
     """Return the numbers of a design that stand on a bound, where a wider one might do better."""
     found = []
     for j, number in enumerate(study.fleet.space.numbers):
-        places = choice.design.points[:, j]
-        for edge, bound in ((0.0, number.low), (1.0, number.high)):
-            if (np.abs(places - edge) < NEAR).any():
-                found.append(f"{number.short} at {number.shown(bound):.4g} {number.display or number.unit}".rstrip())
+        values = number.physical(choice.design.points[:, j])
+        ends = [value for value in values.tolist() if number.cramped(value)]
+        for bound in dict.fromkeys(number.low if value - number.low < number.high - value else number.high for value in ends):
+            found.append(f"{number.short} at {number.shown(bound):.4g} {number.written_in}".rstrip())
     return found
 
 

@@ -16,13 +16,15 @@ from contourlab.errors import ParameterError
 from contourlab.feed import uniform
 from contourlab.geometry import contour
 from contourlab.loop import Axis, AxisController, Controller, Limits, Machine
+from contourlab.report.swap_picture import _drawing
 from contourlab.session.swap_text import matrices
 from contourlab.studies.space import Space
 from contourlab.studies.space.bounds import Bounds
 from contourlab.studies.space.values import machine_with
+from contourlab.studies.swap import course
 from contourlab.studies.swap.course import made_one
 from contourlab.studies.swap.coverage import coverage
-from contourlab.studies.swap.design import evaluated
+from contourlab.studies.swap.design import Own, evaluated
 from contourlab.studies.swap.division import Division
 from contourlab.studies.swap.fleet import Fleet
 from contourlab.studies.swap.kept import Kept
@@ -31,7 +33,7 @@ from contourlab.studies.swap.numbers import divided_controller
 from contourlab.studies.swap.settings import SwapSettings
 from contourlab.studies.swap.study import SwapStudy, swap_study
 from contourlab.studies.swap.variants import Variant, variants_of
-from contourlab.studies.swap.verdict import verdict
+from contourlab.studies.swap.verdict import search_words, verdict
 
 GAINS = {"velocity_gain": 60.0, "position_gain": 3000.0, "integral_gain": 10.0}
 AHEAD = "controller.axes.x.controller.model_gain"
@@ -131,11 +133,58 @@ def test_no_design_that_was_found_makes_a_better_shared_one(settings: dict[str, 
 
 def test_a_search_that_fell_short_makes_no_verdict(unequal: SwapStudy) -> None:
     assert unequal.fell_short == ()
-    best = unequal.fleet.best
-    late = [replace(own, value=float(value) + 0.1 * unequal.fleet.floor) for own, value in zip(unequal.owns, best, strict=True)]
-    short = replace(unequal, owns=(unequal.owns[0], late[1]))
-    assert short.fell_short == ("x = strong",) and short.recommended is not None
-    assert verdict(short).startswith("not told: the search for x = strong alone ended more than 3 % above")
+    best, floor = unequal.fleet.best, unequal.fleet.floor
+    # Above what another search found, or below it but still falling.
+    above = [replace(own, value=float(value) + 0.1 * floor) for own, value in zip(unequal.owns, best, strict=True)]
+    falling = [replace(own, on=np.array([[value + 0.1 * floor, value]])) for own, value in zip(above, best.tolist(), strict=True)]
+    for late in (above[1], falling[1]):
+        short = replace(unequal, owns=(unequal.owns[0], late))
+        assert short.fell_short == ("x = strong",) and short.recommended is not None
+        assert verdict(short).startswith("not told: J* of x = strong was still falling by more than 3 %")
+    # One that went on and came to rest is told.
+    rested = replace(above[1], on=np.array([[float(best[1]), float(best[1])]]))
+    assert replace(unequal, owns=(unequal.owns[0], rested)).fell_short == ()
+
+
+def test_what_is_not_told_is_not_coloured(unequal: SwapStudy) -> None:
+    assert not any(one.untold.any() for one in matrices(unequal) if one.untold is not None)
+    best, floor = float(unequal.fleet.best[1]), unequal.fleet.floor
+    short = replace(unequal, owns=(unequal.owns[0], replace(unequal.owns[1], value=best + 0.1 * floor)))
+    for one in matrices(short):
+        assert one.untold is not None and not one.untold[:, 0].any()
+        # What is over the limit is so for certain; what is under it may not be.
+        np.testing.assert_array_equal(one.untold[:, 1], one.losses[:, 1] < 0.03)
+        assert all(row[1].startswith(("at least ", "breaks")) and not row[0].startswith("at least") for row in one.texts)
+    first = matrices(short)[0]
+    figure = _drawing([first], 0.03, "a")
+    place = figure.axes[0]
+    assert len(place.patches) == np.count_nonzero(first.untold) > 0 and all(patch.get_hatch() for patch in place.patches)
+    assert place.images[0].get_array()[first.untold].mask.all() and "not told" in figure._supxlabel.get_text()
+
+
+def starved(fleet: Fleet, i: int, *, budget: int, seed: int, starts: object, spread: float = 0.2) -> Own:
+    """Return what a search that stays where it starts comes to."""
+    values, _ = fleet.values(fleet.space.start[None, None], (i,))
+    return Own(fleet.space.start, float(values[0, 0]), values[0], 1)
+
+
+def test_a_search_that_stuck_goes_on_from_where_a_shared_one_found_better(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(course, "best_of_its_own", starved)
+    whole, kept = kept_study(tmp_path / "whole")
+    assert all(len(own.on) for own in whole.owns) and whole.fell_short == ()
+    for own, best in zip(whole.owns, whole.fleet.best, strict=True):
+        # Each goes on from what another search found, and no search lies.
+        assert own.value > own.on[0, 0] >= own.on[0, 1] >= best and (own.on[1:, 0] <= own.on[:-1, 1]).all()
+    assert all("of another search to" in words for words in search_words(whole) if words.startswith("x ="))
+    assert [choice.loss for choice in whole.choices] == [
+        swap_loss(choice.design.values, whole.fleet.best, whole.fleet.floor) for choice in whole.choices
+    ]
+    # And so it does after an interrupt.
+    stages = len(list(kept.home.iterdir()))
+    with pytest.raises(KeyboardInterrupt):
+        kept_study(tmp_path / "again", stop_at="x = strong alone, from the best so far")
+    resumed, kept = kept_study(tmp_path / "again")
+    assert 0 < kept.found < stages and told(resumed) == told(whole)
 
 
 def test_same_study_on_any_number_of_threads() -> None:
@@ -225,14 +274,15 @@ def test_numbers_are_put_in_their_places() -> None:
     assert isinstance(Variant("a", machine), Variant)
 
 
-def kept_study(folder: Path, stop_after: int | None = None, model: str = "one") -> tuple[SwapStudy, Kept]:
-    """Return a study of which the searches are kept, or stop at the beginning of a stage."""
+def kept_study(folder: Path, stop_after: int | None = None, model: str = "one", stop_at: str = "") -> tuple[SwapStudy, Kept]:
+    """Return a study of which the searches are kept, or stop at the beginning of a stage, by their number or its name."""
     fleet, kept, begun = fleet_of([("strong", rigid("other", 2.0))], ("*.x.controller.*_gain",)), Kept(folder, model), []
 
     def stage(said: str, most: int) -> None:
-        if len(begun) == stop_after:
+        if len(begun) == stop_after or said == stop_at:
             raise KeyboardInterrupt
-        begun.append(said)
+        if most:  # else it is no search
+            begun.append(said)
 
     candidates = tuple(name for name in fleet.space.names if ".axes.x." in name)
     return swap_study(fleet, candidates, SwapSettings(budget=200), stage, kept), kept
@@ -245,7 +295,7 @@ def told(study: SwapStudy) -> list[object]:
         [choice.name, choice.design.points.tobytes(), choice.design.values.tobytes(), choice.design.per_start.tobytes(), choice.design.runs]
         for choice in study.choices
     ]
-    owns = [[own.point.tobytes(), own.value, own.per_start.tobytes(), own.runs] for own in study.owns]
+    owns = [[own.point.tobytes(), own.value, own.per_start.tobytes(), own.runs, own.on.tobytes()] for own in study.owns]
     return [
         designs,
         owns,
@@ -262,7 +312,7 @@ def test_an_interrupted_study_goes_on_to_the_same_bits(tmp_path: Path) -> None:
     whole, kept = kept_study(tmp_path / "whole")
     stages = len(list(kept.home.iterdir()))
     assert kept.found == 0 and stages >= 5
-    for after in range(1, stages):
+    for after in range(1, stages, 2):
         folder = tmp_path / str(after)
         with pytest.raises(KeyboardInterrupt):
             kept_study(folder, stop_after=after)
