@@ -201,6 +201,7 @@ def summary_of(report: SwapReport) -> dict[str, Any]:
                 "best": float(value),
                 "per_start": own.per_start.tolist(),
                 "searched_on": own.on.tolist(),
+                "searched_afresh": own.afresh,
                 "numbers": fleet.space.values(point),
             }
             for variant, value, own, point in zip(fleet.variants, fleet.best, study.owns, fleet.best_points, strict=True)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass, field, replace
 
@@ -9,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from contourlab.studies.space.bounds import ROUNDING
-from contourlab.studies.swap.design import Choice, Design, Own, best_of_its_own, on_from, shared, shortfalls, starts_around, within
+from contourlab.studies.swap.design import Choice, Design, Own, afresh, best_of_its_own, on_from, shared, shortfalls, starts_around, within
 from contourlab.studies.swap.fleet import Fleet
 from contourlab.studies.swap.kept import Kept, Result
 from contourlab.studies.swap.loss import losses, swap_loss
@@ -87,7 +88,7 @@ class Course:
 
     def on(self, owns: Sequence[Own], turn: int) -> tuple[Own, ...]:
         """Search on for each variant alone whose searches a shared design has passed, or whose J* still falls."""
-        short, found = shortfalls(self.fleet, owns), list(owns)
+        short, found = shortfalls(self.fleet, owns, by_themselves=False), list(owns)
         for i, variant in enumerate(self.fleet.variants):
             if short[i] > (SLIGHT * self.settings.full if turn else ROUNDING):
 
@@ -95,6 +96,18 @@ class Course:
                     return on_from(self.fleet, i, owns[i], budget=budget, seed=self.settings.seed + i + 20 * (turn + 1))
 
                 found[i] = self._searched(f"{variant.name} alone, from the best so far", ON * self.settings.budget, Own, make)
+        return tuple(found)
+
+    def afresh(self, owns: Sequence[Own]) -> tuple[Own, ...]:
+        """Search once more for each variant alone whose own search ended farther above J* than a swap may lose."""
+        short, found = shortfalls(self.fleet, owns, by_themselves=True), list(owns)
+        for i, variant in enumerate(self.fleet.variants):
+            if not self.good(short[i]) and math.isnan(owns[i].afresh):
+
+                def make(budget: int, i: int = i) -> Own:
+                    return afresh(self.fleet, i, owns[i], budget=budget, seed=self.settings.seed + i + 100)
+
+                found[i] = self._searched(f"{variant.name} alone, once more", self.settings.budget, Own, make)
         return tuple(found)
 
     def _starts(self, local: frozenset[str]) -> list[Array]:

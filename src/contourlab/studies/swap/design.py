@@ -15,7 +15,19 @@ from contourlab.studies.swap.division import Division
 from contourlab.studies.swap.fleet import BROKEN, Fleet
 from contourlab.studies.swap.loss import losses
 
-__all__ = ["Choice", "Design", "Own", "best_of_its_own", "evaluated", "on_from", "shared", "shortfalls", "starts_around", "within"]
+__all__ = [
+    "Choice",
+    "Design",
+    "Own",
+    "afresh",
+    "best_of_its_own",
+    "evaluated",
+    "on_from",
+    "shared",
+    "shortfalls",
+    "starts_around",
+    "within",
+]
 
 Array = NDArray[np.float64]
 Objective = Callable[[Array], Array]
@@ -44,6 +56,9 @@ class Own:
     runs : int
     on : ndarray (n_on, 2)
         J from which further searches for the variant alone went on, J* as another search had found it, and what each came to.
+    afresh : float
+        J of a second search for the variant alone, from around J* but not from there; infinite where nothing it tried keeps the guards, nan
+        where none was made.
     """
 
     point: Array
@@ -51,11 +66,17 @@ class Own:
     per_start: Array
     runs: int
     on: Array = field(default_factory=lambda: np.zeros((0, 2)))
+    afresh: float = math.nan
+
+    @property
+    def by_itself(self) -> float:
+        """The best that a search for the variant alone came to, without being shown where J* stands."""
+        return float(np.fmin(self.value, self.afresh))
 
     @property
     def reached(self) -> float:
-        """What the last search for the variant alone came to."""
-        return float(self.on[-1, 1]) if len(self.on) else self.value
+        """The best that any search for the variant alone came to."""
+        return min(float(self.on[-1, 1]), self.by_itself) if len(self.on) else self.by_itself
 
     @property
     def fell(self) -> float:
@@ -153,12 +174,23 @@ def on_from(fleet: Fleet, i: int, own: Own, *, budget: int, seed: int) -> Own:
     return replace(own, point=fleet.best_points[i], runs=own.runs + found.runs, on=np.vstack([own.on, [before, after]]))
 
 
-def shortfalls(fleet: Fleet, owns: Sequence[Own]) -> Array:
+def afresh(fleet: Fleet, i: int, own: Own, *, budget: int, seed: int) -> Own:
+    """Search for one variant alone once more, from around where its J* stands: whether a search finds there that is not shown the place."""
+    starts = starts_around(fleet.best_points[i], len(own.per_start) + 1, seed)[1:]
+    try:
+        found = best_of_its_own(fleet, i, budget=budget, seed=seed, starts=starts)
+    except ParameterError:  # nothing that was tried keeps the guards
+        return replace(own, afresh=math.inf, runs=own.runs + budget)
+    return replace(own, afresh=found.value, runs=own.runs + found.runs)
+
+
+def shortfalls(fleet: Fleet, owns: Sequence[Own], *, by_themselves: bool) -> Array:
     """Return by how much J* may be too large (n_variant,), counted as a loss.
 
-    That is how far the searches for a variant alone ended above what another one found, or what the last of them still took off.
+    That is how far the searches for a variant alone ended above what another one found, or what the last of them still took off; those that
+    were shown where J* stood count unless they have to have come there `by_themselves`.
     """
-    above = losses([own.reached for own in owns], fleet.best, fleet.floor)
+    above = losses([own.by_itself if by_themselves else own.reached for own in owns], fleet.best, fleet.floor)
     return np.maximum(above, np.array([own.fell for own in owns]) / np.maximum(fleet.best, fleet.floor))
 
 

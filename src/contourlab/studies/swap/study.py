@@ -62,8 +62,8 @@ class SwapStudy:
 
     @property
     def fell_short(self) -> tuple[str, ...]:
-        """Variants whose J* was still falling by more than a swap may lose as the searches ended, so that it may well lie lower."""
-        short = shortfalls(self.fleet, self.owns)
+        """Variants whose J* may lie lower: no search for them alone came within the limit of it by itself, or it still fell by as much."""
+        short = shortfalls(self.fleet, self.owns, by_themselves=True)
         return tuple(variant.name for variant, lost in zip(self.fleet.variants, short, strict=True) if lost >= self.settings.full)
 
     @property
@@ -124,11 +124,11 @@ def swap_study(
 
 
 def _in_step(going: Course, owns: tuple[Own, ...]) -> tuple[Own, ...]:
-    """Let each variant alone go on from where a shared design found better, and the design that held until then follow, in turns."""
+    """Let searches for a variant alone catch up where another one found better, and the design that held until then follow, in turns."""
     for turn in range(TURNS):
         going.stage("each design on each variant", 0)
         going.settle()
-        held, more = going.fewest(), going.on(owns, turn)
+        held, more = going.fewest(), going.afresh(going.on(owns, turn))
         if more == owns:
             return owns
         owns = more

@@ -20,7 +20,7 @@ def verdict(study: SwapStudy) -> str:
     if best is not None and study.fell_short:
         names, stands = " and ".join(study.fell_short), _percent(base.loss)
         return (
-            f"not told: J* of {names} was still falling by more than {limit} as the searches ended, so that it may lie lower: raise "
+            f"not told: the searches for {names} alone did not come within {limit} of what others found, so that J* may lie lower: raise "
             f"--budget, or give known designs by --from; against J* as it stands the swap loss is {stands} with nothing local"
         )
     if study.full:
@@ -58,7 +58,8 @@ def search_words(study: SwapStudy) -> Iterator[str]:
         yield f"margins of axis {name} were not looked at: {why}"
     yield (
         f"{fleet.runs} runs; {settings.budget} candidates a search (twice for the shared design, up to half for a set that is tried, "
-        f"a quarter to go on from J*) from {len(study.owns[0].per_start)} starts, seed {settings.seed}; "
+        f"a quarter to go on from J*, a whole one where it is searched once more) from {len(study.owns[0].per_start)} starts, "
+        f"seed {settings.seed}; "
         "shared designs make the largest loss small, then the mean"
     )
     for variant, own in zip(fleet.variants, study.owns, strict=True):
@@ -66,6 +67,7 @@ def search_words(study: SwapStudy) -> Iterator[str]:
         span = f"{good.min():.3g} to {good.max():.3g} {shown}" if good.size else "nothing"
         on = "".join(f"; on from {before * scale:.3g} of another search to {after * scale:.3g}" for before, after in own.on[:1].tolist())
         on += "".join(f", then to {after * scale:.3g}" for _, after in own.on[1:].tolist())
+        on += "" if math.isnan(own.afresh) else f"; once more by itself to {own.afresh * scale:.3g}"
         yield f"{variant.name}: its starts came to {span}, then {own.value * scale:.3g} {shown} around the best of them{on}"
     each = study.base.design.per_start
     came = ", ".join(f"{100.0 * loss:.3g} %" for loss in each if math.isfinite(loss)) or "nothing that keeps the guards"

@@ -134,16 +134,17 @@ def test_no_design_that_was_found_makes_a_better_shared_one(settings: dict[str, 
 def test_a_search_that_fell_short_makes_no_verdict(unequal: SwapStudy) -> None:
     assert unequal.fell_short == ()
     best, floor = unequal.fleet.best, unequal.fleet.floor
-    # Above what another search found, or below it but still falling.
+    # Above what another search found, shown where that was or not; or still falling.
     above = [replace(own, value=float(value) + 0.1 * floor) for own, value in zip(unequal.owns, best, strict=True)]
-    falling = [replace(own, on=np.array([[value + 0.1 * floor, value]])) for own, value in zip(above, best.tolist(), strict=True)]
-    for late in (above[1], falling[1]):
+    value = float(best[1])
+    shown = replace(above[1], on=np.array([[value, value]]))
+    falling = replace(unequal.owns[1], on=np.array([[value + 0.1 * floor, value]]))
+    for late in (above[1], shown, falling, replace(shown, afresh=np.inf)):
         short = replace(unequal, owns=(unequal.owns[0], late))
         assert short.fell_short == ("x = strong",) and short.recommended is not None
-        assert verdict(short).startswith("not told: J* of x = strong was still falling by more than 3 %")
-    # One that went on and came to rest is told.
-    rested = replace(above[1], on=np.array([[float(best[1]), float(best[1])]]))
-    assert replace(unequal, owns=(unequal.owns[0], rested)).fell_short == ()
+        assert verdict(short).startswith("not told: the searches for x = strong alone did not come within 3 % of what others")
+    # One that came there by itself the second time is told.
+    assert replace(unequal, owns=(unequal.owns[0], replace(shown, afresh=value + 0.01 * floor))).fell_short == ()
 
 
 def test_what_is_not_told_is_not_coloured(unequal: SwapStudy) -> None:
@@ -165,7 +166,7 @@ def test_what_is_not_told_is_not_coloured(unequal: SwapStudy) -> None:
 def starved(fleet: Fleet, i: int, *, budget: int, seed: int, starts: object, spread: float = 0.2) -> Own:
     """Return what a search that stays where it starts comes to."""
     values, _ = fleet.values(fleet.space.start[None, None], (i,))
-    return Own(fleet.space.start, float(values[0, 0]), values[0], 1)
+    return Own(fleet.space.start, float(values[0, 0]), np.full(5, values[0, 0]), 1)
 
 
 def test_a_search_that_stuck_goes_on_from_where_a_shared_one_found_better(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
@@ -175,6 +176,8 @@ def test_a_search_that_stuck_goes_on_from_where_a_shared_one_found_better(tmp_pa
     for own, best in zip(whole.owns, whole.fleet.best, strict=True):
         # Each goes on from what another search found, and no search lies.
         assert own.value > own.on[0, 0] >= own.on[0, 1] >= best and (own.on[1:, 0] <= own.on[:-1, 1]).all()
+        # It is told because a second search came there by itself.
+        assert own.value - best > 0.03 * whole.fleet.floor > own.afresh - best >= 0.0
     assert all("of another search to" in words for words in search_words(whole) if words.startswith("x ="))
     assert [choice.loss for choice in whole.choices] == [
         swap_loss(choice.design.values, whole.fleet.best, whole.fleet.floor) for choice in whole.choices
@@ -182,7 +185,7 @@ def test_a_search_that_stuck_goes_on_from_where_a_shared_one_found_better(tmp_pa
     # And so it does after an interrupt.
     stages = len(list(kept.home.iterdir()))
     with pytest.raises(KeyboardInterrupt):
-        kept_study(tmp_path / "again", stop_at="x = strong alone, from the best so far")
+        kept_study(tmp_path / "again", stop_at="x = strong alone, once more")
     resumed, kept = kept_study(tmp_path / "again")
     assert 0 < kept.found < stages and told(resumed) == told(whole)
 
@@ -295,7 +298,7 @@ def told(study: SwapStudy) -> list[object]:
         [choice.name, choice.design.points.tobytes(), choice.design.values.tobytes(), choice.design.per_start.tobytes(), choice.design.runs]
         for choice in study.choices
     ]
-    owns = [[own.point.tobytes(), own.value, own.per_start.tobytes(), own.runs, own.on.tobytes()] for own in study.owns]
+    owns = [[own.point.tobytes(), own.value, own.per_start.tobytes(), own.runs, own.on.tobytes(), str(own.afresh)] for own in study.owns]
     return [
         designs,
         owns,
