@@ -10,10 +10,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from contourlab.studies.space.bounds import ROUNDING
-from contourlab.studies.swap.design import Choice, Design, Own, afresh, best_of_its_own, on_from, shared, shortfalls, starts_around, within
+from contourlab.studies.swap.design import Choice, Design, shared, within
 from contourlab.studies.swap.fleet import Fleet
 from contourlab.studies.swap.kept import Kept, Result
 from contourlab.studies.swap.loss import losses, swap_loss
+from contourlab.studies.swap.own import Own, afresh, best_of_its_own, on_from, shortfalls, starts_around
 from contourlab.studies.swap.settings import SwapSettings
 
 __all__ = ["ALL", "BASE", "TRIAL", "Course", "Stage", "words"]

@@ -11,10 +11,10 @@ from numpy.typing import NDArray
 from contourlab.errors import ParameterError
 from contourlab.studies.space import Evaluator, Space
 from contourlab.studies.space.values import machine_with
-from contourlab.studies.swap.design import best_of_its_own
 from contourlab.studies.swap.fleet import Fleet
 from contourlab.studies.swap.guard import Guard, holds
 from contourlab.studies.swap.loss import losses
+from contourlab.studies.swap.own import best_of_its_own
 from contourlab.studies.swap.variants import Variant
 
 __all__ = ["Coverage", "coverage", "interval"]

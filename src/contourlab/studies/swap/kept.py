@@ -10,8 +10,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from contourlab.studies.space.kept import KeptFolder
-from contourlab.studies.swap.design import Design, Own
+from contourlab.studies.swap.design import Design
 from contourlab.studies.swap.fleet import Fleet
+from contourlab.studies.swap.own import Own
 
 __all__ = ["Kept"]
 

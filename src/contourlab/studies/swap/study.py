@@ -9,10 +9,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from contourlab.studies.swap.course import ALL, BASE, Course, Stage, words
-from contourlab.studies.swap.design import Choice, Design, Own, evaluated, shortfalls
+from contourlab.studies.swap.design import Choice, Design, evaluated
 from contourlab.studies.swap.fleet import Fleet
 from contourlab.studies.swap.kept import Kept
 from contourlab.studies.swap.loss import losses
+from contourlab.studies.swap.own import Own, shortfalls
 from contourlab.studies.swap.paring import pare
 from contourlab.studies.swap.sensitivity import Ranked, ranked
 from contourlab.studies.swap.settings import SwapSettings

@@ -24,12 +24,13 @@ from contourlab.studies.space.values import machine_with
 from contourlab.studies.swap import course
 from contourlab.studies.swap.course import made_one
 from contourlab.studies.swap.coverage import coverage
-from contourlab.studies.swap.design import Own, evaluated
+from contourlab.studies.swap.design import evaluated
 from contourlab.studies.swap.division import Division
 from contourlab.studies.swap.fleet import Fleet
 from contourlab.studies.swap.kept import Kept
 from contourlab.studies.swap.loss import losses, swap_loss
 from contourlab.studies.swap.numbers import divided_controller
+from contourlab.studies.swap.own import Own
 from contourlab.studies.swap.settings import SwapSettings
 from contourlab.studies.swap.study import SwapStudy, swap_study
 from contourlab.studies.swap.variants import Variant, variants_of
