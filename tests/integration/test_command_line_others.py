@@ -60,6 +60,11 @@ def test_version_is_that_of_the_package(contourlab: Run) -> None:
 
 
 @pytest.mark.skipif(os.name == "nt", reason="processor time of a child is not told on Windows")
+def test_help_shows_units_in_brackets(contourlab: Run) -> None:
+    for word in ("measure", "identify", "refine"):
+        assert "[mm]" in contourlab(word, "--help").out
+
+
 def test_help_takes_less_than_half_a_second(contourlab: Run) -> None:
     def spent() -> float:
         before = os.times()

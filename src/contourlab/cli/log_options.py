@@ -11,7 +11,7 @@ __all__ = ["ColumnFile", "ColumnTexts", "LogFormat", "SamplePeriod"]
 
 ColumnTexts: TypeAlias = Annotated[
     list[str] | None,
-    typer.Option("--column", help="What a column is, as position.x='NAME [mm]'; may be given again.", show_default=False),
+    typer.Option("--column", help="What a column is, as position.x='NAME \\[mm]'; may be given again.", show_default=False),
 ]
 ColumnFile: TypeAlias = Annotated[
     Path | None, typer.Option("--columns", help="A TOML file that says what the columns are.", show_default=False)

@@ -20,6 +20,7 @@ from contourlab.analysis import (
 )
 from contourlab.analysis.divided_loop import link_growth
 from contourlab.errors import ComponentError
+from contourlab.session.margin_words import gain_words, phase_words
 
 if TYPE_CHECKING:
     from contourlab.report.charts import Chart
@@ -142,7 +143,7 @@ def _lines(found: _Found) -> list[str]:
         over = found.transfer.margins()
         lines.append(f"  coupling: {found.stability.verdict}")
         if over.stable:
-            lines.append(f"  coupling, over all directions: gain margin {_decibel(over.gain)}, phase margin {_degrees(over.phase)}")
+            lines.append(f"  coupling, over all directions: gain margin {gain_words(over.gain)}, phase margin {phase_words(over.phase)}")
     if found.divided is not None:
         lines.append(f"  with the messages between base and axes: {_dies(found.divided, found.period)}; margins are those without")
     if found.learning is not None:
@@ -176,15 +177,7 @@ def _margins(margins: Margins) -> str:
     if not margins.stable:
         return "unstable"
     at = f" at {margins.crossover / (2.0 * math.pi):.3g} Hz" if math.isfinite(margins.crossover) else ""
-    return f"gain margin {_decibel(margins.gain)}, phase margin {_degrees(margins.phase)}{at}, modulus margin {margins.modulus:.3g}"
-
-
-def _decibel(factor: float) -> str:
-    return f"{20.0 * math.log10(factor):.3g} dB" if math.isfinite(factor) else "without bound"
-
-
-def _degrees(angle: float) -> str:
-    return f"{math.degrees(angle):.3g} deg" if math.isfinite(angle) else "without bound"
+    return f"gain margin {gain_words(margins.gain)}, phase margin {phase_words(margins.phase)}{at}, modulus margin {margins.modulus:.3g}"
 
 
 def _summary(found: _Found) -> dict[str, Any]:

@@ -7,6 +7,8 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
+import numpy as np
+
 from contourlab.studies.division import DivisionCost
 from contourlab.studies.link_sweep import CHUNK, GROWN, QUANTITIES, LinkSweep
 
@@ -113,8 +115,10 @@ def _looked_at(costs: Costs, heads: Sequence[str]) -> Iterator[str]:
     for head in heads:
         sweep = costs.divisions[0].sweeps[head]
         if sweep.values.size > 1:
-            each, to = (_amount(head, value) for value in (float(sweep.values[1] - sweep.values[0]), sweep.asked))
-            grids.setdefault(f"every {each} up to {to}", []).append(_words(head))
+            steps = np.diff(sweep.values)
+            each, to = (_amount(head, value) for value in (float(steps.max()), sweep.asked))
+            closer = ", closer at the start and ahead of a limit" if steps.min() < 0.99 * steps.max() else ""
+            grids.setdefault(f"every {each} up to {to}{closer}", []).append(_words(head))
     if grids:
         yield "looked at: " + "; ".join(f"{', '.join(named)} {grid}" for grid, named in grids.items())
 

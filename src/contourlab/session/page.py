@@ -16,6 +16,7 @@ from contourlab.metrics.circles import CircleFigures, pairs
 from contourlab.report.data import AxisBounds, CircleRun, FrequencyResponse, Provenance, ReportData, SchemeReport
 from contourlab.report.feed_picture import FeedRun
 from contourlab.report.trials import TrialCourse
+from contourlab.session.margin_words import gain_words, phase_words
 from contourlab.session.trust import trust_of
 from contourlab.studies.compare import AxisBode, Outcome
 
@@ -147,8 +148,8 @@ def _response(bode: AxisBode) -> FrequencyResponse:
     below = np.flatnonzero(size < math.sqrt(0.5))
     notes = {"bandwidth (-3 dB)": f"{hertz[below[0]]:.3g} Hz" if below.size else f"above {hertz[-1]:.3g} Hz"}
     if math.isfinite(m.phase):
-        notes["phase margin"] = f"{math.degrees(m.phase):.3g} deg at {m.crossover / (2.0 * math.pi):.3g} Hz"
+        notes["phase margin"] = f"{phase_words(m.phase)} at {m.crossover / (2.0 * math.pi):.3g} Hz"
     if math.isfinite(m.gain):
-        notes["gain margin"] = f"{20.0 * math.log10(m.gain):.3g} dB at {m.phase_crossover / (2.0 * math.pi):.3g} Hz"
+        notes["gain margin"] = f"{gain_words(m.gain)} at {m.phase_crossover / (2.0 * math.pi):.3g} Hz"
     notes["modulus margin"] = f"{m.modulus:.3g}"
     return FrequencyResponse(hertz, bode.response.closed_loop, notes)

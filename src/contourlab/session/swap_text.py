@@ -185,7 +185,7 @@ def summary_of(report: SwapReport) -> dict[str, Any]:
         "guards": {
             "gain_margin": fleet.bounds.gain_margin,
             "phase_margin": fleet.bounds.phase_margin,
-            "limited_share": fleet.bounds.limited_share,
+            "limited_share": fleet.bounds.limited,
         },
         "search": {
             "budget": settings.budget,

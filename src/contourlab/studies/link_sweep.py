@@ -297,17 +297,24 @@ def _linear(machine: Machine, controller: Controller) -> Iterator[DividedLoop]:
         return
 
 
-def _times(quantity: str, period: float, longest: float) -> Array:
-    """Return the values of a time that are looked at: whole servo periods, each of them where that are not too many."""
+def _ticks(quantity: str, period: float, longest: float) -> Array:
+    """Return the values of a time that are looked at, in servo periods: each of them where that are not too many, else even steps.
+
+    Below the first of those the values double, so that a limit there is seen too.
+    """
     if not longest >= period:
         raise ParameterError("longest", f"{longest:g}", f">= the servo period, {period:g}", "s")
-    step = max(1, math.ceil(longest / period / STEPS - 1e-9))
-    first = step if quantity == "message_period" else 0
-    return np.arange(first, math.floor(longest / period + 1e-9) + 1, step, dtype=float) * period
+    last = math.floor(longest / period + 1e-9)
+    step = max(1, math.ceil(last / STEPS))
+    fine = 2 ** np.arange(step.bit_length())
+    found = np.union1d(fine[fine < step], np.arange(0, last + 1, step)).astype(float)
+    return found[1:] if quantity == "message_period" else found
 
 
 def swept(setting: LinkSetting, quantity: str, longest: float) -> LinkSweep:
     """Return the contour error over a quantity of the links, from the least value on, at most to where nothing holds over `CHUNK` values.
+
+    Where values have been passed over ahead of the first one that does not hold, up to `CHUNK` of them are looked at as well.
 
     Parameters
     ----------
@@ -324,20 +331,43 @@ def swept(setting: LinkSetting, quantity: str, longest: float) -> LinkSweep:
     """
     if quantity not in QUANTITIES:
         raise ParameterError("quantity", repr(quantity), "one of " + ", ".join(QUANTITIES))
-    times = LOSSES if quantity == "loss" else _times(quantity, setting.machine.servo_period, longest)
+    period = setting.machine.servo_period
+    values = LOSSES if quantity == "loss" else _ticks(quantity, period, longest) * period
     parts: list[tuple[Array, ...]] = []
-    lost = False
-    for i in range(0, len(times), CHUNK):
-        values = times[i : i + CHUNK]
-        errors = setting.errors(quantity, values)
-        growth = np.full(len(values), math.nan)
-        for j, value in enumerate(values.tolist()):
-            last = j == len(values) - 1
-            growth[j] = math.nan if lost else setting.growth(quantity, value, LARGEST if last else LARGE)
-            lost = lost or growth[j] >= 1.0
-        worst = np.where(np.isnan(errors).any(axis=1), math.nan, errors.max(axis=1))
-        parts.append((values, worst, np.median(errors, axis=1), growth, setting.repeats(quantity, values)))
-        if not (worst <= setting.allowed).any():
+    for i in range(0, len(values), CHUNK):
+        known = any((growth >= 1.0).any() for _, _, _, growth, _ in parts)
+        parts.append(_looked_at(setting, quantity, values[i : i + CHUNK], known))
+        if not (parts[-1][1] <= setting.allowed).any():
             break
-    joined = dict(zip(COLUMNS, (np.concatenate(column) for column in zip(*parts, strict=True)), strict=True))
-    return LinkSweep(quantity, **joined, allowed=setting.allowed, asked=float(times[-1]))
+    found = _joined(setting, quantity, parts, float(values[-1]))
+    between = np.zeros(0) if quantity == "loss" else _passed_over(found, period)
+    return _joined(setting, quantity, [*parts, _looked_at(setting, quantity, between)], found.asked) if between.size else found
+
+
+def _looked_at(setting: LinkSetting, quantity: str, values: Array, unstable: bool = False) -> tuple[Array, ...]:
+    """Return the columns of a sweep at some values; the linear model is left out behind the first one at which it is unstable."""
+    errors = setting.errors(quantity, values)
+    growth = np.full(len(values), math.nan)
+    for j, value in enumerate(values.tolist()):
+        if unstable:
+            break
+        growth[j] = setting.growth(quantity, value, LARGEST if j == len(values) - 1 else LARGE)
+        unstable = bool(growth[j] >= 1.0)
+    worst = np.where(np.isnan(errors).any(axis=1), math.nan, errors.max(axis=1))
+    return values, worst, np.median(errors, axis=1), growth, setting.repeats(quantity, values)
+
+
+def _joined(setting: LinkSetting, quantity: str, parts: Sequence[tuple[Array, ...]], asked: float) -> LinkSweep:
+    columns = [np.concatenate(column) for column in zip(*parts, strict=True)]
+    order = np.argsort(columns[0], kind="stable")
+    found = {name: column[order] for name, column in zip(COLUMNS, columns, strict=True)}
+    return LinkSweep(quantity, **found, allowed=setting.allowed, asked=asked)
+
+
+def _passed_over(sweep: LinkSweep, period: float) -> Array:
+    """Return values between the last one that holds and the first that does not, whole servo periods, `CHUNK` at most."""
+    if sweep.limited_by is None or math.isnan(sweep.most):
+        return np.zeros(0)
+    good, bad = (round(value / period) for value in (sweep.most, sweep.limited_by[0]))
+    step = max(1, math.ceil((bad - good) / (CHUNK + 1)))
+    return period * np.arange(good + step, bad, step, dtype=float)

@@ -55,6 +55,16 @@ def test_the_axes_of_the_paper_hold_at_125_messages_a_second(machine: cl.Machine
     assert beyond.figures["contour_error_rms"][0] > found.allowed
 
 
+@pytest.mark.parametrize("longest", [1.0, 10.0])
+def test_looking_far_does_not_lose_what_is_near(
+    machine: cl.Machine, controller: cl.Controller, circle: cl.Reference, longest: float
+) -> None:
+    assert message_rate(machine, controller, circle, longest=longest).rate == pytest.approx(125.0)
+    whole = divided(controller, "drive", "both", Network())
+    near, far = (link_limit(machine, whole, circle, "delay", longest=to) for to in (0.1, longest))
+    assert far.value == near.value == pytest.approx(1e-3) and far.limited
+
+
 @pytest.mark.parametrize(
     ("division", "ways", "delay"), [("drive", "both", 1e-3), ("drive", "one", 3e-3), ("observer", "both", 1e-3), ("observer", "one", 3e-3)]
 )

@@ -25,31 +25,31 @@ class Bounds:
     gain_margin : float [dB], >= 0
         Of each axis, opened at its drive.
     phase_margin : float [deg], >= 0
-    limited_share : float, 0 to 1
+    limited : float, 0 to 1
         Largest part of the time that counts at which a drive does not give all it is asked for.
-    command_largest : float, > 0
+    command : float, > 0
         Largest command, in parts of what the drive can give.
     """
 
     gain_margin: float = 6.0
     phase_margin: float = 30.0
-    limited_share: float = 0.0
-    command_largest: float = math.inf
+    limited: float = 0.0
+    command: float = math.inf
 
     def __post_init__(self) -> None:
-        for name, high, unit in (("gain_margin", 60.0, "dB"), ("phase_margin", 90.0, "deg"), ("limited_share", 1.0, "")):
+        for name, high, unit in (("gain_margin", 60.0, "dB"), ("phase_margin", 90.0, "deg"), ("limited", 1.0, "")):
             if not 0.0 <= getattr(self, name) <= high:
                 raise ParameterError(name, f"{getattr(self, name):g}", f"0 to {high:g}", unit)
-        if not self.command_largest > 0.0:
-            raise ParameterError("command_largest", f"{self.command_largest:g}", "> 0, in parts of what the drive can give")
+        if not self.command > 0.0:
+            raise ParameterError("command", f"{self.command:g}", "> 0, in parts of what the drive can give")
 
     @property
     def words(self) -> str:
         """The bounds in words."""
         found = [f"gain margin at least {self.gain_margin:g} dB", f"phase margin at least {self.phase_margin:g} deg"]
-        found.append(f"at most {100.0 * self.limited_share:g} % of the time at a limit of a drive")
-        if math.isfinite(self.command_largest):
-            found.append(f"commands up to {100.0 * self.command_largest:g} % of the drive")
+        found.append(f"at most {100.0 * self.limited:g} % of the time at a limit of a drive")
+        if math.isfinite(self.command):
+            found.append(f"commands up to {100.0 * self.command:g} % of the drive")
         return ", ".join(found)
 
     def missing(self, margins: Margins, slack: tuple[float, float] = (0.0, 0.0)) -> float:

@@ -249,7 +249,7 @@ def _fitting(wanted: str, known: Mapping[str, tuple[Component, str]], called: st
 
 def _near(wanted: str, known: Iterable[str]) -> list[str]:
     """Return the names nearest to one that there is not: those that end alike, or are spelt alike, or else a few of them."""
-    names = list(known)
+    names = sorted(known, key=lambda name: name.startswith("axes."))  # what people look for are gains
     ends = {name: name.rpartition(".")[2] for name in names}
     word = wanted.rpartition(".")[2]
     alike = get_close_matches(word, dict.fromkeys(ends.values()), n=3)

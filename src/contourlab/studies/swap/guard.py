@@ -68,7 +68,7 @@ class Guard:
     def limited(self, figures: Mapping[str, Array]) -> Array:
         """Return by how much each design (n,) has drives at their limits for longer than it may: above 0 where it does."""
         share = figures.get("limited_share")
-        return np.asarray(share - self.bounds.limited_share) if share is not None else np.zeros(1)
+        return np.asarray(share - self.bounds.limited) if share is not None else np.zeros(1)
 
 
 def holds(excess: Array, limited: Array) -> NDArray[np.bool_]:

@@ -108,9 +108,9 @@ class _Judge:
         columns |= {name: np.full(len(points), value) for name, value in self.fixed.items()}
         judged = self.objective(columns)
         bounds = self.guards.bounds
-        beyond = np.maximum(judged.limited - bounds.limited_share, 0.0)
-        if np.isfinite(bounds.command_largest):
-            beyond = beyond + np.maximum(judged.largest / bounds.command_largest - 1.0, 0.0)
+        beyond = np.maximum(judged.limited - bounds.limited, 0.0)
+        if np.isfinite(bounds.command):
+            beyond = beyond + np.maximum(judged.largest / bounds.command - 1.0, 0.0)
         values = judged.value.copy()
         for first in range(0, len(points), POPULATION):
             part = slice(first, first + POPULATION)

@@ -117,8 +117,8 @@ class Guards:
         found = [f"axis {axis}: {words}" for axis, one in margins.items() if (words := self.bounds.broken(one))]
         coupled = self.uncoupled(values)
         found += [f"coupling: {coupled}"] if coupled else []
-        if limited > self.bounds.limited_share + ROUNDING:
+        if limited > self.bounds.limited + ROUNDING:
             found.append(f"at a limit of a drive for {100.0 * limited:.3g} % of the time")
-        if largest > self.bounds.command_largest * (1.0 + ROUNDING):
+        if largest > self.bounds.command * (1.0 + ROUNDING):
             found.append(f"a command of {100.0 * largest:.3g} % of the drive")
         return tuple(found)

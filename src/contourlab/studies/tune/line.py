@@ -176,8 +176,8 @@ class _Line:
     def within_limits(self) -> NDArray[np.bool_]:
         """Tell of each value whether its run went well and kept to the limits of the drives, as far as the present one does."""
         bounds, here = self.guards.bounds, self.present
-        limited = self.limited <= max(bounds.limited_share, self.limited[here] if np.isfinite(self.limited[here]) else 0.0)
-        largest = self.largest <= max(bounds.command_largest, self.largest[here] if np.isfinite(self.largest[here]) else 0.0)
+        limited = self.limited <= max(bounds.limited, self.limited[here] if np.isfinite(self.limited[here]) else 0.0)
+        largest = self.largest <= max(bounds.command, self.largest[here] if np.isfinite(self.largest[here]) else 0.0)
         return np.asarray(np.isfinite(self.value) & limited & largest)
 
     def allowed(self, i: int) -> bool:

@@ -253,7 +253,7 @@ def _placed(machine: Machine, controller: Controller, reference: Reference, sett
     evaluator = Evaluator(machine, made[-1], reference, seed=seed, threads=settings.threads, moving=moving)
     start = {name: float(values[-1]) for name, values in columns.items()}
     judged = Objective([evaluator], Goal(settings.goal.weights[:1]), start)(columns)
-    good = (judged.limited <= settings.bounds.limited_share) & (judged.largest <= settings.bounds.command_largest)
+    good = (judged.limited <= settings.bounds.limited) & (judged.largest <= settings.bounds.command)
     ranked = np.where(good, judged.value, np.inf)
     if not np.isfinite(ranked).any():
         raise ParameterError("start", "placed", "scenario: at no speed of its poles does a run keep the limits of the drives")

@@ -96,7 +96,7 @@ def test_a_drive_bounds_a_gain() -> None:
     quiet, loud = (one.figures["command_largest"] for one in (free.before, free.after))
     allowed = 0.5 * (quiet + loud)
     assert quiet < allowed
-    kept = tune(coarse, made, circle(), replace(settings, bounds=replace(FREE, command_largest=allowed)))
+    kept = tune(coarse, made, circle(), replace(settings, bounds=replace(FREE, command=allowed)))
     assert kept.after.figures["command_largest"] <= allowed * (1.0 + 1e-9)
     assert kept.steps[-1].bound == "limit of a drive"
     assert not kept.after.broken
@@ -284,7 +284,7 @@ def test_objectives_that_mean_nothing_are_refused(text: str) -> None:
         Goal.parse(text)
 
 
-@pytest.mark.parametrize("bounds", [{"gain_margin": -1.0}, {"phase_margin": 91.0}, {"limited_share": 1.1}, {"command_largest": 0.0}])
+@pytest.mark.parametrize("bounds", [{"gain_margin": -1.0}, {"phase_margin": 91.0}, {"limited": 1.1}, {"command": 0.0}])
 def test_bounds_out_of_range_are_refused(bounds: dict[str, float]) -> None:
     with pytest.raises(ParameterError, match=next(iter(bounds))):
         Bounds(**bounds)
