@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 from contourlab.report.data import FrequencyResponse, ReportData, SchemeReport
@@ -168,12 +169,23 @@ def _change(before: float, after: float, lower_is_better: bool) -> tuple[str, st
     return text.replace("-", "−"), mood
 
 
+def _judged_part(schemes: Sequence[SchemeReport]) -> str:
+    """Say over which part of the run the errors are: once where it is the same of all, else of each."""
+    told = []
+    for scheme in schemes:
+        start, stop = (number(sample * scheme.result.servo_period, 4) for sample in scheme.metrics.window)
+        told.append((scheme.metrics.basis, f"{start} s to {stop} s"))
+    if len(set(told)) == 1:
+        return f"Errors over the {told[0][0]}, {told[0][1]}."
+    if len({basis for basis, _ in told}) == 1:
+        times = ", ".join(f"{when} of {scheme.name}" for scheme, (_, when) in zip(schemes, told, strict=True))
+        return f"Errors over the {told[0][0]}: {times}."
+    return f"Errors over {', '.join(f'the {basis} of {scheme.name}, {when}' for scheme, (basis, when) in zip(schemes, told, strict=True))}."
+
+
 def _note(data: ReportData) -> str:
     """Say what cannot be seen from the numbers."""
-    start, stop = data.schemes[0].metrics.window
-    period = data.schemes[0].result.servo_period
-    basis = data.schemes[0].metrics.basis
-    notes = [f"Errors over the {basis}, {number(start * period, 4)} s to {number(stop * period, 4)} s."]
+    notes = [_judged_part(data.schemes)]
     if data.is_measured:
         notes.append("Positions are those of the log: what its encoders do not see is not in the errors.")
     elif not data.is_blended:

@@ -90,6 +90,19 @@ def test_a_terminal_gets_colours(circle, monkeypatch):
     assert "\x1b[" in stream.getvalue() and "pass" in stream.getvalue()
 
 
+def test_the_part_that_errors_are_of_is_told_of_each_run_where_it_differs(circle):
+    first, second = circle.schemes
+    assert compare(circle).note.startswith("Errors over the last lap, 2.000 s to 4.000 s.")
+    other = replace(second, metrics=replace(second.metrics, window=(100, 900)))
+    note = compare(replace(circle, schemes=(first, other))).note
+    assert f"s of {first.name}, 0.1000 s to 0.9000 s of {second.name}." in note
+    lap = replace(other, metrics=replace(other.metrics, basis="moving part"))
+    assert (
+        f"the last lap of {first.name}, 2.000 s to 4.000 s, the moving part of {second.name}, 0.1000 s to 0.9000 s."
+        in compare(replace(circle, schemes=(first, lap))).note
+    )
+
+
 def test_markup_in_names_is_printed_as_it_is(circle):
     odd = replace(circle, schemes=(replace(circle.schemes[0], name="[bold]a|b[/bold]"),))
     assert "[bold]a|b[/bold]" in comparison_text(odd)
