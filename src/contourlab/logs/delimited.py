@@ -10,8 +10,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from contourlab.errors import LogError
-from contourlab.logs.moments import Moments, is_moment, moments_of
-from contourlab.logs.reading import CUT, cells_of, is_empty, is_unit, name_and_unit, number, numbers, text_of
+from contourlab.logs.moment_cell import is_moment
+from contourlab.logs.moments import EXAMPLE, Moments, moments_of
+from contourlab.logs.reading import CUT, called, cells_of, is_empty, is_unit, name_and_unit, number, numbers, shown, text_of
 from contourlab.logs.record import Channel, Record
 
 __all__ = ["matches", "read"]
@@ -21,6 +22,10 @@ MARKS = (";", "\t", ",")
 ENDINGS = (".csv", ".tsv", ".txt", ".dat", ".log")
 NO_UNIT = ("", "-", "1")
 """What stands in a line of units where a column has none."""
+LOOKED_AT = 1000
+"""Lines among which the one is looked for that comes nearest to a row of numbers."""
+_MILLISECONDS = re.compile(r"\W*(ms|msecs?|millis|milli ?sec(ond)?s?|millisekunden?)\W*\Z", re.IGNORECASE)
+"""Names of a column that holds the milliseconds of times in another."""
 _NUMBER = re.compile(r"[-+]?(\d+([.,]\d*)?|[.,]\d+)([eE][-+]?\d+)?\Z")
 
 
@@ -29,12 +34,14 @@ def matches(file: Path, head: bytes) -> bool:
     if b"\0" in head or file.suffix.lower() == ".xml":
         return False
     lines = [line for line in head.decode("utf-8-sig", errors="replace").splitlines()[:50] if _bare(line)]
-    return any(_is_row(_cells(line, _mark(line))) for line in lines) or _is_head_alone(file, lines)
+    return any(_is_row(_cells(line, _mark(line))) for line in lines) or _is_called_a_table(file, lines)
 
 
-def _is_head_alone(file: Path, lines: list[str]) -> bool:
-    """Tell whether a file by its name a table has names and units and nothing below."""
-    return file.suffix.lower() in ENDINGS and 0 < len(lines) <= 2 and all(_mark(line) for line in lines)
+def _is_called_a_table(file: Path, lines: list[str]) -> bool:
+    """Tell whether a file by its name a table is one, if a faulty one: all its lines are parted, and there are few or some hold numbers."""
+    if file.suffix.lower() not in ENDINGS or not lines or not all(_mark(line) for line in lines):
+        return False
+    return len(lines) <= 2 or any(_NUMBER.match(cell.strip(' "')) for line in lines for cell in _cells(line, _mark(line)))
 
 
 def read(file: Path) -> Record:
@@ -42,7 +49,8 @@ def read(file: Path) -> Record:
 
     Lines that begin with # or % are passed over. The last line before the first row of numbers names the columns, with units in brackets;
     a line of units may stand below it. Cells are parted by semicolons, tabs, commas or blanks; beside semicolons and tabs a decimal comma
-    is read. Empty cells are gaps; true and false are 1 and 0. Columns of dates and times of day become seconds from the first of them.
+    is read. Empty cells are gaps; true and false are 1 and 0. Columns of dates and times of day become seconds from the first of them, with
+    the milliseconds of a column that is called so.
 
     Raises
     ------
@@ -64,7 +72,7 @@ def read(file: Path) -> Record:
     if cut and len(_cells(rows[-1][1], mark)) != width:
         rows, notes = rows[:-1], (CUT,)
     moments, rows = _moments(rows, names, mark, file)
-    values = _values(rows, width, mark, file, {line for _, line in heads})
+    values = _values(rows, names, mark, file, {line for _, line in heads})
     channels = [Channel(name, column, unit) for name, unit, column in zip(names, units, values.T, strict=True)]
     for j, found in moments.items():
         channels[j] = Channel(names[j], found.seconds, "s", is_moment=True, notes=found.notes, fault=found.fault)
@@ -83,7 +91,9 @@ def _moments(
     for i, cells in zip(lines, parted, strict=True):
         if len(cells) != len(names):
             raise LogError(f"has {len(cells)} columns where {len(names)} are wanted", file=file, line=i)
-    found = moments_of({j: [cells[j] for cells in parted] for j in columns}, names, lines, file)
+    parts = [j for j, name in enumerate(names) if _MILLISECONDS.match(name) and j not in columns]
+    texts = {j: [cells[j] for cells in parted] for j in (*columns, *parts)}
+    found = moments_of({j: texts[j] for j in columns}, names, lines, file, {j: texts[j] for j in parts})
     kept = [["0" if j in found else f'"{cell}"' if (mark or " ") in cell else cell for j, cell in enumerate(cells)] for cells in parted]
     return found, [(i, (mark or " ").join(cells)) for i, cells in zip(lines, kept, strict=True)]
 
@@ -114,9 +124,23 @@ def _first_row(lines: list[tuple[int, str]], file: Path) -> tuple[int, str | Non
             return k, mark
         alone = alone or (k, mark)
     if alone is None:
-        said = "has no rows: there are names of columns and no numbers below them" if len(lines) <= 2 else "holds no row of numbers"
-        raise LogError(said, file=file, line=lines[0][0])
+        raise _no_row(lines, file)
     return alone
+
+
+def _no_row(lines: list[tuple[int, str]], file: Path) -> LogError:
+    """Return what is said where no line is a row of numbers: the cell that is none in the line that has most of them."""
+    if len(lines) <= 2:
+        return LogError("has no rows: there are names of columns and no numbers below them", file=file, line=lines[0][0])
+    parted = [_cells(line, _mark(line)) for _, line in lines[:LOOKED_AT]]
+    right = [[_is_value(cell.strip().strip('"')) for cell in cells] for cells in parted]
+    k = max(range(len(right)), key=lambda k: sum(right[k]))
+    if not any(right[k]) or all(right[k]):
+        return LogError("holds no row of numbers", file=file, line=lines[0][0])
+    j = right[k].index(False)
+    name = parted[0][j].strip(' "') if k and len(parted[0]) == len(parted[k]) else str(j + 1)
+    words = f"{shown(parted[k][j])} in {called(name_and_unit(name)[0])} is neither a number nor a date and time such as {EXAMPLE}"
+    return LogError(f"holds no row of numbers: {words}", file=file, line=lines[k][0])
 
 
 def _is_closed(heads: list[tuple[int, str]], rows: list[tuple[int, str]], mark: str | None) -> bool:
@@ -149,9 +173,12 @@ def _cells(line: str, mark: str | None) -> list[str]:
 
 def _is_row(cells: list[str]) -> bool:
     found = [cell.strip().strip('"') for cell in cells]
-    told = [cell for cell in found if not is_moment(cell)]
-    numbered = any(_NUMBER.match(cell) for cell in told) or len(told) < len(found)
-    return numbered and all(_NUMBER.match(cell) or _is_word(cell) for cell in told)
+    return any(_NUMBER.match(cell) or is_moment(cell) for cell in found) and all(_is_value(cell) for cell in found)
+
+
+def _is_value(cell: str) -> bool:
+    """Tell whether a cell is a number, a moment, or a word that stands for a value or for none."""
+    return _NUMBER.match(cell) is not None or _is_word(cell) or is_moment(cell)
 
 
 def _is_word(cell: str) -> bool:
@@ -189,7 +216,7 @@ def _bare_units(names: list[str], cells: list[str]) -> bool:
     return bool(told) and all(name and name != cell and is_unit(cell) for name, cell in told)
 
 
-def _values(lines: list[tuple[int, str]], width: int, mark: str | None, file: Path, heads: set[str]) -> Array:
+def _values(lines: list[tuple[int, str]], names: list[str], mark: str | None, file: Path, heads: set[str]) -> Array:
     text = "\n".join(line for _, line in lines)
     comma = mark != "," and "," in text
     plain = text if not comma else text.replace(",", ".") if "." not in text else None
@@ -197,11 +224,11 @@ def _values(lines: list[tuple[int, str]], width: int, mark: str | None, file: Pa
     for attempt in (lambda text: text, lambda text: empty.sub(r"\1nan", text)):
         try:
             found = np.loadtxt(io.StringIO(attempt(plain)), delimiter=mark, ndmin=2, comments=None) if plain else np.empty(0)
-            if found.shape == (len(lines), width):
+            if found.shape == (len(lines), len(names)):
                 return np.asarray(found, dtype=np.float64)
         except ValueError:
             pass  # the slow way says which line it is
     again = next((i for i, line in lines if line in heads), 0)
     if again:
         raise LogError("the head stands here again: two records are in one file", file=file, line=again)
-    return numbers([(i, _cells(line, mark)) for i, line in lines], width, file, comma)
+    return numbers([(i, _cells(line, mark)) for i, line in lines], names, file, comma)

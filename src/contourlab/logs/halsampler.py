@@ -54,7 +54,7 @@ def read(file: Path) -> Record:
     rows = [(i, cells) for i, cells in lines if cells != [OVERRUN]]
     if not rows:
         raise LogError("holds no samples", file=file)
-    values = numbers(rows, len(rows[0][1]), file)
+    values = numbers(rows, [str(j + 1) for j in range(len(rows[0][1]))], file)
     tagged = _is_numbered(rows, values[:, 0], file)
     lost = len(lines) - len(rows)
     if lost and not tagged:

@@ -41,7 +41,7 @@ def read(file: Path) -> Record:
     if not rows:
         raise LogError("holds no samples", file=file)
     comma = any("," in cell for _, cells in rows for cell in cells)
-    values = numbers(rows, len(names), file, comma)
+    values = numbers(rows, names, file, comma)
     channels = tuple(Channel(name, column) for name, column in zip(names, values.T, strict=True))
     return Record(file, "halscope", channels, int(first[2]) / 1e9, notes=notes)
 

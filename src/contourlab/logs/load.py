@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from contourlab.errors import LogError, ParameterError, UnitError
-from contourlab.logs.clock import ClockReport, common_clock, look_at_clock, repeats_too_often, resampled
+from contourlab.logs.clock import EVEN, ClockReport, common_clock, look_at_clock, repeats_too_often, resampled
 from contourlab.logs.formats import read_record
 from contourlab.logs.mapping import SIGNALS, TIME, Column, Columns, guessed, unknown
 from contourlab.logs.moments import RIGHT
@@ -59,12 +59,18 @@ class Log:
 
     def gaps_at(self, time: float) -> list[str]:
         """Return the channels of positions that have a gap at a time [s] of the result: what stands there is a line between samples."""
-        at = time + self.start
-        named = {self.record.channel(c.column).name for c in self.columns if SIGNALS.get(c.signal) == "m"}
+        lengths = [signal for signal, unit in SIGNALS.items() if unit == "m"]
+        rounded = EVEN * self.result.servo_period
+        return list(dict.fromkeys(name for name, first, last in self.gaps(*lengths) if first + rounded < time < last - rounded))
+
+    def gaps(self, *signals: str) -> list[tuple[str, float, float]]:
+        """Return the gaps of signals: channel, and the times [s] of the result of the samples before and behind each."""
+        named = {self.record.channel(c.column).name for c in self.columns if c.signal in signals}
         return [
-            name
+            (name, gap.time - self.start, gap.time - self.start + (gap.missing + 1) * report.period)
             for name, report in self.clocks.items()
-            if name in named and any(gap.time < at < gap.time + (gap.missing + 1) * report.period for gap in report.gaps)
+            if name in named
+            for gap in report.gaps
         ]
 
     def stretches(self, axis: str) -> list[tuple[int, int]]:
@@ -200,7 +206,10 @@ def _unfit(channel: Channel, record: Record) -> LogError | None:
     if not there.size:
         return LogError(f"column {channel.name!r} holds no times: {RIGHT}", file=record.file)
     if repeats_too_often(there):
-        return LogError(f"times in column {channel.name!r} are written too coarsely: {RIGHT}", file=record.file)
+        beside = "".join(f"; {note}" for note in channel.notes)
+        if channel.is_moment and record.format == "csv" and not beside:
+            beside = ", and no column beside it is called ms or milliseconds"
+        return LogError(f"times in column {channel.name!r} are written too coarsely{beside}: {RIGHT}", file=record.file)
     return None
 
 

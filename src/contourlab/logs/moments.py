@@ -2,35 +2,23 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
-from functools import lru_cache
+from dataclasses import dataclass, replace
 from pathlib import Path
-from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
 from contourlab.errors import LogError
-from contourlab.logs.reading import is_empty, shown
+from contourlab.logs.moment_cell import DAY, DAY_FIRST, MONTH_FIRST, NAMED, SECOND, UNTOLD, YEAR_FIRST, Cell, taken_apart
+from contourlab.logs.reading import called, is_empty, number, shown
 
-__all__ = ["RIGHT", "Moments", "is_moment", "moments_of"]
+__all__ = ["EXAMPLE", "RIGHT", "Moments", "moments_of"]
 
 Array = NDArray[np.float64]
-SECOND, MINUTE, HOUR, DAY = 10**9, 60 * 10**9, 3600 * 10**9, 86400 * 10**9
-"""In nanoseconds."""
-YEAR_FIRST, DAY_FIRST, MONTH_FIRST, UNTOLD = "year first", "day first", "month first", "day or month first"
-_PLACES = {YEAR_FIRST: (0, 1, 2), DAY_FIRST: (2, 1, 0), MONTH_FIRST: (2, 0, 1)}
-RIGHT = "write times as 2024-05-31T14:03:21.250, with Z or +02:00 behind them or not, or as seconds; or give --period"
-_LIKE = re.compile(
-    r"(\d{1,4}[-/.]\d{1,2}[-/.]\d{1,4}|\d{8}(?=T))?[T ,]*"
-    r"(\d{1,2}:\d\d(:\d\d([.,:]\d+)?)?|\d{6}([.,]\d+)?)?\s*([AaPp][Mm])?\s*(Z|[+-]\d\d(:?\d\d)?)?\Z"
-)
-_DATE = re.compile(r"\d{1,4}(?P<mark>[-/.])\d{1,2}(?P=mark)\d{1,4}(?=[T ,]|\Z)|\d{8}(?=T)")
-_CLOCK = re.compile(r"(?P<hour>\d{1,2}):(?P<minute>\d\d)(:(?P<second>\d\d))?\s*(?P<half>[AaPp][Mm])?\s*(?P<zone>Z|[+-]\d\d(:?\d\d)?)?\Z")
-_PACKED = re.compile(r"\AT(\d\d)(\d\d)(\d\d)")
-_FRACTION = re.compile(r"((?<=:\d\d:\d\d)|(?<=T\d{6}))[.,](?P<decimals>\d{1,9})(?!\d)|(?<=:\d\d:\d\d):(?P<thousandths>\d{3})(?!\d)")
+_PLACES = {YEAR_FIRST: (0, 1, 2), DAY_FIRST: (2, 1, 0), MONTH_FIRST: (2, 0, 1), NAMED: (2, 1, 0)}
+EXAMPLE = "2024-05-31T14:03:21.250"
+RIGHT = f"write times as {EXAMPLE}, with Z or +02:00 behind them or not, or as seconds; or give --period"
 
 
 @dataclass(frozen=True, eq=False)
@@ -52,27 +40,15 @@ class Moments:
     fault: LogError | None = None
 
 
-class _Cell(NamedTuple):
-    """A moment without the fraction of its second: the numbers of its date and their order, and its time of day."""
-
-    date: tuple[int, int, int] | None
-    order: str
-    clock: int | None
-    """Nanoseconds since midnight, in UTC where there is a zone."""
-    zoned: bool = False
-    half: bool = False
-    """Whether the time of day says AM or PM."""
-
-
 @dataclass(frozen=True)
 class _Column:
     """Cells of a column, None where one is empty, and the fractions of their seconds in nanoseconds."""
 
-    cells: list[_Cell | None]
+    cells: list[Cell | None]
     fractions: list[int]
 
     @property
-    def first(self) -> _Cell:
+    def first(self) -> Cell:
         return next(cell for cell in self.cells if cell is not None)
 
 
@@ -80,7 +56,6 @@ class _Column:
 class _Place:
     """Where a column stands, for messages."""
 
-    number: int
     name: str
     lines: Sequence[int]
     file: Path
@@ -89,17 +64,13 @@ class _Place:
         return LogError(words, file=self.file, line=self.lines[row])
 
 
-def is_moment(cell: str) -> bool:
-    """Tell whether a cell looks like a date, a time of day or both, told for sure or not.
-
-    >>> is_moment("2024-05-31T14:03:21.250Z"), is_moment("31.05.2024 14:03"), is_moment("1.5"), is_moment("")
-    (True, True, False, False)
-    """
-    text = cell.strip()
-    return _LIKE.match(text) is not None and (":" in text or text[8:9] == "T" or any(text.count(mark) == 2 for mark in "-/."))
-
-
-def moments_of(columns: Mapping[int, Sequence[str]], names: Sequence[str], lines: Sequence[int], file: Path) -> dict[int, Moments]:
+def moments_of(
+    columns: Mapping[int, Sequence[str]],
+    names: Sequence[str],
+    lines: Sequence[int],
+    file: Path,
+    milliseconds: Mapping[int, Sequence[str]] | None = None,
+) -> dict[int, Moments]:
     """Return what columns of dates and times of day say, by their number.
 
     Times of day alone are put together with the dates of another column, where there is one; without a date they are counted on past
@@ -110,15 +81,17 @@ def moments_of(columns: Mapping[int, Sequence[str]], names: Sequence[str], lines
     columns : mapping of int to sequence of str
         Cells of the columns that hold such, by the column's number from 0: ISO 8601, ``2024-05-31T14:03:21.250+02:00`` or
         ``20240531T140321.250``, with a blank for the T or not; the day first with dots, ``31.05.2024``; with slashes where a number above
-        12 tells the day from the month, or all dates are one; times of day, ``14:03:21.250``, ``14:03:21:250``, ``2:03:21.250 PM``. Zones
-        in all rows or in none. Empty cells are gaps.
+        12 tells the day from the month, or all dates are one; months by their English names, ``31-May-2024``; times of day,
+        ``14:03:21.250``, ``14:03:21:250``, ``2:03:21.250 PM``. Zones in all rows or in none. Empty cells are gaps.
     names : sequence of str
         Of all columns of the file.
     lines : sequence of int
         Lines of the rows in the file.
     file : Path
+    milliseconds : mapping of int to sequence of str, optional
+        Cells of the columns that are called so: joined to the whole seconds of the times of day to their left.
     """
-    places = {j: _Place(j, names[j], lines, file) for j in columns}
+    places = {j: _Place(name, lines, file) for j, name in enumerate(names)}
     found: dict[int, Moments] = {}
     read: dict[int, _Column] = {}
     for j, texts in columns.items():
@@ -126,6 +99,7 @@ def moments_of(columns: Mapping[int, Sequence[str]], names: Sequence[str], lines
             read[j] = _taken_apart(texts, places[j])
         except LogError as error:
             found[j] = _at_fault(error, len(texts))
+    joined = _join_milliseconds(read, milliseconds or {}, places)
     clocks = [j for j, column in read.items() if column.first.date is None]
     dates = [j for j, column in read.items() if column.first.clock is None]
     named = [j for j in dates if names[j].strip().casefold() in ("date", "datum")] or dates
@@ -138,11 +112,47 @@ def moments_of(columns: Mapping[int, Sequence[str]], names: Sequence[str], lines
             found[j] = _with_dates(column, read[named[0]], places[j], places[named[0]])
         else:
             found[j] = _told(column, column, places[j])
+        if j in joined:
+            found[j] = replace(found[j], notes=(*found[j].notes, joined[j]))
     return {j: found[j] for j in columns}
 
 
 def _at_fault(fault: LogError, n: int) -> Moments:
     return Moments(np.full(n, np.nan), fault=fault)
+
+
+def _join_milliseconds(read: Mapping[int, _Column], columns: Mapping[int, Sequence[str]], places: Mapping[int, _Place]) -> dict[int, str]:
+    """Give times of day in whole seconds the milliseconds of the column to their right; return what there is to say, by their number."""
+    said = {}
+    for k, texts in columns.items():
+        whole = [j for j, column in read.items() if column.first.clock is not None and not any(column.fractions)]
+        if not whole:
+            continue
+        j = max((j for j in whole if j < k), default=whole[0])
+        parts = [_milliseconds(text) for text in texts]
+        wrong = next((row for row, part in enumerate(parts) if part is not None and not 0 <= part < SECOND), None)
+        if wrong is not None:
+            where = f"{shown(texts[wrong])} in line {places[k].lines[wrong]} is none of 0 to 999"
+            said[j] = f"{called(places[k].name)} is not joined to the times in {places[j].name!r} as milliseconds: {where}"
+            continue
+        column = read[j]
+        cells = [cell if part is not None else None for cell, part in zip(column.cells, parts, strict=True)]
+        if not any(cells):
+            continue
+        column.cells[:] = cells
+        column.fractions[:] = [part or 0 for part in parts]
+        said[j] = f"the times of day in {places[j].name!r} and the milliseconds in {places[k].name!r} are taken together"
+    return said
+
+
+def _milliseconds(text: str) -> int | None:
+    """Return milliseconds in nanoseconds, None where the cell is empty, -1 where it holds anything else."""
+    if is_empty(text):
+        return None
+    try:
+        return round(1e6 * number(text, comma="," in text))
+    except (ValueError, OverflowError):
+        return -1
 
 
 def _with_dates(clocks: _Column, dates: _Column, place: _Place, of_dates: _Place) -> Moments:
@@ -182,7 +192,7 @@ def _told(clocks: _Column, dates: _Column, place: _Place) -> Moments:
     return Moments(seconds, notes)
 
 
-def _days(cells: Sequence[_Cell], rows: Sequence[int], place: _Place) -> NDArray[np.int64]:
+def _days(cells: Sequence[Cell], rows: Sequence[int], place: _Place) -> NDArray[np.int64]:
     """Return the days from the first one on; refuse what is no day of a calendar, or may be two."""
     dates = [cell.date for cell in cells if cell.date is not None]
     first_rows = dict(zip(reversed(dates), reversed(rows), strict=True))
@@ -219,64 +229,21 @@ def _taken_apart(texts: Sequence[str], place: _Place) -> _Column:
     first = last = None
     for row, text in enumerate(texts):
         word = text.strip(' "')
-        part = _FRACTION.search(word)
-        cell = _cell(word if part is None else word[: part.start()] + word[part.end() :])
+        cell, fraction = taken_apart(word)
         if cell is None and not is_empty(word):
-            words = f"{shown(text)} in column {place.number + 1} is no date and time that can be told for sure: {RIGHT}"
+            words = f"{shown(text)} in {called(place.name)} is no date and time that can be told for sure: {RIGHT}"
             raise place.fault(row, words)
         if cell is not None and cell is not last:
             first, last = first or cell, cell
             _check_form(cell, first, text, row, place)
         found.cells.append(cell)
-        found.fractions.append(0 if part is None else int((part["decimals"] or part["thousandths"]).ljust(9, "0")))
+        found.fractions.append(fraction)
     return found
 
 
-def _check_form(cell: _Cell, first: _Cell, text: str, row: int, place: _Place) -> None:
+def _check_form(cell: Cell, first: Cell, text: str, row: int, place: _Place) -> None:
     """Refuse a cell that is written in another way than the first one of its column."""
     if cell.zoned != first.zoned:
-        raise place.fault(row, f"{shown(text)} in column {place.number + 1}: only some of its times say their zone")
+        raise place.fault(row, f"{shown(text)} in {called(place.name)}: only some of its times say their zone")
     if (cell.order, cell.half, cell.clock is None) != (first.order, first.half, first.clock is None):
-        raise place.fault(row, f"{shown(text)} in column {place.number + 1} is written in another way than those before it")
-
-
-@lru_cache(maxsize=4096)  # thousands of samples share a second
-def _cell(text: str) -> _Cell | None:
-    """Return what a cell without the fraction of its second says, None where that is in doubt."""
-    date = _DATE.match(text)
-    numbers, order = (None, "") if date is None else _dated(date.group())
-    if date is not None and not order:
-        return None
-    rest = text if date is None else text[date.end() :]
-    if date is not None and not rest:
-        return _Cell(numbers, order, None)
-    clock = _CLOCK.match(_PACKED.sub(r"\1:\2:\3", rest).lstrip("T ,"))
-    if clock is None or (date is None and clock["second"] is None):
-        return None
-    hour, minute, second = int(clock["hour"]), int(clock["minute"]), int(clock["second"] or 0)
-    if clock["half"]:
-        if not 1 <= hour <= 12:
-            return None
-        hour = hour % 12 + (12 if clock["half"].upper() == "PM" else 0)
-    if hour > 23 or minute > 59 or second > 59:
-        return None
-    since = hour * HOUR + minute * MINUTE + second * SECOND - _ahead(clock["zone"])
-    return _Cell(numbers, order, since, clock["zone"] is not None, clock["half"] is not None)
-
-
-def _dated(text: str) -> tuple[tuple[int, int, int], str]:
-    """Return the numbers of a date and their order; an empty one where the year cannot be told."""
-    if text.isdigit():
-        return (int(text[:4]), int(text[4:6]), int(text[6:])), YEAR_FIRST
-    texts = re.split("[-/.]", text)
-    year_at = [k for k in (0, 2) if len(texts[k]) == 4]
-    order = "" if len(year_at) != 1 else YEAR_FIRST if year_at == [0] else DAY_FIRST if "." in text else UNTOLD
-    return (int(texts[0]), int(texts[1]), int(texts[2])), order
-
-
-def _ahead(zone: str | None) -> int:
-    """Return the nanoseconds that a zone is ahead of UTC."""
-    if zone is None or zone == "Z":
-        return 0
-    digits = zone[1:].replace(":", "").ljust(4, "0")
-    return (-1 if zone[0] == "-" else 1) * (int(digits[:2]) * HOUR + int(digits[2:]) * MINUTE)
+        raise place.fault(row, f"{shown(text)} in {called(place.name)} is written in another way than those before it")

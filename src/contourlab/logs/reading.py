@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 from contourlab.errors import LogError, UnitError
 from contourlab.units import same_dimension
 
-__all__ = ["cells_of", "head_of", "is_empty", "is_unit", "lines_of", "name_and_unit", "number", "numbers", "shown", "text_of"]
+__all__ = ["called", "cells_of", "head_of", "is_empty", "is_unit", "lines_of", "name_and_unit", "number", "numbers", "shown", "text_of"]
 
 Array = NDArray[np.float64]
 HEAD = 1 << 16
@@ -133,14 +133,15 @@ def number(text: str, comma: bool = False) -> float:
     return float(word.replace(".", "").replace(",", ".") if comma and "," in word else word)
 
 
-def numbers(rows: Sequence[tuple[int, Sequence[str]]], width: int, file: Path, comma: bool = False) -> Array:
-    """Return the numbers (n_row, width) of rows of cells, each with the number of its line.
+def numbers(rows: Sequence[tuple[int, Sequence[str]]], names: Sequence[str], file: Path, comma: bool = False) -> Array:
+    """Return the numbers (n_row, n_column) of rows of cells, each with the number of its line, under the names of their columns.
 
     Raises
     ------
     LogError
         If a row has another number of cells, or a cell is no number; names line and column.
     """
+    width = len(names)
     found = np.empty((len(rows), width))
     for i, (line, cells) in enumerate(rows):
         if len(cells) != width:
@@ -149,8 +150,17 @@ def numbers(rows: Sequence[tuple[int, Sequence[str]]], width: int, file: Path, c
             found[i] = _numbers_in(cells, comma)
         except ValueError:
             j = next(j for j, cell in enumerate(cells) if not _is_number(cell, comma))
-            raise LogError(f"{shown(cells[j])} in column {j + 1} is no number", file=file, line=line) from None
+            raise LogError(f"{shown(cells[j])} in {called(names[j])} is no number", file=file, line=line) from None
     return found
+
+
+def called(name: str) -> str:
+    """Return a column as it stands in a message: by its name, or its number where it has none.
+
+    >>> called("x pos"), called("2")
+    ("column 'x pos'", 'column 2')
+    """
+    return f"column {name}" if name.isdigit() else f"column {name!r}"
 
 
 def shown(cell: str) -> str:

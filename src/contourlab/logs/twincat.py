@@ -3,14 +3,14 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 
 import numpy as np
 from numpy.typing import NDArray
 
 from contourlab.errors import LogError
-from contourlab.logs.reading import cells_of, lines_of, number, shown
+from contourlab.logs.reading import called, cells_of, lines_of, number, shown
 from contourlab.logs.record import Channel, Record
 
 __all__ = ["matches", "read"]
@@ -59,7 +59,7 @@ def read(file: Path) -> Record:
         raise LogError("holds no samples", file=file)
     layout = _layout(heads[NAME], body[0][1], file)
     comma = any("," in cell for cell in heads[PERIOD]) and mark != ","
-    values = _values(body, max(max(pair) for pair in layout) + 1, comma, file)
+    values = _values(body, max(max(pair) for pair in layout) + 1, comma, file, {column: heads[NAME][head] for head, column, _ in layout})
     return Record(file, "twincat", tuple(_channel(heads, values, *pair) for pair in layout), notes=(*notes, *_notes(heads)))
 
 
@@ -91,7 +91,7 @@ def _layout(names: Sequence[str], row: Sequence[str], file: Path) -> list[tuple[
     return found
 
 
-def _values(body: Sequence[tuple[int, Sequence[str]]], width: int, comma: bool, file: Path) -> Array:
+def _values(body: Sequence[tuple[int, Sequence[str]]], width: int, comma: bool, file: Path, names: Mapping[int, str]) -> Array:
     found = np.full((len(body), width), np.nan)
     for i, (line, cells) in enumerate(body):
         try:
@@ -103,7 +103,7 @@ def _values(body: Sequence[tuple[int, Sequence[str]]], width: int, comma: bool, 
             try:
                 found[i, j] = number(cell, comma or ("," in cell and "." not in cell))
             except ValueError:
-                raise LogError(f"{shown(cell)} in column {j + 1} is no number", file=file, line=line) from None
+                raise LogError(f"{shown(cell)} in {called(names.get(j, str(j + 1)))} is no number", file=file, line=line) from None
     return found
 
 

@@ -90,6 +90,11 @@ class Result:
             if signal.data.ndim == 2 and signal.data.shape[1] != len(self.axes):
                 raise ResultError(f"signal {name} has {signal.data.shape[1]} columns for {len(self.axes)} axes")
 
+    @property
+    def source(self) -> str:
+        """What a message calls the run: the file that it was read from, where there is one, else its scheme."""
+        return str(self.attributes.get("log", self.scheme))
+
     def __getitem__(self, name: str) -> Array:
         """Return the data of a signal.
 

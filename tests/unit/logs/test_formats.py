@@ -237,7 +237,7 @@ def test_bits_are_numbers(tmp_path: Path) -> None:
         record = read_record(written(tmp_path, name, "\n".join([head, *lines])))
         assert record.format == ("csv" if name == "a.csv" else "halscope")
         assert record.channel("on").values.tolist() == [1.0, 0.0, 1.0] and record.channel("x").values.tolist() == [0.5, 0.6, 0.7]
-    with pytest.raises(LogError, match=r"b\.csv:4: 'ON' in column 2 is no number"):
+    with pytest.raises(LogError, match=r"b\.csv:4: 'ON' in column 'on' is no number"):
         read_record(written(tmp_path, "b.csv", "\n".join([head, *lines]).replace("False", "ON")))
 
 
@@ -251,10 +251,15 @@ def test_a_table_may_have_gaps_and_no_names(tmp_path: Path) -> None:
     ("text", "said"),
     [
         ("t,x\n0,1\n1,2,3\n", "a.csv:3: has 3 columns where 2 are wanted"),
-        ("t,x\n0,1\n1,two\n", "a.csv:3: 'two' in column 2 is no number"),
+        ("t,x\n0,1\n1,two\n", "a.csv:3: 'two' in column 'x' is no number"),
         ("t,x\nname,of\n", "has no rows"),
         ("time [s],x [mm]\n", "has no rows"),
         ("words of no table\n", "looks like none of the formats"),
+        (
+            "t;at\n0;3rd of May\n1;4th of May\n",
+            "a.csv:2: holds no row of numbers: '3rd of May' in column 'at' is neither a number nor a date",
+        ),
+        ("a,b\nc,d\ne,f\n", "looks like none of the formats"),
         ("   \n", "is empty"),
     ],
 )
@@ -280,7 +285,7 @@ def test_a_decimal_comma_that_comes_late(tmp_path: Path) -> None:
     assert record.channel("x").values[-1] == 1.25
     mixed = read_record(written(tmp_path, "a.csv", "t [s];x [mm]\n0.5;7\n0,5;1.234,5\n"))
     assert mixed.channel("x").values.tolist() == [7.0, 1234.5] and mixed.channel("t").values.tolist() == [0.5, 0.5]
-    with pytest.raises(LogError, match=r"a.csv:3: '1,234.5' in column 2"):
+    with pytest.raises(LogError, match=r"a.csv:3: '1,234.5' in column 'x'"):
         read_record(written(tmp_path, "a.csv", "t [s];x [mm]\n0;1\n1;1,234.5\n"))
 
 

@@ -44,6 +44,9 @@ def log(folder: Path, cells: list[str], mark: str = ";", name: str = "stamp") ->
         (["05/31/2024 11:59:59.998 PM", "05/31/2024 11:59:59.999 PM", "06/01/2024 12:00:00.000 AM", "06/01/2024 12:00:00.001 AM"], ";"),
         # One day is one day, whichever of its numbers is the month.
         (["05/06/2024 14:03:21.250", "05/06/2024 14:03:21.251", "05/06/2024 14:03:21.252", "05/06/2024 14:03:21.253"], ";"),
+        (["31-May-2024 23:59:59.998", "31-May-2024 23:59:59.999", "01-Jun-2024 00:00:00", "01-Jun-2024 00:00:00.001"], ";"),
+        (["31 May 2024 23:59:59,998", "31 may 2024 23:59:59,999", "1 June 2024 00:00:00", "1. Jun. 2024 00:00:00,001"], ";"),
+        (['"Sep 30, 2024 23:59:59.998"', '"Sept. 30, 2024 23:59:59.999"', '"Oct 1, 2024 0:00:00"', '"October 1, 2024 0:00:00.001"'], ","),
         (["23:59:59.998", "23:59:59.999", "00:00:00.000", "00:00:00.001"], ";"),
         (["23:59:59.998+02:00", "23:59:59.999+02:00", "00:00:00.000+02:00", "22:00:00.001Z"], ";"),
     ],
@@ -63,7 +66,14 @@ def test_times_of_day_past_midnight_are_told(tmp_path: Path) -> None:
 @given(
     st.datetimes(datetime(1990, 1, 13), datetime(2060, 1, 1)).filter(lambda start: start.day in range(13, 28)),
     st.sampled_from(
-        ["%Y-%m-%dT%H:%M:%S.%f", "%Y%m%dT%H%M%S.%f", "%d.%m.%Y %H:%M:%S,%f", "%m/%d/%Y %I:%M:%S.%f %p", "%d-%m-%Y %H:%M:%S.%f"]
+        [
+            "%Y-%m-%dT%H:%M:%S.%f",
+            "%Y%m%dT%H%M%S.%f",
+            "%d.%m.%Y %H:%M:%S,%f",
+            "%m/%d/%Y %I:%M:%S.%f %p",
+            "%d-%m-%Y %H:%M:%S.%f",
+            "%d-%b-%Y %H:%M:%S.%f",
+        ]
     ),
     st.integers(1, 10**10),
 )
@@ -86,6 +96,14 @@ def test_nanoseconds_are_kept(tmp_path: Path) -> None:
         (["05/06/2024 23:59:59", "06/06/2024 00:00:00", "06/06/2024 00:00:01"], ";", "csv:2: .*told for sure: write times as 2024-05-31T"),
         (["05/31/2024 23:59:59", "05/31/2024 23:59:59", "31/05/2024 23:59:59"], ";", "csv:4: .*the day first and the month first"),
         (["31.05.24 14:03:21", "31.05.24 14:03:22", "31.05.24 14:03:23"], ";", "told for sure"),
+        (
+            ["31-Mai-2024 14:03:21", "31-Mai-2024 14:03:22"],
+            ";",
+            "csv:2: '31-Mai-2024 14:03:21' in column 'stamp' .*: write times as 2024-05",
+        ),
+        (["31-May-24 14:03:21", "31-May-24 14:03:22"], ";", "csv:2: .*told for sure"),
+        (["31-May-2024 14:03:21", "31.05.2024 14:03:22"], ";", "csv:3: .*in another way than those before"),
+        (["31-Jun-2024 14:03:21", "31-Jun-2024 14:03:22"], ";", "csv:2: 2024-06-31 in column 'stamp' is no day of the calendar"),
         (["2024-05-31 14:03:21:5", "2024-05-31 14:03:22:5", "2024-05-31 14:03:23:5"], ";", "told for sure"),
         (["2024-05-31T14:03:21", "31.05.2024 14:03:22", "31.05.2024 14:03:23"], ";", "csv:3: .*in another way than those before"),
         (["14:03:21", "2:03:22 PM", "2:03:23 PM"], ";", "csv:3: .*in another way than those before"),
@@ -95,7 +113,7 @@ def test_nanoseconds_are_kept(tmp_path: Path) -> None:
         (["2024-05-31T14:03:21 PM", "2024-05-31T14:03:22 PM", "2024-05-31T14:03:23 PM"], ";", "told for sure"),
         (["2024-05-31T14:03:21Z", "2024-05-31T14:03:22", "2024-05-31T14:03:23"], ";", "csv:3: .*only some of its times say their zone"),
         (["2024-02-30T14:03:21", "2024-02-30T14:03:22", "2024-02-30T14:03:23"], ";", "csv:2: .*is no day of the calendar"),
-        (["2024-05-31T14:03:21", "yesterday", "2024-05-31T14:03:23"], ";", "csv:3: 'yesterday' in column 1"),
+        (["2024-05-31T14:03:21", "yesterday", "2024-05-31T14:03:23"], ";", "csv:3: 'yesterday' in column 'stamp' is no date"),
         (["2024-05-31T14:03:21", "2024-05-31T14:03:22;7", "2024-05-31T14:03:23"], ";", "csv:3: has 3 columns where 2"),
         (["2024-05-31T14:03:21"] * 40 + ["2024-05-31T14:03:22"] * 40 + ["2024-05-31T14:03:23"], ";", "are written too coarsely"),
         (["2024-05-31T14:03:21", "2024-05-31T14:03:20", "2024-05-31T14:03:23"], ";", "time goes back"),
@@ -144,6 +162,41 @@ def test_a_date_and_a_time_of_day_in_two_columns_are_one_moment(tmp_path: Path, 
     found = load_log(in_two(tmp_path, rows))
     assert found.result.servo_period == pytest.approx(1e-3, rel=1e-9)
     assert said in " ".join(found.notes)
+
+
+SPLIT = ["31.05.2024;23:59:59;998", "31.05.2024;23:59:59;999", "01.06.2024;00:00:00;000", "01.06.2024;00:00:00;001"]
+
+
+@pytest.mark.parametrize("name", ["ms", "Milliseconds", "msec", "[ms]"])
+def test_milliseconds_in_a_column_of_their_own(tmp_path: Path, name: str) -> None:
+    found = load_log(in_two(tmp_path, SPLIT, f"Datum;Uhrzeit;{name}"))
+    assert found.result.servo_period == pytest.approx(1e-3, rel=1e-9)
+    assert f"the times of day in 'Uhrzeit' and the milliseconds in {name!r} are taken together" in found.notes
+    assert found.result["position"][:, 0] == pytest.approx(1e-4 * np.arange(4.0))
+
+
+def test_milliseconds_beside_whole_moments_and_of_the_time_to_their_left(tmp_path: Path) -> None:
+    rows = [f"2024-05-31 14:03:2{k // 2};{500 * (k % 2) + 0.25};15:00:00" for k in range(6)]
+    found = load_log(in_two(tmp_path, rows, "stamp;ms;until"), columns=parse_columns(["time=stamp"]))
+    assert found.result.servo_period == pytest.approx(0.5, rel=1e-9)
+
+
+def test_a_row_without_its_milliseconds_has_no_time(tmp_path: Path) -> None:
+    rows = [f"14:03:{20 + k // 10};{'' if k == 30 else 100 * (k % 10)}" for k in range(60)]
+    assert "1 of 60 rows say no time, and are left out" in load_log(in_two(tmp_path, rows, "time;ms")).notes
+
+
+def test_what_cannot_be_milliseconds_is_not_joined(tmp_path: Path) -> None:
+    rows = [f"14:03:{20 + k // 10};{100 * k}" for k in range(60)]
+    said = "too coarsely; column 'ms' is not joined to the times in 'time' as milliseconds: '1000' in line 12 is none of 0 to 999"
+    with pytest.raises(LogError, match=said):
+        load_log(in_two(tmp_path, rows, "time;ms"))
+    with pytest.raises(LogError, match="written too coarsely, and no column beside it is called ms or milliseconds: write times as"):
+        load_log(in_two(tmp_path, rows, "time;thousandths"))
+    none = [f"14:03:{20 + k};" for k in range(10)]
+    assert load_log(in_two(tmp_path, none, "time;ms")).result.servo_period == pytest.approx(1.0)
+    fine = [f"14:03:21.{k:03d};{100 * k}" for k in range(60)]
+    assert load_log(in_two(tmp_path, fine, "time;ms")).result.servo_period == pytest.approx(1e-3)
 
 
 def test_days_between_are_counted_where_the_date_says_so(tmp_path: Path) -> None:
