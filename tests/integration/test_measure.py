@@ -33,7 +33,9 @@ def run_of(position: np.ndarray, reference: np.ndarray | None) -> Result:
     return Result("bench", ("x", "y"), 1e-3, signals)
 
 
-@pytest.mark.parametrize(("file", "rms", "largest", "tracking"), [("lli", 84.7, 262.4, (76.4, 77.7)), ("pp", 48.3, 95.4, (1277.4, 1082.7))])
+@pytest.mark.parametrize(
+    ("file", "rms", "largest", "tracking"), [("lli", 84.76, 262.4, (76.4, 77.7)), ("pp", 48.3, 95.4, (1277.4, 1082.7))]
+)
 def test_the_measured_runs_of_the_table(
     shared: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str], file: str, rms: float, largest: float, tracking: tuple[float, float]
 ) -> None:
@@ -241,7 +243,7 @@ def test_a_straight_path_does_not_tell_its_shift() -> None:
 @pytest.mark.parametrize(
     ("content", "words", "said"),
     [
-        ("x pos [mm]\n1\n2\n3\n", ["--period", "1 ms"], "no reference in log"),
+        ("x pos [mm]\n1\n2\n3\n", ["--period", "1 ms"], "no reference in log.csv"),
         ("x pos [mm],x ref [mm]\n1,1\n2,1\n3,1\n", ["--period", "1 ms"], "nothing is asked to move"),
         ("x pos [mm],x ref [mm]\n1,1\n2,2\n3,3\n", [], "says no sample times"),
         ("x pos [mm],x ref [mm]\n1,1\n2,2\n3,3\n", ["--period", "1"], "--period"),
@@ -282,10 +284,11 @@ def test_two_measured_runs_side_by_side(shared: Path, tmp_path: Path, capsys: py
     logs = [str(folder / f"line_circle_{name}.mat") for name in ("lli", "pp")]
     assert main(["compare", *logs, "--out", str(tmp_path / "both"), "--json"]) == 0
     found = json.loads(capsys.readouterr().out)["schemes"]
-    assert [run["metrics"]["contour_error"]["rms"] for run in found.values()] == pytest.approx([84.7e-6, 48.3e-6], rel=0.01)
+    assert [run["metrics"]["contour_error"]["rms"] for run in found.values()] == pytest.approx([84.76e-6, 48.3e-6], rel=0.01)
     assert main(["compare", *logs, "--out", str(tmp_path / "both")]) == 0
     said = capsys.readouterr().out
     assert "-43 %" in said and "another path" not in said
+    assert "Errors over the moving part: 0.8614 s to 2.737 s of line_circle_lli, 0.8198 s to 2.695 s of line_circle_pp." in said
     assert main(["measure", logs[0], "--out", str(tmp_path / "one")]) == 0
     assert main(["compare", str(tmp_path / "one"), logs[1], "--out", str(tmp_path / "again")]) == 0
     assert "-43 %" in capsys.readouterr().out
@@ -335,6 +338,48 @@ def test_a_largest_error_that_nobody_measured(tmp_path: Path, capsys: pytest.Cap
     assert any("is in a gap of x pos, y pos: it is interpolated, not measured" in note for note in scheme["notes"])
 
 
+@pytest.mark.parametrize(("late", "when"), [(-5, "t = 1.5 s"), (25, "t = 1.53")])
+def test_a_largest_error_against_the_chord_of_a_gap(tmp_path: Path, capsys: pytest.CaptureFixture[str], late: int, when: str) -> None:
+    """Rows left out leave a chord in the reference: a tool that is ahead is on it at the edge of the gap, one that is late behind it."""
+    angle = 2.0 * np.pi * (np.arange(2000)[:, None] - [0.0, late]) / 2000.0
+    wanted, place = (20.0 * np.column_stack([np.cos(turned), np.sin(turned)]) for turned in angle.T)
+    rows = np.column_stack([1e-3 * np.arange(2000), wanted, 1.0001 * place])
+    rows = np.delete(rows, slice(1501, 1521), axis=0)
+    log = tmp_path / "log.csv"
+    heads = "t [s],x ref [mm],y ref [mm],x pos [mm],y pos [mm]"
+    np.savetxt(log, rows, delimiter=",", comments="", header=heads)
+    assert main(["measure", str(log), "--out", str(tmp_path / "out"), "--json"]) == 0
+    note = json.loads(capsys.readouterr().out)["schemes"]["log"]["notes"][-1]
+    assert when in note and note.endswith("s, is beside a gap of x ref, y ref: the path it is held against is a chord there")
+    rows[1000:1010, 3] += 0.05  # a larger one elsewhere is none of the gap's
+    np.savetxt(log, rows, delimiter=",", comments="", header=heads)
+    assert main(["measure", str(log), "--out", str(tmp_path / "out"), "--json"]) == 0
+    assert "a gap of" not in " ".join(json.loads(capsys.readouterr().out)["schemes"]["log"]["notes"])
+
+
+@pytest.mark.parametrize(
+    ("factor", "heads", "said"),
+    [
+        ([1.0, 100.0, 100.0], "t [s],{} [mm]", "the tool moves by 4 m in all, at 6.29 m/s, as next to no machine tool does"),
+        ([20.0, 1e3, 1e3], "t [s],{} [mm]", "the tool moves by 40 m in all, at 3.14 m/s, as next to no machine tool does"),
+        ([2.0, 1e-3, 1e-3], "t [s],{} [mm]", "the tool moves by 40 um in all, at 0.0314 mm/s at most: is the unit of the position right?"),
+        ([1e3, 1.0, 1.0], "t,{} [mm]", "the run has a sample every 1 s: is the unit of the time right?"),
+        ([1e3, 1.0, 1.0], "t [ms],{} [mm]", ""),
+    ],
+)
+def test_units_that_are_wrong_of_all_columns_are_asked_about(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str], factor: list[float], heads: str, said: str
+) -> None:
+    wanted = 1e3 * circle()
+    time, way = 1e-3 * factor[0] * np.arange(len(wanted)), factor[1] * wanted
+    log = tmp_path / "log.csv"
+    names = " [mm],".join(["x ref", "y ref", "x pos", "y pos"])
+    np.savetxt(log, np.column_stack([time, way, 1.0001 * way]), delimiter=",", comments="", header=heads.format(names))
+    assert main(["measure", str(log), "--out", str(tmp_path / "out"), "--json"]) == 0
+    asked = [note for note in json.loads(capsys.readouterr().out)["schemes"]["log"]["notes"] if note.endswith("right?")]
+    assert len(asked) == bool(said) and said in " ".join(asked)
+
+
 def test_an_axis_that_is_named_twice() -> None:
     with pytest.raises(ResultError, match="named twice"):
         measure(run_of(circle(), circle()), axes=("x", "x"))
@@ -346,6 +391,7 @@ def test_an_axis_that_is_named_twice() -> None:
         (lambda place: place, ""),
         (lambda place: 1e-3 * place, "refused"),
         (lambda place: np.add(place, [0.01, 0.0]), "refused"),
+        (lambda place: place[:1] + (place - place[:1]) / 25.4, "refused"),
         (lambda place: place[:, ::-1], "x, y"),
         (lambda place: place * [1.0, -1.0], "y"),
     ],
@@ -389,7 +435,10 @@ def test_wrong_columns_are_refused_or_told(tmp_path: Path, capsys: pytest.Captur
         return ["measure", log, *(word for name, column in said.items() if column for word in ("--column", f"{name}={column}")), *out]
 
     assert main(typed(position_x="b", position_y="a")) == 2
-    assert "on a path of 120 mm in size: are the columns of position and reference the right ones" in capsys.readouterr().err
+    assert (
+        "on a path of 120 mm in size, and moves by 120 mm: are the columns of position and reference the right ones"
+        in capsys.readouterr().err
+    )
     assert main(typed(reference_y="")) == 2
     assert "no reference of y" in capsys.readouterr().err
     assert not (tmp_path / "out").exists()

@@ -23,6 +23,7 @@ from contourlab.session.log_choice import LogChoice, is_program, open_log, posit
 from contourlab.session.plain import plain
 from contourlab.session.run import RunOutcome, check_plots, file_names
 from contourlab.session.summary import SCHEMA
+from contourlab.studies.gap_words import gap_words
 from contourlab.studies.measure import Measured, measure
 from contourlab.units import to_si
 
@@ -117,10 +118,7 @@ def _judged(choice: LogChoice, reference: str | None = None, shift: str | None =
         found = measure(log.result, path, axes or None, shift=_shift(shift, axes or log.result.axes))
     except ResultError as error:
         raise ResultError("; ".join([str(error), *log.doubtful])) from error
-    worst = found.metrics.contour_error.worst.time
-    if gaps := log.gaps_at(worst):
-        words = f"the largest contour error, at t = {worst:.4g} s, is in a gap of {', '.join(gaps)}: it is interpolated, not measured"
-        found = replace(found, notes=(*found.notes, words))
+    found = replace(found, notes=(*found.notes, *gap_words(log, found, of_samples=path is None)))
     return _Judged(log.result.scheme, log, found)
 
 

@@ -15,6 +15,7 @@ from contourlab.metrics import AxisFigures, CircleFigures, Metrics, Spike, circl
 from contourlab.result import Result, Signal
 from contourlab.scenario.placing import placed
 from contourlab.studies.laps import last_lap
+from contourlab.studies.likely import same_column, unlikely_motion, unlikely_period
 from contourlab.studies.progress import farthest, progress_along, size_of
 from contourlab.studies.sample_path import moving, path_of_samples
 from contourlab.studies.shift import fitted_shift
@@ -80,7 +81,8 @@ def measure(
         If a signal is missing or not finite, nothing moves, the tool is nowhere near the path, or a shift is asked for without one.
     """
     chosen = _of_axes(result, axes or result.axes)
-    position, notes = _position_of(chosen), []
+    position = _position_of(chosen)
+    notes = [*unlikely_period(result.servo_period, "the run"), *unlikely_motion(position, result.servo_period, "the tool")]
     of_samples = path is None
     if path is None:
         if shift is not None:
@@ -105,7 +107,7 @@ def measure(
     if of_samples:
         window, left = _on_the_path(judged, reference, window)
         notes += left
-        _check_near(judged["contour_error"][slice(*window)], path)
+        _check_near(judged["contour_error"][slice(*window)], path, position)
         notes += _on_last_lap(judged, reference, window)
     notes += _of_one_sample(judged, window)
     metrics = _of_what_is_known(summarise(judged, reference, window), chosen, window)
@@ -127,36 +129,36 @@ def _position_of(chosen: Result) -> Array:
     """Return where the tool was (n_sample, n_axis) [m]."""
     actual = next((name for name in ACTUAL if name in chosen), None)
     if actual is None:
-        raise ResultError(f"no position in {chosen.scheme}: say which column is one, such as --column 'position.x=NAME [mm]'")
+        raise ResultError(f"no position in {chosen.source}: say which column is one, such as --column 'position.x=NAME [mm]'")
     position = chosen[actual]
     missing = [axis for axis, column in zip(chosen.axes, position.T, strict=True) if not np.isfinite(column).all()]
     if missing:
         raise ResultError(
-            f"no position of {', '.join(missing)} in {chosen.scheme}: say which column it is, or leave the axis out with --axes"
+            f"no position of {', '.join(missing)} in {chosen.source}: say which column it is, or leave the axis out with --axes"
         )
     return position
 
 
 def _reference_of(chosen: Result) -> Array:
     if "reference" not in chosen:
-        raise ResultError(f"no reference in {chosen.scheme}: say which columns, or name the part program with --reference part.ngc")
+        raise ResultError(f"no reference in {chosen.source}: say which columns, or name the part program with --reference part.ngc")
     wanted = chosen["reference"]
     missing = [axis for axis, column in zip(chosen.axes, wanted.T, strict=True) if not np.isfinite(column).any()]
     if missing:
         raise ResultError(
-            f"no reference of {', '.join(missing)} in {chosen.scheme}: say which column it is, such as "
+            f"no reference of {', '.join(missing)} in {chosen.source}: say which column it is, such as "
             f"--column 'reference.{missing[0]}=NAME [mm]', or leave the axis out with --axes"
         )
     return wanted
 
 
-def _check_near(contour: Array, path: Path) -> None:
+def _check_near(contour: Array, path: Path, position: Array) -> None:
     """Refuse positions that are not on the path of their reference at all, as where columns are exchanged or units differ."""
-    rms, size = float(np.sqrt(np.mean(contour**2))), size_of(path)
-    if rms > farthest(size):
+    rms, size, moved = float(np.sqrt(np.mean(contour**2))), size_of(path), float(np.ptp(position, axis=0).max())
+    if rms > farthest(min(size, moved)):
         raise ResultError(
-            f"the tool is off the path of its reference by {rms * 1e3:.4g} mm rms, on a path of {size * 1e3:.4g} mm in size: are the "
-            "columns of position and reference the right ones, of the same axes, coordinates and units?"
+            f"the tool is off the path of its reference by {rms * 1e3:.4g} mm rms, on a path of {size * 1e3:.4g} mm in size, and moves by "
+            f"{moved * 1e3:.4g} mm: are the columns of position and reference the right ones, of the same axes, coordinates and units?"
         )
 
 
@@ -165,12 +167,7 @@ def _unlike(axes: tuple[str, ...], wanted: Array, position: Array) -> list[str]:
     left, whole = np.var(wanted - position, axis=0), np.var(wanted, axis=0)
     names = ", ".join(axis for axis, off, size in zip(axes, left, whole, strict=True) if off > (1.0 - ALIKE) * size > 0.0)
     said = [f"the position of {names} does not go with its reference: are column, unit and direction right?"] if names else []
-    same = ", ".join(
-        axis for axis, one, other in zip(axes, wanted.T, position.T, strict=True) if np.ptp(one) > 0.0 and (one == other).all()
-    )
-    if same:
-        said.append(f"position and reference of {same} are equal in all samples: are they the same column?")
-    return said
+    return [*said, *same_column(axes, wanted, position)]
 
 
 def _with_motion(chosen: Result, position: Array, wanted: Array, along: Array) -> Result:
@@ -241,7 +238,7 @@ def _of_axes(result: Result, axes: tuple[str, ...]) -> Result:
         raise ResultError(f"axes {', '.join(axes)}: one is named twice")
     unknown = [axis for axis in axes if axis not in result.axes]
     if unknown:
-        raise ResultError(f"no axis {unknown[0]} in {result.scheme}; there are {', '.join(result.axes)}")
+        raise ResultError(f"no axis {unknown[0]} in {result.source}; there are {', '.join(result.axes)}")
     if axes == result.axes:
         return result
     columns = [result.axes.index(axis) for axis in axes]

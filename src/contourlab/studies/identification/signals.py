@@ -13,6 +13,7 @@ from contourlab.errors import ResultError
 from contourlab.logs import Log
 from contourlab.result import Result
 from contourlab.studies.identification.finding import Row, assumed, limit, reached
+from contourlab.studies.likely import fastest
 
 __all__ = [
     "NO_PLANT",
@@ -158,7 +159,7 @@ def chosen_axis(result: Result, axis: str | None) -> str:
     if axis is None and len(result.axes) == 1:
         return result.axes[0]
     if axis not in result.axes:
-        said = "which axis?" if axis is None else f"no axis {axis} in {result.scheme}:"
+        said = "which axis?" if axis is None else f"no axis {axis} in {result.source}:"
         raise ResultError(f"{said} There are {', '.join(result.axes)}: name one with --axis")
     return axis
 
@@ -218,7 +219,7 @@ def _whole(log: Log, axis: str, gain: float | None, full_scale: float | None, so
 
     position = next((values for name in POSITIONS if (values := of(name)) is not None), None)
     if position is None:
-        said = f"no position of {axis} in {result.scheme}: say --column 'position.{axis}=NAME [mm]'"
+        said = f"no position of {axis} in {result.source}: say --column 'position.{axis}=NAME [mm]'"
         raise ResultError("; ".join([said, *log.doubtful]))
     command, force = of("command"), of("force")
     logged = unit = result.signals["command"].unit if command is not None else ""
@@ -251,7 +252,7 @@ def measured_tables(records: Sequence[AxisRecord], acceleration: float) -> dict[
         The largest in them.
     """
     source = source_of(records)
-    velocity = max(_fastest(record) for record in records)
+    velocity = max(fastest(record.position[:, None], record.period) for record in records)
     tables: dict[str, dict[str, Row]] = {
         "limits": {
             "velocity": limit(velocity, "m/s", source),
@@ -267,10 +268,3 @@ def measured_tables(records: Sequence[AxisRecord], acceleration: float) -> dict[
             "resolution": (float(seen.min()), "m", reached(source, "the smallest step in the log")),
         }
     return tables
-
-
-def _fastest(record: AxisRecord) -> float:
-    """Return the largest velocity [m/s]."""
-    stride = max(1, round(0.002 / record.period))
-    speed = np.abs(np.diff(record.position[::stride])) / (stride * record.period)
-    return float(speed.max()) if speed.size else 0.0
