@@ -68,10 +68,9 @@ class ClockReport:
             found.append(f"times jitter by {show(self.jitter_rms, 'us', 3)} rms, {show(self.jitter_peak, 'us', 3)} at most")
         if self.gaps:
             worst = max(self.gaps, key=lambda gap: gap.missing)
-            found.append(
-                f"{self.missing} of {self.n_sample + self.missing} samples are missing, in {len(self.gaps)} gaps; the longest of "
-                f"{worst.missing} at t = {worst.time:.6g} s"
-            )
+            where = "1 gap" if len(self.gaps) == 1 else f"{len(self.gaps)} gaps"
+            samples = f"{self.missing} of {self.n_sample + self.missing} samples"
+            found.append(f"{samples} are missing, in {where}; the longest of {worst.missing} at t = {worst.time:.6g} s")
         if self.repeated:
             many = self.repeated > 1
             words = ("samples repeat", "were") if many else ("sample repeats", "was")

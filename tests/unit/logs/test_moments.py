@@ -255,7 +255,7 @@ def test_rows_without_a_time_are_gaps(tmp_path: Path, stamps: list[str]) -> None
     stamps[0] = stamps[20] = ""
     found = load_log(log(tmp_path, stamps, name="timestamp"))
     assert "2 of 50 rows say no time, and are left out" in found.notes
-    assert any("1 of 49 samples are missing, in 1 gaps" in note for note in found.notes)
+    assert any("1 of 49 samples are missing, in 1 gap" in note for note in found.notes)
     assert found.result["position"][19, 0] == pytest.approx(20e-4)  # between the rows beside it
 
 
