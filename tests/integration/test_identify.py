@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import json
+from importlib.resources import files
 from pathlib import Path
+from shutil import copytree
 
 import numpy as np
 import pytest
@@ -73,6 +75,31 @@ def test_the_measured_axis(shared: Path, tmp_path: Path, capsys: pytest.CaptureF
     found = json.loads(capsys.readouterr().out)["parameters"]
     assert [found[name]["value"] for name in ("M", "Fv", "Fc", "offset")] == pytest.approx([95.11, 203.5, 20.39, -3.165], rel=2e-3)
     assert load_axis(tmp_path / "axis.toml").plant.values()["mass"] == pytest.approx(95.1, rel=1e-3)
+
+
+@pytest.mark.parametrize("model", ["rigid", "rigid-by-direction", "first-order"])
+@pytest.mark.parametrize("asked", [[], ["--column", "reference.x=qg [m]"]])
+def test_the_measured_axis_can_be_asked_for_its_motion_again(
+    shared: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str], model: str, asked: list[str]
+) -> None:
+    """The built-in scenario of the same motion with the file as it was written: planned as fast as the log and faster, never saturated."""
+    from contourlab.loop import simulate
+    from contourlab.scenario import load_scenario
+
+    folder = tmp_path / "emps"
+    copytree(Path(str(files("contourlab.machines") / "emps")), folder)
+    log = shared / "data" / "emps" / "DATA_EMPS.mat"
+    words = ["--column", "position.x=qm [m]", "--column", "command.x=vir [V]", *asked, "--gain", "35.15065188 N/V", "--model", model]
+    assert main(["identify", str(log), *words, "--out", str(folder / "axis.toml")]) == 0
+    scenario = load_scenario(folder / "there-and-back.toml")
+    axis = scenario.machine.axes[0]
+    # The reference of the log has 0.842 m/s^2, its motion 0.1278 m/s.
+    assert 1.15 * 0.842 < axis.limits.acceleration < 1.3 * 0.842 and axis.limits.velocity == pytest.approx(1.2 * 0.1278, rel=1e-3)
+    said = " of the reference" if asked else " over 50 ms"
+    assert axis.limits.origins["acceleration"].note == f"20 % above the largest{said} in the log: give the axis' own"
+    result = simulate(scenario.machine, scenario.controller, scenario.base.reference())
+    assert float(np.abs(result["command"]).max()) < axis.drive.values()["limit"]
+    assert float(np.abs(np.diff(result["reference"], 2, axis=0)).max()) / 1e-6 > 0.842
 
 
 @pytest.mark.parametrize(

@@ -108,14 +108,121 @@ def test_the_load_s_side_makes_an_axis_with_the_motor_s_inertia(tmp_path: Path, 
     for name, key in (("load_inertia", "load_mass"), ("stiffness", "stiffness"), ("shaft_damping", "shaft_damping")):
         assert plant.values()[name] == pytest.approx(true[key] * turn**2, rel=0.02), name
     assert plant.origins["motor_inertia"].source == "assumed" and plant.origins["motor_inertia"].deviation is None
-    # The whole less what is given is off by as much as the whole.
-    deviation = found["parameters"]["mass"]["robust_deviation"] * turn**2
+    deviation = found["parameters"]["load_mass"]["robust_deviation"] * turn**2
     assert plant.origins["load_inertia"].deviation == pytest.approx(deviation, rel=0.02)
     for more, said in ((["--motor-inertia", "1 kg*m^2"], "below the whole inertia"), (["--motor-inertia", "2 kg"], "2 kg*cm^2")):
         assert main(["identify", *words, *more]) == 2
         assert said in capsys.readouterr().err
     assert main(["identify", *words, "--motor-inertia", inertia, "--side", "motor"]) == 2
     assert "at the motor it is measured" in capsys.readouterr().err
+
+
+def turning_drive(tmp_path: Path, damping: float) -> tuple[list[str], dict[str, float]]:
+    """Write the log of motor 2, load 1.013 kg cm^2 and a shaft at 74 Hz, driven by a torque in a multisine; the load's position."""
+    from scipy.linalg import expm
+
+    x = {"motor": 2e-4, "load": 1.013e-4, "stiffness": 14.4, "shaft": 4.58e-4, "damping": damping}
+    lines = np.arange(4, 400, 3)
+    time = 5e-4 * np.arange(4000)
+    phase = np.pi * np.arange(lines.size) * (np.arange(lines.size) - 1) / lines.size
+    torque = np.cos(np.pi * lines * time[:, None] - phase).sum(axis=1)
+    torque = np.tile(0.6 * torque / np.abs(torque).max(), 6)
+    spring, loss = np.array([1.0, 0.0, -1.0, 0.0]) * x["stiffness"], np.array([0.0, 1.0, 0.0, -1.0]) * x["shaft"]
+    rates = np.zeros((5, 5))
+    rates[0, 1] = rates[2, 3] = 1.0
+    rates[1, :4] = -(spring + loss + np.array([0.0, damping, 0.0, 0.0])) / x["motor"]
+    rates[3, :4] = (spring + loss) / x["load"]
+    rates[1, 4] = 1.0 / x["motor"]
+    flow = expm(rates * 5e-4)
+    state, place = np.zeros(4), []
+    for held in torque:
+        place.append(state[2])
+        state = flow[:4, :4] @ state + flow[:4, 4] * held
+    noise = 1e-5 * np.random.default_rng(3).standard_normal(torque.size)
+    file = written(
+        tmp_path / "turns.csv",
+        "time [s],T [N*m],pos [mm]",
+        5e-4 * np.arange(torque.size),
+        torque,
+        np.array(place) * 10.0 / math.tau + noise,
+    )
+    return [file, "--column", "position.x=pos", "--column", "torque.x=T", "--model", "two-inertia", "--side", "load"], x
+
+
+@pytest.mark.parametrize("damping", [1e-3, 5e-3])
+def test_the_shaft_is_told_from_what_the_motor_damps_at_the_load(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str], damping: float
+) -> None:
+    """A motor that is damped damps the resonance by its share: what is given of the motor tells that from the shaft's part."""
+    words, x = turning_drive(tmp_path, damping)
+    out = tmp_path / "drive.toml"
+    found_by([*words, "--lead", "10 mm", "--motor-inertia", "2 kg*cm^2", "--out", str(out)], capsys)
+    plant = load_axis(out).plant
+    for name, key in (("load_inertia", "load"), ("stiffness", "stiffness"), ("shaft_damping", "shaft"), ("motor_damping", "damping")):
+        assert plant.values()[name] == pytest.approx(x[key], rel=0.01), name
+        assert abs(plant.values()[name] - x[key]) < 5.0 * plant.origins[name].deviation + 1e-3 * x[key], name
+    # Without the share the damping ratio is that of the resonance itself, whoever damps it.
+    reduced = x["motor"] * x["load"] / (x["motor"] + x["load"])
+    w = math.sqrt(x["stiffness"] / reduced)
+    ratio = x["shaft"] / (2.0 * w * reduced) + damping * x["load"] / (2.0 * w * x["motor"] * (x["motor"] + x["load"]))
+    figures = found_by([*words, "--lead", "10 mm"], capsys)["parameters"]
+    assert figures["damping_ratio"]["value"] == pytest.approx(ratio, rel=0.02)
+    assert figures["resonance"]["value"] == pytest.approx(w / math.tau, rel=2e-3)
+
+
+def test_an_inertia_says_nothing_of_masses_in_volts(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    words, _ = turning_drive(tmp_path, 1e-3)
+    words[words.index("torque.x=T")] = "command.x=T [V]"
+    found = found_by([*words, "--lead", "10 mm", "--motor-inertia", "2 kg*cm^2"], capsys)
+    assert "mass" in found["parameters"] and "an axis file of two inertias takes --gain" in found["remarks"]
+
+
+def test_a_number_at_its_bound_is_not_written_as_fitted(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """A motor said to be three times too light leaves less damping to its resonance than the motor's own: none is told of the shaft."""
+    words, _ = turning_drive(tmp_path, 5e-3)
+    out = tmp_path / "drive.toml"
+    words += ["--lead", "10 mm", "--motor-inertia", "0.6 kg*cm^2", "--out", str(out)]
+    found = found_by(words, capsys)
+    assert found["parameters"]["shaft_damping"] == {"value": 0.0, "unit": "N*s/m", "deviation": None, "robust_deviation": None}
+    assert any("shaft_damping = 0 is at the bound of what is looked for" in said for said in found["remarks"])
+    origin = load_axis(out).plant.origins["shaft_damping"]
+    assert (origin.source, origin.deviation) == ("assumed", None) and "at the bound" in origin.note
+    assert not any("plant.shaft_damping" in pair for pair in load_axis(out).correlations)
+
+
+def test_a_torque_without_a_lead_is_told_what_to_do(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    words, _ = turning_drive(tmp_path, 1e-3)
+    assert main(["identify", *words]) == 2
+    error = capsys.readouterr().err
+    assert "no force and no command of x in turns.csv" in error and "takes it with --lead" in error and "--gain" in error
+
+
+def test_a_log_given_twice_is_refused_and_one_of_the_same_samples_remarked_on(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    log = Path(jogged(tmp_path, lambda v: 0.5 * np.sign(v) + 4.0 * v))
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "link.csv").symlink_to(log)
+    words = ["--column", "command.x=cmd", "--model", "friction"]
+    for again, said in ((log.name, "jog.csv: must be given once"), ("link.csv", "link.csv, the same file as jog.csv")):
+        assert main(["identify", log.name, again, *words]) == 2
+        assert said in capsys.readouterr().err
+    (tmp_path / "copy.csv").write_bytes(log.read_bytes())
+    told = "copy.csv has the samples of jog.csv: they count twice"
+    assert told in found_by([log.name, "copy.csv", *words], capsys)["remarks"]
+
+
+def test_an_axis_that_slows_down_without_stopping_has_no_friction_of_its_own_there(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """From a fast run into a slow one: what brakes in between is mass, not friction, without a reference too."""
+    levels = np.array([0.04, 0.12, 0.04, -0.04, -0.12, -0.04, 0.04, 0.08, -0.08])
+    v = np.convolve(np.repeat(levels, 600), np.ones(150) / 150.0, mode="same")
+    u = 10.0 * np.sign(v) + 100.0 * v + 90.0 * np.gradient(v, PERIOD) + 0.2 * np.random.default_rng(2).standard_normal(v.size)
+    log = written(tmp_path / "jog.csv", "time [s],push [N],pos x [mm]", PERIOD * np.arange(v.size), u, 1e3 * PERIOD * np.cumsum(v))
+    found = found_by([log, "--column", "force.x=push", "--model", "friction"], capsys)
+    assert len(found["points"]) >= 6 and max(point["scatter"] for point in found["points"]) < 3.0
+    assert found["fit_percent"] > 97.0 and any("constant speed is told from the position" in said for said in found["remarks"])
 
 
 def test_two_inertias_make_an_axis(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
@@ -367,41 +474,36 @@ def test_a_gain_makes_the_same_kind_of_axis_by_every_model(tmp_path: Path, capsy
         # The sliding friction of an axis that turns round counts as damping over frequency, and as some mass.
         assert axis.plant.values()["mass"] == pytest.approx(50.0 / 1.695, rel=0.05 if model == "linear-motor" else 0.01)
         largest = 10.0 * float(np.abs(steps()).max())
-        assert axis.drive.values()["limit"] == pytest.approx(1.2 * largest)
-        assert "20 % above the largest in the log" in axis.drive.origins["limit"].note
-        assert axis.limits.velocity == pytest.approx(load_axis(tmp_path / "rigid.toml").limits.velocity)
+        assert axis.drive.values()["limit"] == pytest.approx(1.5 * largest)
+        assert "50 % above the largest in the log, as velocity and acceleration take it" in axis.drive.origins["limit"].note
+        assert axis.limits.velocity == pytest.approx(load_axis(tmp_path / "rigid.toml").limits.velocity, rel=0.1)
         if model != "linear-motor":  # a command of half a newton is what the constant force of the axis takes
             assert axis.disturbance.values()["force"] == pytest.approx(0.5, rel=0.05)
     assert found["rigid"]["parameters"]["offset"]["value"] == pytest.approx(-0.5, rel=0.05)
     assert found["first-order"]["parameters"]["offset"]["value"] == pytest.approx(-0.5, rel=0.05)
 
 
-def test_an_identified_axis_can_be_asked_for_its_own_motion(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    out = tmp_path / "axis.toml"
-    log = stepped(tmp_path, "full_scale", 1.0)
-    found_by([log, "--column", "command.x=cmd", "--model", "first-order", "--out", str(out)], capsys)
-    place = np.loadtxt(log, delimiter=",", skiprows=1)[:, 2]
-    fastest = float(np.abs(np.diff(place)).max()) * 1e-3 / PERIOD
-    limits = load_axis(out).limits
-    assert 1.15 * fastest < limits.velocity < 1.25 * fastest
-    assert limits.origins["velocity"].source == "assumed" and "give the axis' own" in limits.origins["velocity"].note
-
-
+@pytest.mark.parametrize("full_scale", [False, True])
 @pytest.mark.parametrize("model", ["first-order", "linear-motor", "rigid"])
-def test_part_programs_can_be_planned_with_an_identified_axis(tmp_path: Path, capsys: pytest.CaptureFixture[str], model: str) -> None:
-    """An axis file has a limit of acceleration a fifth above what its log has."""
-    out, mass = tmp_path / "axis.toml", 50.0
-    log = stepped(tmp_path, "N", mass)
+def test_an_identified_axis_follows_plans_at_its_limits(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str], model: str, full_scale: bool
+) -> None:
+    """Velocity and acceleration at once are less than the drive gives, whatever the log: here steps in open loop, which have them apart."""
+    if model == "rigid" and full_scale:
+        return  # takes forces
+    out, mass = tmp_path / "axis.toml", 1.0 if full_scale else 50.0
+    log = stepped(tmp_path, "full_scale" if full_scale else "N", mass)
     column = "force.x=cmd" if model == "rigid" else "command.x=cmd"
     found_by([log, "--column", column, "--model", model, "--out", str(out)], capsys)
     axis = load_axis(out)
-    speed = 1.695 * first_order_motion(steps() + 0.01, PERIOD, 10.1, 0.055, 0.055)[0]
-    largest = float(np.abs(np.diff(speed)).max()) / PERIOD
-    # What passes a filter is less at a step than the step itself.
-    assert axis.limits.acceleration == pytest.approx(1.2 * largest, rel=0.02 if model == "first-order" else 0.1)
-    assert axis.limits.jerk == pytest.approx(100.0 * axis.limits.acceleration / 1.2, rel=1e-4)
-    assert axis.limits.origins["acceleration"].note == "20 % above the largest in the log: give the axis' own"
-    assert Machine("m", (axis,), PERIOD).planner_limits().acceleration[0] == axis.limits.acceleration
+    limits, rate = axis.limits, 10.1
+    taken = mass * ((limits.acceleration + rate * limits.velocity) / 1.695 + 0.055 + 0.01)
+    drive = axis.drive.values()["limit"]
+    assert 0.8 * drive < taken < 0.95 * drive
+    assert limits.jerk == pytest.approx(100.0 * limits.acceleration, rel=1e-4)
+    assert "as the drive's limit gives no more of velocity and acceleration at once" in limits.origins["acceleration"].note
+    assert limits.origins["velocity"].source == "assumed" and "give the axis' own" in limits.origins["velocity"].note
+    assert Machine("m", (axis,), PERIOD).planner_limits().acceleration[0] == limits.acceleration
 
 
 def test_a_limit_that_is_missing_is_told_with_its_file(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:

@@ -20,6 +20,9 @@ BATCHES = 8
 """Parts of a stretch whose means tell how well its mean is known, ripple and all."""
 TURN = 0.08
 """Share of a straight line at its end that belongs to the turn after it."""
+CHANGED, OUTLYING = 0.003, 6.0
+"""Share of the speed, and times the median of what all parts are apart, by which a part at an end has to be apart to be left out: of normal
+scatter six times the median are four standard deviations."""
 FEWEST = 40
 """Fewest samples of a stretch."""
 
@@ -121,6 +124,8 @@ def constant_speed_stretches(
     found = []
     for start, stop in spans:
         settled = start + math.ceil(chosen.dropped * (stop - start))
+        if reference is None:
+            settled, stop = _without_turns(position, settled, stop)
         if stop - settled >= shortest and _is_even(position[settled:stop], chosen.tolerance):
             found.append(_stretch(period, position, command, settled, stop, source))
     return found
@@ -164,6 +169,22 @@ def _spans_of_position(position: Array, settings: StretchSettings) -> list[tuple
             # A corner of the polygon lies on either side of the turn that it stands for.
             spans.append((first * stride, last * stride - round(TURN * (last - first) * stride)))
     return spans
+
+
+def _without_turns(position: Array, start: int, stop: int) -> tuple[int, int]:
+    """Return the span less the eighths at its ends in which the speed is not that of the others, nor within their scatter: a change of it.
+
+    Where an axis slows down without stopping, the corner of the polygon lies within that, and the halves of what follows hardly show it.
+    """
+    edges = np.linspace(start, stop - 1, BATCHES + 1).astype(int)
+    if edges[1] == edges[0]:
+        return start, stop
+    speeds = np.diff(position[edges]) / np.diff(edges)
+    middle = float(np.median(speeds))
+    apart = np.abs(speeds - middle)
+    even = np.flatnonzero(apart <= max(CHANGED * abs(middle), OUTLYING * float(np.median(apart))))
+    first = int(even[0]) + (even[0] > 0)  # what follows a change settles
+    return int(edges[first]), int(edges[even[-1] + 1]) + 1
 
 
 def _is_even(position: Array, tolerance: float) -> bool:

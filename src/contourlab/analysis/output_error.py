@@ -124,8 +124,9 @@ def fit_output(model: Callable[[Mapping[str, float]], Array], measured: Array, f
     start = np.clip([f.start for f in free.values()], low, high)
     found = least_squares(left, start, jac="3-point", bounds=(low, high), x_scale=scale, xtol=1e-10, ftol=1e-12, gtol=1e-12)
     values = np.asarray(found.x, dtype=float)
+    lowest, highest = values - low <= NEAR_BOUND * scale, high - values <= NEAR_BOUND * scale
+    values, bound = np.where(lowest, low, np.where(highest, high, values)), lowest | highest
     predicted = output(values)
-    bound = (values - low <= NEAR_BOUND * scale) | (high - values <= NEAR_BOUND * scale)
     slopes = _slopes(output, values, low, high, scale)
     told = _covariance(slopes[:, ~bound], predicted - measured, [name for name, b in zip(names, bound, strict=True) if not b])
     white, robust = np.zeros(len(names)), np.zeros(len(names))

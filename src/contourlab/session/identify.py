@@ -111,7 +111,8 @@ def _text(found: Finding, notes: Sequence[str]) -> str:
 
 def _cells(figure: Figure) -> tuple[str, ...]:
     share = 100.0 * figure.robust_deviation / abs(figure.value) if figure.value else float("inf")
-    numbers = (f"{figure.deviation:.3g}", f"{figure.robust_deviation:.3g}", f"{share:.2g}")
+    told = (f"{figure.deviation:.3g}", f"{figure.robust_deviation:.3g}", f"{share:.2g}")
+    numbers = told if figure.robust_deviation else ("-", "-", "-")
     return (figure.name, f"{figure.value:.6g}", figure.unit, *numbers)
 
 
@@ -125,8 +126,8 @@ def _summary(found: Finding) -> dict[str, Any]:
             figure.name: {
                 "value": figure.value,
                 "unit": figure.unit,
-                "deviation": figure.deviation,
-                "robust_deviation": figure.robust_deviation,
+                "deviation": figure.deviation or None,
+                "robust_deviation": figure.robust_deviation or None,
             }
             for figure in found.figures
         },

@@ -9,7 +9,8 @@ import pytest
 from axis_bench import driven
 from numpy.typing import NDArray
 
-from contourlab.analysis.drive_models import fit_linear_motor, fit_two_inertia, held_response, linear_motor, resonances
+from contourlab.analysis.drive_fit import fit_linear_motor, fit_two_inertia
+from contourlab.analysis.drive_models import damping_ratio, held_response, linear_motor, load_side, resonances, two_inertia
 from contourlab.analysis.frequency_response import Measured, MeasuredResponse, period_of, periodic_response, spectral_response
 from contourlab.analysis.sine_response import sine_point, sine_responses, sine_stretch
 from contourlab.analysis.swept_response import is_sweep, swept_response
@@ -183,6 +184,26 @@ def test_from_the_load_the_whole_mass_and_the_resonance_are_told_and_no_more() -
     assert fit["mass"] == pytest.approx(9e-4 * TURN**2, rel=0.02)
     assert fit["resonance"] == pytest.approx(151.0, rel=0.01)
     assert any("not how motor and load share it" in said for said in fit.remarks)
+
+
+@pytest.mark.parametrize("share", [0.2, 0.5, 0.8])
+def test_from_the_load_the_damping_ratio_is_the_resonance_s_own(share: float) -> None:
+    """Whoever damps, and whatever share of the mass is the load's: the response is that of mass, damping and one resonance."""
+    s = 2j * np.pi * np.linspace(2.0, 200.0, 100)
+    for shaft, damping in ((100.0, 0.0), (0.0, 500.0), (100.0, 500.0)):
+        x = {
+            "motor_mass": 120.0 * (1.0 - share),
+            "load_mass": 120.0 * share,
+            "stiffness": 5.7e6,
+            "shaft_damping": shaft,
+            "damping": damping,
+        }
+        seen = {"mass": 120.0, "resonance": resonances(x)[0], "damping_ratio": damping_ratio(x), "damping": damping, "delay": 0.0}
+        w, load = 2.0 * np.pi * seen["resonance"], x["load_mass"] / x["motor_mass"]
+        own, late = shaft * 120.0 / (2.0 * w * x["motor_mass"] * x["load_mass"]), damping * load / (120.0 * w**2)
+        assert seen["damping_ratio"] == pytest.approx(own + 0.5 * w * late, rel=0.01)
+        # The motor's part of the ratio has no lead, and counts as that much more delay.
+        assert load_side({**seen, "delay": late}, s) == pytest.approx(two_inertia(x, s, "load"), rel=0.03)
 
 
 def test_one_mass_is_not_taken_for_two() -> None:

@@ -40,7 +40,9 @@ def identify(
     velocity_gain: Annotated[
         str | None, typer.Option(help='closed-loop: K_V as it ran, as "0.1 full_scale*s/mm".', show_default=False)
     ] = None,
-    lead: Annotated[str | None, typer.Option(help='two-inertia: travel per turn, as "10 mm".', show_default=False)] = None,
+    lead: Annotated[
+        str | None, typer.Option(help='two-inertia: travel per turn, as "10 mm"; makes forces of torques.', show_default=False)
+    ] = None,
     motor_inertia: Annotated[
         str | None,
         typer.Option(help='two-inertia at the load: of motor and screw, as "2 kg*cm^2", for an axis file.', show_default=False),

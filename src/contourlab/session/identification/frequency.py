@@ -13,7 +13,7 @@ __all__ = ["study"]
 
 def study(request: Request) -> Finding:
     """Measure the frequency response of an axis from one or several logs, and fit the model that was asked for to it."""
-    lead = None if request.lead is None else positive("--lead", request.lead, "m", 'travel per turn, such as "10 mm"')
+    lead = request.travel()
     inertia = None
     if request.motor_inertia is not None:
         inertia = positive("--motor-inertia", request.motor_inertia, "kg*m^2", 'of motor and screw, such as "2 kg*cm^2"')

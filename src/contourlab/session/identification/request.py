@@ -4,13 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
+from itertools import combinations
 from pathlib import Path
 
 from contourlab.errors import ParameterError, UnitError
 from contourlab.logs import Log
-from contourlab.session.log_choice import LogChoice, open_log, told_apart
+from contourlab.session.log_choice import LogChoice, open_log, positive, told_apart
 from contourlab.studies.identification.doubts import doubts
-from contourlab.studies.identification.signals import AxisRecord, axis_pieces, axis_record
+from contourlab.studies.identification.signals import AxisRecord, all_alike, axis_pieces, axis_record
 from contourlab.units import split, to_si
 
 __all__ = ["Request", "listed", "per_command"]
@@ -76,7 +77,21 @@ class Request:
         """Return the axis' signals of all logs; with `pieces` a record for each stretch between long gaps, not the longest alone."""
         if self.gain is not None and self.full_scale is not None:
             raise ParameterError("--full-scale", f"{self.full_scale} beside --gain", "one of the two: newtons, or parts of full scale")
-        return [record for choice in self.choices for record in self._read(choice, pieces)]
+        self._check_once()
+        found = [self._read(choice, pieces) for choice in self.choices]
+        for (first, *_), (again, *_) in (pair for pair in combinations(found, 2) if all_alike(*pair)):
+            self.doubts.append(f"{again.source} has the samples of {first.source}: they count twice")
+        return [record for records in found for record in records]
+
+    def _check_once(self) -> None:
+        """Refuse a log that is given twice, by whatever path."""
+        seen: dict[Path, str | Path] = {}
+        for choice in self.choices:
+            place = Path(choice.file).resolve()
+            if place in seen:
+                same = "" if Path(seen[place]) == Path(choice.file) else f", the same file as {seen[place]}"
+                raise ParameterError("LOG", f"{choice.file}{same}", "given once: its samples would count twice")
+            seen[place] = choice.file
 
     def second(self) -> AxisRecord | None:
         """Return the axis' signals of the log for validation, if there is one."""
@@ -92,13 +107,17 @@ class Request:
     def _read(self, choice: LogChoice, pieces: bool = False) -> tuple[AxisRecord, ...]:
         log = open_log(choice)
         self._check_unit(log)
-        given = self.axis, self.force_gain(), self._full_scale(), self._name(choice.file)
+        given = self.axis, self.force_gain(), self._full_scale(), self._name(choice.file), self.travel()
         found = axis_pieces(log, *given) if pieces else (axis_record(log, *given),)
         for note in log.notes:
             self.said.setdefault(note, []).append(self._name(choice.file))
         said = dict.fromkeys(words for record in found for words in (*record.notes, *doubts(record)))
         self.doubts.extend(words for words in said if words not in self.doubts)
         return found
+
+    def travel(self) -> float | None:
+        """Return the travel per turn [m], or None."""
+        return None if self.lead is None else positive("--lead", self.lead, "m", 'travel per turn, such as "10 mm"')
 
     def _full_scale(self) -> float | None:
         if self.full_scale is None:

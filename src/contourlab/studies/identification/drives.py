@@ -8,16 +8,8 @@ from collections.abc import Callable, Mapping, Sequence
 import numpy as np
 from numpy.typing import NDArray
 
-from contourlab.analysis.drive_models import (
-    DriveFit,
-    fit_linear_motor,
-    fit_two_inertia,
-    held_response,
-    linear_motor,
-    load_side,
-    resonances,
-    two_inertia,
-)
+from contourlab.analysis.drive_fit import DriveFit, fit_linear_motor, fit_load_share, fit_two_inertia
+from contourlab.analysis.drive_models import damping_ratio, held_response, linear_motor, load_side, resonances, two_inertia
 from contourlab.analysis.filtered_motion import filtered_motion
 from contourlab.analysis.frequency_response import MeasuredResponse
 from contourlab.analysis.identification_remarks import on_mass
@@ -30,14 +22,14 @@ from contourlab.studies.identification.finding import (
     Finding,
     Graph,
     Picture,
-    Row,
     Tables,
     carried,
-    fitted,
+    told,
 )
 from contourlab.studies.identification.frequency import FEW, bode_graphs, measured_response, response_points
+from contourlab.studies.identification.limits import Effort, MotionLimits, Peak, motion_limits
 from contourlab.studies.identification.plant_tables import Forces, drive_table, forces_of, plant_numbers, plant_table
-from contourlab.studies.identification.signals import AxisRecord, measured_tables, source_of
+from contourlab.studies.identification.signals import AxisRecord, sensor_table, source_of
 from contourlab.studies.identification.two_inertias import TwoInertias
 
 __all__ = ["identify_linear_motor", "identify_two_inertia"]
@@ -67,7 +59,10 @@ def identify_linear_motor(records: Sequence[AxisRecord]) -> Finding:
     fit = fit_linear_motor(found)
     forces = forces_of(records)
     worth = _motor_worth(forces, fit)
-    tables = {**_motor_tables(records, forces, fit, worth.deviations), **_measured(records, fit)} if fit.usable else {}
+    tables: Tables = {}
+    if fit.usable:
+        limits = _limits(records, fit, fit["B"])
+        tables = {**_motor_tables(records, forces, fit, worth.deviations, limits), **sensor_table(records)}
     return _finding("linear-motor", records, found, fit, tables, (), worth=worth)
 
 
@@ -84,7 +79,8 @@ def identify_two_inertia(
     lead : float [m], optional
         Travel per turn; wanted for an axis file, whose inertias turn.
     motor_inertia : float [kg m^2], optional
-        Of motor and screw, from a data sheet: what the response at the load does not tell, and an axis file wants.
+        Of motor and screw, from a data sheet: what the response at the load does not tell, and an axis file wants. It counts
+        where there is a lead and commands are forces.
 
     Raises
     ------
@@ -96,27 +92,41 @@ def identify_two_inertia(
         raise ParameterError("motor_inertia", f"{motor_inertia:g}", "left out: at the motor it is measured", "kg*m^2")
     found = measured_response(records)
     fit = fit_two_inertia(found, side)
-    lines, tables, remarks = [], {}, []
+    if motor_inertia is not None and lead is not None and records[0].unit == "N" and fit.usable:
+        fit = _shared(found, fit, motor_inertia, lead)
+    lines, tables, remarks = _lines(fit), {}, []
     worth = Carried({}, ())
     wanted = [] if lead is not None else ["--lead"]
     wanted += ["--motor-inertia, of motor and screw"] if side == "load" and motor_inertia is None else []
     wanted += [] if records[0].unit == "N" else ["--gain"]
-    if side == "motor":
-        resonance, antiresonance = resonances(_values(fit))
-        lines.append(f"resonance {resonance:.4g} Hz, antiresonance {antiresonance:.4g} Hz")
     if fit.usable and wanted:
         remarks.append(f"an axis file of two inertias takes {' and '.join(wanted)}")
     elif fit.usable and lead is not None:
-        drive = TwoInertias(lead, motor_inertia)
-        drive.check(_values(fit))
-        worth = _worth(fit, drive.numbers)
-        told = {name: _told(records, deviation, drive.note) for name, deviation in worth.deviations.items()}
-        tables = {**drive.tables(_values(fit), told, forces_of(records)), **_measured(records, fit)}
-    return _finding("two-inertia", records, found, fit, tables, tuple(lines), tuple(remarks), worth)
+        drive, forces = TwoInertias(lead, frozenset(fit.given)), forces_of(records)
+        worth = _worth(fit, lambda x: drive.numbers({**fit.given, **x}))
+        origins = {name: told(source_of(records), deviation, drive.note) for name, deviation in worth.deviations.items()}
+        limits = _limits(records, fit, fit["damping"])
+        tables = {**drive.tables(fit.parameters, origins, forces, limits), **sensor_table(records)}
+    return _finding("two-inertia", records, found, fit, tables, lines, tuple(remarks), worth)
 
 
-def _values(fit: DriveFit) -> dict[str, float]:
-    return dict(zip(fit.found.names, fit.found.values.tolist(), strict=True))
+def _shared(found: MeasuredResponse, whole: DriveFit, motor_inertia: float, lead: float) -> DriveFit:
+    """Return the fit at the load with the motor's inertia given."""
+    arm = lead / (2.0 * math.pi)
+    if motor_inertia >= whole["mass"] * arm**2:
+        bound = f"below the whole inertia that the response tells, {whole['mass'] * arm**2:.4g}"
+        raise ParameterError("motor_inertia", f"{motor_inertia:.4g}", bound, "kg*m^2")
+    return fit_load_share(found, whole, motor_inertia / arm**2)
+
+
+def _lines(fit: DriveFit) -> tuple[str, ...]:
+    """Return the resonance that two masses make; where it was looked for itself, it is among the figures."""
+    if "resonance" in fit.parameters:
+        return ()
+    resonance, antiresonance = resonances(fit.parameters)
+    given = "".join(f", {name} {value:.4g} as given" for name, value in fit.given.items())
+    ratio = damping_ratio(fit.parameters)
+    return (f"resonance {resonance:.4g} Hz with a damping ratio of {ratio:.3g}, antiresonance {antiresonance:.4g} Hz{given}",)
 
 
 def _finding(
@@ -136,7 +146,7 @@ def _finding(
     units |= {"delay": "s", "stiffness": f"{force}/m", "resonance": "Hz", "damping_ratio": ""}
     names, values = fit.found.names, fit.found.values.tolist()
     rows = zip(names, values, fit.found.deviations.tolist(), fit.found.robust_deviations.tolist(), strict=True)
-    told, possible = on_mass(_mass(fit)) if unit == "N" else ([], True)
+    told, possible = on_mass(fit.whole_mass) if unit == "N" else ([], True)
     remarks = (*remarks, *told, *_turning(records, found))
     if unit != "N":
         remarks = (*remarks, f"no force per command is given: masses are in {mass}, as the command sees them; give --gain for kilograms")
@@ -154,11 +164,6 @@ def _finding(
         {"method": found.method, "condition_number": fit.found.condition_number, "points": response_points(found, unit)},
         worth.correlations if worth is not None and tables else (),
     )
-
-
-def _mass(fit: DriveFit) -> float:
-    """Return the whole mass that is moved."""
-    return sum(fit[name] for name in ("M", "mass", "motor_mass", "load_mass") if name in fit.found.names)
 
 
 def _turning(records: Sequence[AxisRecord], found: MeasuredResponse) -> list[str]:
@@ -181,10 +186,9 @@ def _turning(records: Sequence[AxisRecord], found: MeasuredResponse) -> list[str
 
 
 def _pictures(axis: str, model: str, found: MeasuredResponse, fit: DriveFit, unit: str) -> tuple[Picture, ...]:
-    of = linear_motor if "M" in fit.found.names else load_side if "resonance" in fit.found.names else two_inertia
-    x = _values(fit)
+    of = _model(fit)
     f = np.geomspace(found.frequency[0], found.frequency[-1], CURVE)
-    velocity = 2j * np.pi * f * held_response(lambda s: of(x, s), f, found.period)
+    velocity = 2j * np.pi * f * held_response(of, f, found.period)
     ratio = fit.measured / fit.predicted
     left = _left(fit, "size [%]", 100.0 * (np.abs(ratio) - 1.0)), _left(fit, "phase [deg]", np.degrees(np.angle(ratio)))
     return (
@@ -193,25 +197,32 @@ def _pictures(axis: str, model: str, found: MeasuredResponse, fit: DriveFit, uni
     )
 
 
+def _model(fit: DriveFit) -> Callable[[NDArray[np.complex128]], NDArray[np.complex128]]:
+    """Return the response of the model over s."""
+    x = fit.parameters
+    if "M" in x:
+        return lambda s: linear_motor(x, s)
+    if "resonance" in x:
+        return lambda s: load_side(x, s)
+    return lambda s: two_inertia(x, s, "load" if fit.given else "motor")
+
+
 def _left(fit: DriveFit, label: str, values: NDArray[np.float64]) -> Graph:
     f = fit.frequency
     drawn: Drawn = (f, values, np.zeros(f.size)) if f.size <= FEW else (f, values)
     return Graph("frequency [Hz]", label, {label.partition(" ")[0]: drawn}, log_x=True)
 
 
-def _told(records: Sequence[AxisRecord], deviation: float, note: str = "") -> Origin:
-    return fitted(source_of(records), deviation, note or "frequency response")
-
-
-def _measured(records: Sequence[AxisRecord], fit: DriveFit) -> dict[str, dict[str, Row]]:
-    """Return what the logs tell beside the response; accelerations as far as frequencies were fitted, above them counts and noise rule."""
+def _limits(records: Sequence[AxisRecord], fit: DriveFit, damping: float) -> MotionLimits:
+    """Return the limits; accelerations as far as frequencies were fitted, above them counts and noise rule."""
     found = []
     for record in records:
         cutoff = min(BEYOND * float(fit.frequency[-1]), BELOW_NYQUIST / record.period)
         ends = math.ceil(1.0 / (cutoff * record.period))
         acceleration = filtered_motion(record.position, record.period, cutoff=cutoff).acceleration
         found.append(float(np.abs(acceleration[ends:-ends]).max(initial=0.0)))
-    return measured_tables(records, max(found))
+    effort = Effort(forces_of(records), 1.0 / fit.whole_mass, damping / fit.whole_mass)
+    return motion_limits(records, effort, Peak(max(found)))
 
 
 def _worth(fit: DriveFit, numbers: Callable[[Mapping[str, float]], Mapping[str, float]]) -> Carried:
@@ -224,9 +235,15 @@ def _motor_worth(forces: Forces, fit: DriveFit) -> Carried:
     return _worth(fit, lambda x: plant_numbers(forces, 1.0 / x["M"], x["B"] / x["M"]) | {"drive.delay": x["delay"]})
 
 
-def _motor_tables(records: Sequence[AxisRecord], forces: Forces, fit: DriveFit, deviations: Mapping[str, float]) -> Tables:
-    def told(name: str, note: str = "") -> Origin:
-        return _told(records, deviations[name], note)
+def _motor_tables(
+    records: Sequence[AxisRecord], forces: Forces, fit: DriveFit, deviations: Mapping[str, float], limits: MotionLimits
+) -> Tables:
+    def origin(name: str, note: str = "") -> Origin:
+        return told(source_of(records), deviations[name], note or "frequency response")
 
-    plant = plant_table(forces, 1.0 / fit["M"], fit["B"] / fit["M"], told)
-    return {"plant": plant, "drive": drive_table(forces, fit["delay"], told)}
+    plant = plant_table(forces, 1.0 / fit["M"], fit["B"] / fit["M"], origin)
+    return {
+        "plant": plant,
+        "drive": drive_table(forces, limits.command, limits.origin, fit["delay"], origin),
+        "limits": limits.table,
+    }

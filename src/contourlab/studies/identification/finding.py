@@ -24,9 +24,9 @@ __all__ = [
     "assumed",
     "carried",
     "fitted",
-    "limit",
     "of_command",
     "reached",
+    "told",
 ]
 
 Array = NDArray[np.float64]
@@ -36,6 +36,7 @@ Tables = Mapping[str, Mapping[str, Row]]
 """Of an axis file, by table and key."""
 Drawn = tuple[Array, Array] | tuple[Array, Array, Array]
 """A line through (x, y); with a third array points, and half the heights of the bars at them."""
+UNTOLD = "at the bound of what is looked for: the log does not tell it"
 ROOM = 0.2
 """Share by which a limit in an axis file lies above the largest in the log: what was reached would bar the motion that reached it."""
 
@@ -51,7 +52,7 @@ class Figure:
         In SI.
     unit : str
     deviation : float
-        Standard deviation for a white residual.
+        Standard deviation for a white residual; 0 for a number at the bound of what was looked for, which has none.
     robust_deviation : float
         The same for one that is correlated.
     """
@@ -176,15 +177,14 @@ def fitted(log: str, deviation: float | None = None, note: str = "") -> Origin:
     return Origin("fitted", deviation=deviation if known else None, reference=log, note=note)
 
 
+def told(log: str, deviation: float, note: str = "") -> Origin:
+    """Return the origin of a number out of a fit: fitted where it has a deviation; without one it stands at its bound, and is assumed."""
+    return fitted(log, deviation, note) if deviation > 0.0 else Origin("assumed", reference=log, note=UNTOLD)
+
+
 def reached(log: str, note: str) -> Origin:
     """Return the origin of a number read off a log."""
     return Origin("measured", reference=log, note=note)
-
-
-def limit(largest: float, unit: str, log: str) -> Row:
-    """Return a limit of an axis file out of the largest that a log has [SI of the unit]: that and a fifth, for want of the axis' own."""
-    note = f"{100.0 * ROOM:.0f} % above the largest in the log: give the axis' own"
-    return (1.0 + ROOM) * largest, unit, Origin("assumed", reference=log, note=note)
 
 
 def assumed(note: str) -> Origin:

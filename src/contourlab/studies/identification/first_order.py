@@ -4,22 +4,17 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
-import numpy as np
-
 from contourlab.analysis.closed_first_order import identify_closed_loop
 from contourlab.analysis.first_order import FirstOrderFit, FirstOrderSettings, identify_first_order
 from contourlab.analysis.identification_remarks import on_mass
 from contourlab.components.origin import Origin
 from contourlab.errors import ResultError
-from contourlab.studies.identification.finding import Carried, Figure, Finding, Graph, Picture, Tables, carried, fitted, of_command
+from contourlab.studies.identification.finding import Carried, Figure, Finding, Graph, Picture, Tables, carried, of_command, told
+from contourlab.studies.identification.limits import Effort, motion_limits
 from contourlab.studies.identification.plant_tables import Forces, drive_table, forces_of, plant_numbers, plant_table
-from contourlab.studies.identification.signals import AxisRecord, measured_tables
+from contourlab.studies.identification.signals import AxisRecord, sensor_table
 
 __all__ = ["identify_behind_observer", "identify_open_loop"]
-
-
-AT_REST = 1e-3
-"""Share of the largest speed below which friction counts against the command, not against the motion."""
 
 
 def identify_open_loop(record: AxisRecord, settings: FirstOrderSettings | None = None) -> Finding:
@@ -158,24 +153,18 @@ def _worth(forces: Forces, fit: FirstOrderFit) -> Carried:
 def _tables(record: AxisRecord, forces: Forces, fit: FirstOrderFit, deviations: Mapping[str, float]) -> Tables:
     """Return the axis: in newtons where the command is a force, else in parts of full scale."""
 
-    def told(name: str, note: str = "") -> Origin:
+    def origin(name: str, note: str = "") -> Origin:
         if name not in deviations:
-            return fitted(record.source, note="none is told from the log")
-        return fitted(record.source, deviations[name], note)
+            return Origin("assumed", reference=record.source, note="none is told from the log")
+        return told(record.source, deviations[name], note)
 
+    limits = motion_limits([record], Effort(forces, fit["a"], fit["b"], fit["friction"] + abs(fit["offset"])))
     friction, offset = fit["friction"] / forces.one, fit["offset"] / forces.one
     return {
-        "plant": plant_table(forces, fit["a"], fit["b"], told),
-        "friction": {"kind": ("coulomb", "", None), "coulomb": (friction, forces.unit, told("friction.coulomb"))},
-        "disturbance": {"kind": ("constant", "", None), "force": (-offset, forces.unit, told("disturbance.force"))},
-        "drive": drive_table(forces, fit["delay"], told),
-        **measured_tables([record], _acceleration(fit)),
+        "plant": plant_table(forces, fit["a"], fit["b"], origin),
+        "friction": {"kind": ("coulomb", "", None), "coulomb": (friction, forces.unit, origin("friction.coulomb"))},
+        "disturbance": {"kind": ("constant", "", None), "force": (-offset, forces.unit, origin("disturbance.force"))},
+        "drive": drive_table(forces, limits.command, limits.origin, fit["delay"], origin),
+        "limits": limits.table,
+        **sensor_table([record]),
     }
-
-
-def _acceleration(fit: FirstOrderFit) -> float:
-    """Return the largest acceleration [m/s^2] of the model: what of the command is left over friction and damping."""
-    v, u, friction = fit.predicted, fit.command - fit["offset"], fit["friction"]
-    rests = np.abs(v) < AT_REST * np.abs(v).max()
-    force = np.where(rests, np.sign(u) * np.maximum(np.abs(u) - friction, 0.0), u - friction * np.sign(v))
-    return float(np.abs(fit["a"] * force - fit["b"] * v).max())

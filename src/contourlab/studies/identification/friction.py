@@ -18,8 +18,8 @@ from contourlab.studies.identification.finding import (
     Row,
     Tables,
     carried,
-    fitted,
     of_command,
+    told,
 )
 from contourlab.studies.identification.signals import NO_PLANT, AxisRecord, fits_a_plant, one_unit, source_of, sources_of
 from contourlab.studies.identification.ways import on_ways
@@ -50,8 +50,8 @@ def identify_friction(records: Sequence[AxisRecord], settings: StretchSettings |
     stretches: list[Stretch] = []
     for record in records:
         stretches += constant_speed_stretches(record.period, record.position, record.driven(), record.reference, settings, record.source)
-    told = {stretch.source for stretch in stretches}
-    silent = [source for source in sources_of(records) if source not in told]
+    heard = {stretch.source for stretch in stretches}
+    silent = [source for source in sources_of(records) if source not in heard]
     fit = fit_friction(*_points(stretches))
     remarks = [*fit.remarks, *_by_log(records)]
     remarks += [f"no constant speed in {', '.join(silent)}"] if silent else []
@@ -89,7 +89,8 @@ def _points(stretches: Sequence[Stretch]) -> tuple[list[float], list[float], lis
 
 def _by_log(records: Sequence[AxisRecord]) -> list[str]:
     bare = sources_of([record for record in records if record.reference is None])
-    return [f"no reference in {', '.join(bare)}: constant speed is told from the position"] if bare else []
+    told = "constant speed is told from the position, and less well; where there is a reference, give its column"
+    return [f"no reference in {', '.join(bare)}: {told}"] if bare else []
 
 
 def _units(unit: str) -> dict[str, str]:
@@ -181,7 +182,7 @@ def _tables(curve: FrictionCurve, unit: str, records: Sequence[AxisRecord], wort
     for name, value in _numbers(_values(curve), curve.rises).items():
         table, _, key = name.partition(".")
         note = "offset of the command" if table == "disturbance" else "constant speeds"
-        tables[table][key] = (value, units.get(name, shown), fitted(source, worth.deviations[name], note))
+        tables[table][key] = (value, units.get(name, shown), told(source, worth.deviations[name], note))
     return tables
 
 

@@ -6,7 +6,7 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
 from contourlab.components.origin import Origin
-from contourlab.studies.identification.finding import Row, assumed, limit
+from contourlab.studies.identification.finding import Row, assumed
 from contourlab.studies.identification.signals import AxisRecord
 
 __all__ = ["Forces", "drive_table", "forces_of", "plant_numbers", "plant_table"]
@@ -93,23 +93,26 @@ def plant_table(forces: Forces, a: float, b: float, told: Told) -> dict[str, Row
     }
 
 
-def drive_table(forces: Forces, delay: float, told: Told, arm: float | None = None) -> dict[str, Row]:
+def drive_table(forces: Forces, limit: float, origin: Origin, delay: float, told: Told, arm: float | None = None) -> dict[str, Row]:
     """Return the table of the drive: its limit, and its delay where there is one.
 
     Parameters
     ----------
     forces : Forces
+    limit : float [command]
+    origin : Origin
+        Of the limit.
     delay : float [s]
     told : callable
     arm : float [m], optional
         Travel per radian, where the plant takes torques.
     """
     if arm is not None:
-        top = limit(forces.largest * arm, "N*m", forces.source)
+        top: Row = (limit * arm, "N*m", origin)
     elif forces.unit == "N":
-        top = limit(forces.largest / forces.constant, "A", forces.source)
+        top = (limit / forces.constant, "A", origin)
     else:
-        top = (1.0, "full_scale", assumed("full scale"))
+        top = (limit / forces.one, "full_scale", origin)
     if delay <= 0.0:
         return {"kind": ("saturation", "", None), "limit": top}
     return {"kind": ("delayed-saturation", "", None), "limit": top, "delay": (delay, "s", told("drive.delay"))}

@@ -23,10 +23,11 @@ from contourlab.studies.identification.finding import (
     Picture,
     Tables,
     carried,
-    fitted,
+    told,
 )
+from contourlab.studies.identification.limits import Effort, motion_limits
 from contourlab.studies.identification.plant_tables import Forces, drive_table, forces_of, plant_numbers, plant_table
-from contourlab.studies.identification.signals import AxisRecord, measured_tables
+from contourlab.studies.identification.signals import AxisRecord, all_alike, sensor_table
 from contourlab.studies.identification.ways import on_ways
 
 __all__ = ["identify_rigid"]
@@ -98,8 +99,9 @@ def _more(fit: InverseDynamicsFit, there: Validation | None) -> dict[str, object
 
 def _on_second(record: AxisRecord, second: AxisRecord | None) -> list[str]:
     """Remark on a second log that is the first one: it shows how well the figures fit what they were fitted to."""
-    same = second is not None and np.array_equal(record.position, second.position) and np.array_equal(_force(record), _force(second))
-    return [f"{second.source} has the samples that were fitted: it validates nothing"] if second is not None and same else []
+    if second is None or not all_alike([record], [second]):
+        return []
+    return [f"{second.source} has the samples that were fitted: it validates nothing"]
 
 
 def _numbers(forces: Forces, x: Mapping[str, float]) -> dict[str, float]:
@@ -114,27 +116,20 @@ def _numbers(forces: Forces, x: Mapping[str, float]) -> dict[str, float]:
 def _tables(record: AxisRecord, forces: Forces, fit: InverseDynamicsFit, worth: Carried) -> Tables:
     """Return the axis in newtons."""
     value = _numbers(forces, fit.parameters())
+    mass, damping, held = value["plant.mass"], value["plant.damping"], value["friction.coulomb"] + abs(value["disturbance.force"])
+    limits = motion_limits([record], Effort(forces, 1.0 / mass, damping / mass, held))
 
-    def told(name: str, note: str = "") -> Origin:
-        return fitted(record.source, worth.deviations[name], note)
+    def origin(name: str, note: str = "") -> Origin:
+        return told(record.source, worth.deviations[name], note)
 
     return {
-        "plant": plant_table(forces, 1.0 / value["plant.mass"], value["plant.damping"] / value["plant.mass"], told),
-        "friction": {"kind": ("coulomb", "", None), "coulomb": (value["friction.coulomb"], "N", told("friction.coulomb"))},
-        "disturbance": {"kind": ("constant", "", None), "force": (value["disturbance.force"], "N", told("disturbance.force"))},
-        "drive": drive_table(forces, 0.0, told),
-        **measured_tables([record], _acceleration(fit)),
+        "plant": plant_table(forces, 1.0 / mass, damping / mass, origin),
+        "friction": {"kind": ("coulomb", "", None), "coulomb": (value["friction.coulomb"], "N", origin("friction.coulomb"))},
+        "disturbance": {"kind": ("constant", "", None), "force": (value["disturbance.force"], "N", origin("disturbance.force"))},
+        "drive": drive_table(forces, limits.command, limits.origin, 0.0, origin),
+        "limits": limits.table,
+        **sensor_table([record]),
     }
-
-
-def _acceleration(fit: InverseDynamicsFit) -> float:
-    """Return the largest acceleration [m/s^2] of the rows that were fitted: force less friction, over the mass."""
-    x, v = fit.parameters(), fit.velocity
-    if "Fc" in x:
-        friction = x["Fv"] * v + x["Fc"] * np.sign(v) + x["offset"]
-    else:
-        friction = np.where(v > 0.0, x["Fv+"] * v + x["Fc+"], x["Fv-"] * v - x["Fc-"])
-    return float(np.abs(fit.predicted - friction).max() / x["M"])
 
 
 def _pictures(record: AxisRecord, fit: InverseDynamicsFit) -> tuple[Picture, ...]:

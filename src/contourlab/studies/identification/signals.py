@@ -12,18 +12,18 @@ from numpy.typing import NDArray
 from contourlab.errors import ResultError
 from contourlab.logs import Log
 from contourlab.result import Result
-from contourlab.studies.identification.finding import Row, assumed, limit, reached
-from contourlab.studies.likely import fastest
+from contourlab.studies.identification.finding import Row, reached
 
 __all__ = [
     "NO_PLANT",
     "AxisRecord",
+    "all_alike",
     "axis_pieces",
     "axis_record",
     "chosen_axis",
     "fits_a_plant",
-    "measured_tables",
     "one_unit",
+    "sensor_table",
     "source_of",
     "sources_of",
 ]
@@ -56,6 +56,8 @@ class AxisRecord:
         Time of the first sample behind that of the log.
     notes : tuple of str
         What there is to know of the record.
+    wanted : str
+        What to do where there is no command.
     """
 
     source: str
@@ -70,6 +72,7 @@ class AxisRecord:
     logged: str = ""
     start: float = 0.0
     notes: tuple[str, ...] = ()
+    wanted: str = ""
 
     @property
     def time(self) -> Array:
@@ -85,7 +88,7 @@ class AxisRecord:
             If the log has none.
         """
         if self.command is None:
-            raise ResultError(f"no force and no command of {self.axis} in {self.source}: say --column 'command.{self.axis}=NAME [V]'")
+            raise ResultError(f"no force and no command of {self.axis} in {self.source}: {self.wanted}")
         return self.command
 
     def largest(self) -> float:
@@ -116,6 +119,13 @@ class AxisRecord:
 
 NO_PLANT = "friction in {unit} fits no plant of an axis file: give --gain, or --full-scale, the same for every log of the axis"
 """What is said where a friction is in the command's own unit."""
+
+
+_WANTED = "say --column 'command.{axis}=NAME [V]'"
+_TURNED = (
+    "there is a torque; model two-inertia takes it with --lead, the travel per turn; for the others say "
+    "--column 'command.{axis}=NAME [N*m]' and --gain, 2 pi over the travel per turn, as \"628.32 N/(N*m)\" for 10 mm"
+)
 
 
 def fits_a_plant(unit: str) -> bool:
@@ -165,7 +175,12 @@ def chosen_axis(result: Result, axis: str | None) -> str:
 
 
 def axis_pieces(
-    log: Log, axis: str | None = None, gain: float | None = None, full_scale: float | None = None, source: str | None = None
+    log: Log,
+    axis: str | None = None,
+    gain: float | None = None,
+    full_scale: float | None = None,
+    source: str | None = None,
+    lead: float | None = None,
 ) -> tuple[AxisRecord, ...]:
     """Return the signals of an axis of a log, one record for each stretch without a long gap.
 
@@ -179,6 +194,8 @@ def axis_pieces(
         What counts as full scale of the command, which is told in parts of it then.
     source : str, optional
         What the log is called; by default by the name of its file.
+    lead : float [m], optional
+        Travel per turn: with it a torque is a force where the log has neither command nor force.
 
     Raises
     ------
@@ -186,7 +203,7 @@ def axis_pieces(
         If the log has several axes and none is named, or no position; or a gain is given for a log of forces alone.
     """
     name = chosen_axis(log.result, axis)
-    whole = _whole(log, name, gain, full_scale, source or log.record.file.name)
+    whole = _whole(log, name, gain, full_scale, source or log.record.file.name, lead)
     spans = log.stretches(name)
     if spans == [(0, whole.position.size)]:
         return (whole,)
@@ -196,10 +213,15 @@ def axis_pieces(
 
 
 def axis_record(
-    log: Log, axis: str | None = None, gain: float | None = None, full_scale: float | None = None, source: str | None = None
+    log: Log,
+    axis: str | None = None,
+    gain: float | None = None,
+    full_scale: float | None = None,
+    source: str | None = None,
+    lead: float | None = None,
 ) -> AxisRecord:
     """Return the signals of an axis over the longest stretch of a log that has no long gap; parameters as of `axis_pieces`."""
-    pieces = axis_pieces(log, axis, gain, full_scale, source)
+    pieces = axis_pieces(log, axis, gain, full_scale, source, lead)
     longest = max(pieces, key=lambda piece: piece.position.size)
     if len(pieces) == 1 and longest.position.size == log.result.n_sample:
         return longest
@@ -208,7 +230,7 @@ def axis_record(
     return replace(longest, notes=(words,))
 
 
-def _whole(log: Log, axis: str, gain: float | None, full_scale: float | None, source: str) -> AxisRecord:
+def _whole(log: Log, axis: str, gain: float | None, full_scale: float | None, source: str, lead: float | None) -> AxisRecord:
     """Return the signals of an axis, gaps and all."""
     result = log.result
     column = result.axes.index(axis)
@@ -222,6 +244,8 @@ def _whole(log: Log, axis: str, gain: float | None, full_scale: float | None, so
         said = f"no position of {axis} in {result.source}: say --column 'position.{axis}=NAME [mm]'"
         raise ResultError("; ".join([said, *log.doubtful]))
     command, force = of("command"), of("force")
+    if command is None and force is None and lead is not None and (torque := of("torque")) is not None:
+        force = 2.0 * np.pi / lead * torque
     logged = unit = result.signals["command"].unit if command is not None else ""
     if command is None and gain is not None and force is not None:
         raise ResultError(f"{source} has the force of {axis} and no command: leave --gain out")
@@ -232,7 +256,19 @@ def _whole(log: Log, axis: str, gain: float | None, full_scale: float | None, so
     elif gain is None and force is not None:
         command, unit = force, "N"
     signals = position, command, unit, of("reference"), of("disturbance_estimate")
-    return AxisRecord(source, axis, result.servo_period, *signals, gain=1.0 if gain is None else gain, logged=logged)
+    wanted = _WANTED if of("torque") is None else _TURNED
+    one = 1.0 if gain is None else gain
+    return AxisRecord(source, axis, result.servo_period, *signals, gain=one, logged=logged, wanted=wanted.format(axis=axis))
+
+
+def all_alike(first: Sequence[AxisRecord], second: Sequence[AxisRecord]) -> bool:
+    """Tell whether two logs have the same samples of position and command, piece by piece."""
+    pairs = list(zip(first, second, strict=False))
+    return len(first) == len(second) and all(
+        np.array_equal(a.position, b.position)
+        and (a.command is b.command is None or (a.command is not None and b.command is not None and np.array_equal(a.command, b.command)))
+        for a, b in pairs
+    )
 
 
 def source_of(records: Sequence[AxisRecord]) -> str:
@@ -241,30 +277,11 @@ def source_of(records: Sequence[AxisRecord]) -> str:
     return named[0] if len(named) == 1 else f"{named[0]} and {len(named) - 1} more"
 
 
-def measured_tables(records: Sequence[AxisRecord], acceleration: float) -> dict[str, dict[str, Row]]:
-    """Return the tables of an axis file that any log tells: the encoder, and limits of the motion as far as logs have them.
-
-    Parameters
-    ----------
-    records : sequence of AxisRecord
-        Of one axis.
-    acceleration : float [m/s^2]
-        The largest in them.
-    """
-    source = source_of(records)
-    velocity = max(fastest(record.position[:, None], record.period) for record in records)
-    tables: dict[str, dict[str, Row]] = {
-        "limits": {
-            "velocity": limit(velocity, "m/s", source),
-            "acceleration": limit(acceleration, "m/s^2", source),
-            "jerk": (100.0 * acceleration, "m/s^3", assumed("the acceleration in 10 ms")),
-        },
-    }
+def sensor_table(records: Sequence[AxisRecord]) -> dict[str, dict[str, Row]]:
+    """Return the encoder of an axis file, as far as the records of one axis tell its steps."""
     steps = np.concatenate([np.abs(np.diff(record.position)) for record in records])
     seen = steps[steps > 1e-12]
-    if seen.size:
-        tables["sensor"] = {
-            "kind": ("encoder", "", None),
-            "resolution": (float(seen.min()), "m", reached(source, "the smallest step in the log")),
-        }
-    return tables
+    if not seen.size:
+        return {}
+    told = reached(source_of(records), "the smallest step in the log")
+    return {"sensor": {"kind": ("encoder", "", None), "resolution": (float(seen.min()), "m", told)}}
