@@ -76,11 +76,15 @@ def test_a_browser_draws_every_picture(data, page):
 def test_a_browser_paints_the_curves_in_their_colours(page, tmp_path):
     from PIL import Image
 
-    browse(page, f"--screenshot={tmp_path / 'page.png'}")
-    with Image.open(tmp_path / "page.png") as picture:
-        colours = {colour: count for count, colour in picture.convert("RGB").getcolors(1 << 24)}
-    for wanted in ((0xD5, 0x5E, 0x00), (0x00, 0x72, 0xB2)):
-        assert colours.get(wanted, 0) > 3000
+    # The browser's clock does not wait for its painter: on a busy machine a picture may be taken ahead of the curves.
+    for turn in range(3):
+        browse(page, f"--screenshot={tmp_path / f'page-{turn}.png'}")
+        with Image.open(tmp_path / f"page-{turn}.png") as picture:
+            colours = {colour: count for count, colour in picture.convert("RGB").getcolors(1 << 24)}
+        painted = [colours.get(wanted, 0) for wanted in ((0xD5, 0x5E, 0x00), (0x00, 0x72, 0xB2))]
+        if min(painted) > 3000:
+            break
+    assert min(painted) > 3000
 
 
 def test_a_result_that_went_through_a_file_gives_the_same_page(data, page, tmp_path):
