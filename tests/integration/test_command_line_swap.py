@@ -8,7 +8,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from typed_commands import Run
+from typed_commands import Run, drag
 
 from contourlab.cli.main import main
 from contourlab.scenario import load_scenario
@@ -193,24 +193,6 @@ def test_an_interrupt_ahead_of_the_first_search_promises_nothing(
     assert "kept" not in capsys.readouterr().err and not (typed / "results").exists()
 
 
-PLUGIN = """
-from contourlab.components.contract import Component, param
-
-
-class Drag(Component):
-    family = "friction"
-    kind = "drag-of-a-swapped-axis"
-    law = "smooth"
-    example = {"coefficient": 1.0}
-    reference = "F = c v"
-    coefficient: float = param(unit="{force}*s/m", minimum=0.0, doc="force at unit speed")
-
-    @staticmethod
-    def force(par, v):
-        return par.coefficient * v
-"""
-
-
 def test_searches_hang_on_the_plugins_in_use(contourlab: Run, typed: Path) -> None:
     (typed / "strong.toml").write_text(
         (typed / "strong.toml").read_text() + '[friction]\nkind = "drag-of-a-swapped-axis"\ncoefficient = "0.02 full_scale*s/m"\n'
@@ -218,9 +200,9 @@ def test_searches_hang_on_the_plugins_in_use(contourlab: Run, typed: Path) -> No
     words = ["swap", "circle.toml", "--axis", "x", "--with", "strong.toml", *WORDS, *BRIEF]
     kept = []
     # One that stands in no variant decides nothing; that of the axis which takes the place does.
-    for used, idle in (("", ""), ("", "2.0 * "), ("2.0 * ", "2.0 * ")):
-        (typed / "drag.py").write_text(PLUGIN.replace("par.c", f"{used}par.c"))
-        (typed / "idle.py").write_text(PLUGIN.replace("par.c", f"{idle}par.c").replace("swapped", "third"))
+    for used, idle in ((1.0, 1.0), (1.0, 2.0), (2.0, 2.0)):
+        (typed / "drag.py").write_text(drag("drag-of-a-swapped-axis", used))
+        (typed / "idle.py").write_text(drag("drag-of-a-third-axis", idle))
         said = contourlab(*words, "--plugin", "drag.py", "--plugin", "idle.py")
         assert said.code in (0, 1) and said.err == ""
         kept.append("searches were kept from an earlier time" in said.out)

@@ -7,30 +7,13 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from typed_commands import CIRCLE, SCHEMES, Run
+from typed_commands import CIRCLE, SCHEMES, Run, drag
 
 from contourlab.cli.main import main
 from contourlab.studies.space import evaluator
 
 TWO = ["--parameter", "3.model_gain", "--parameter", "3.velocity_gain=0.05 full_scale*s/mm..0.2 full_scale*s/mm"]
 SMALL = [*TWO, "--values", "9", "--base", "16", "--trajectories", "4"]
-
-DRAG = """
-from contourlab.components.contract import Component, param
-
-
-class Drag(Component):
-    family = "friction"
-    kind = "drag-of-sensitivity"
-    law = "smooth"
-    example = {"coefficient": 1.0}
-    reference = "F = c v"
-    coefficient: float = param(unit="{force}*s/m", minimum=0.0, doc="force at unit speed")
-
-    @staticmethod
-    def force(par, v):
-        return par.coefficient * v
-"""
 
 
 @pytest.fixture
@@ -111,8 +94,8 @@ def test_runs_of_a_plugin_that_has_changed_are_not_taken_for_its_own(contourlab:
     )
     words = ["sensitivity", circle, "--plugin", "drag.py", "--parameter", "3.model_gain", "--parts", "local", "--out", "out", "--json"]
     found = []
-    for text in (DRAG, DRAG, DRAG.replace("return par", "return 20.0 * par")):  # each in a process of its own: a plugin is loaded once
-        circle.with_name("drag.py").write_text(text, encoding="utf-8")
+    for factor in (1.0, 1.0, 20.0):  # each in a process of its own: a plugin is loaded once
+        circle.with_name("drag.py").write_text(drag("drag-of-sensitivity", factor), encoding="utf-8")
         said = contourlab(*words)
         assert (said.code, said.err) == (0, "")
         found.append(json.loads(said.out))

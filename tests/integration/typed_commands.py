@@ -81,6 +81,26 @@ def invoke(
     return Said(done.returncode, done.stdout, done.stderr)
 
 
+def drag(kind: str, factor: float = 1.0) -> str:
+    """Return the text of a plugin: a friction of a kind, so many times its coefficient and the speed."""
+    return f'''
+from contourlab.components.contract import Component, param
+
+
+class Drag(Component):
+    family = "friction"
+    kind = "{kind}"
+    law = "smooth"
+    example = {{"coefficient": 1.0}}
+    reference = "F = c v"
+    coefficient: float = param(unit="{{force}}*s/m", minimum=0.0, doc="force at unit speed")
+
+    @staticmethod
+    def force(par, v):
+        return {factor} * par.coefficient * v
+'''
+
+
 def contents(folder: Path) -> dict[str, str]:
     """Return a hash of every file in a folder, hidden ones too."""
     files = [path for path in sorted(folder.rglob("*")) if path.is_file()]

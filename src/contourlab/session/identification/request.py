@@ -4,14 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
-from itertools import combinations
+from functools import cached_property
 from pathlib import Path
 
 from contourlab.errors import ParameterError, UnitError
 from contourlab.logs import Log
 from contourlab.session.log_choice import LogChoice, open_log, positive, told_apart
 from contourlab.studies.identification.doubts import doubts
-from contourlab.studies.identification.signals import AxisRecord, all_alike, axis_pieces, axis_record
+from contourlab.studies.identification.signals import AxisRecord, axis_pieces, longest_piece, samples_digest
 from contourlab.units import split, to_si
 
 __all__ = ["Request", "listed", "per_command"]
@@ -79,8 +79,11 @@ class Request:
             raise ParameterError("--full-scale", f"{self.full_scale} beside --gain", "one of the two: newtons, or parts of full scale")
         self._check_once()
         found = [self._read(choice, pieces) for choice in self.choices]
-        for (first, *_), (again, *_) in (pair for pair in combinations(found, 2) if all_alike(*pair)):
-            self.doubts.append(f"{again.source} has the samples of {first.source}: they count twice")
+        alike: dict[str, list[str]] = {}
+        for records in found:
+            named = alike.setdefault(samples_digest(records), [])
+            self.doubts.extend(f"{records[0].source} has the samples of {first}: they count twice" for first in named)
+            named.append(records[0].source)
         return [record for records in found for record in records]
 
     def _check_once(self) -> None:
@@ -99,18 +102,21 @@ class Request:
             return None
         return self._read(replace(self.choices[0], file=self.validation))[0]
 
-    def _name(self, file: str | Path) -> str:
-        """Return what a log is called among those of this request."""
+    @cached_property
+    def _names(self) -> dict[Path, str]:
+        """What the logs of this request are called."""
         files = [choice.file for choice in self.choices] + ([] if self.validation is None else [self.validation])
-        return dict(zip(map(Path, files), told_apart(files), strict=True))[Path(file)]
+        return dict(zip(map(Path, files), told_apart(files), strict=True))
 
     def _read(self, choice: LogChoice, pieces: bool = False) -> tuple[AxisRecord, ...]:
         log = open_log(choice)
         self._check_unit(log)
-        given = self.axis, self.force_gain(), self._full_scale(), self._name(choice.file), self.travel()
-        found = axis_pieces(log, *given) if pieces else (axis_record(log, *given),)
+        name = self._names[Path(choice.file)]
+        found = axis_pieces(log, self.axis, self.force_gain(), self._full_scale(), name, self.travel())
+        if not pieces:
+            found = (longest_piece(log, found),)
         for note in log.notes:
-            self.said.setdefault(note, []).append(self._name(choice.file))
+            self.said.setdefault(note, []).append(name)
         said = dict.fromkeys(words for record in found for words in (*record.notes, *doubts(record)))
         self.doubts.extend(words for words in said if words not in self.doubts)
         return found

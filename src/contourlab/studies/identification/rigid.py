@@ -27,7 +27,7 @@ from contourlab.studies.identification.finding import (
 )
 from contourlab.studies.identification.limits import Effort, motion_limits
 from contourlab.studies.identification.plant_tables import Forces, drive_table, forces_of, plant_numbers, plant_table
-from contourlab.studies.identification.signals import AxisRecord, all_alike, sensor_table
+from contourlab.studies.identification.signals import AxisRecord, samples_digest, sensor_table
 from contourlab.studies.identification.ways import on_ways
 
 __all__ = ["identify_rigid"]
@@ -99,7 +99,7 @@ def _more(fit: InverseDynamicsFit, there: Validation | None) -> dict[str, object
 
 def _on_second(record: AxisRecord, second: AxisRecord | None) -> list[str]:
     """Remark on a second log that is the first one: it shows how well the figures fit what they were fitted to."""
-    if second is None or not all_alike([record], [second]):
+    if second is None or samples_digest([record]) != samples_digest([second]):
         return []
     return [f"{second.source} has the samples that were fitted: it validates nothing"]
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
+from hashlib import sha256
 from typing import Any
 
 import numpy as np
@@ -17,12 +18,12 @@ from contourlab.studies.identification.finding import Row, reached
 __all__ = [
     "NO_PLANT",
     "AxisRecord",
-    "all_alike",
     "axis_pieces",
-    "axis_record",
     "chosen_axis",
     "fits_a_plant",
+    "longest_piece",
     "one_unit",
+    "samples_digest",
     "sensor_table",
     "source_of",
     "sources_of",
@@ -212,16 +213,8 @@ def axis_pieces(
     return tuple(whole.part(*span) for span in spans)
 
 
-def axis_record(
-    log: Log,
-    axis: str | None = None,
-    gain: float | None = None,
-    full_scale: float | None = None,
-    source: str | None = None,
-    lead: float | None = None,
-) -> AxisRecord:
-    """Return the signals of an axis over the longest stretch of a log that has no long gap; parameters as of `axis_pieces`."""
-    pieces = axis_pieces(log, axis, gain, full_scale, source, lead)
+def longest_piece(log: Log, pieces: Sequence[AxisRecord]) -> AxisRecord:
+    """Return the longest of the stretches of a log, as of `axis_pieces`; it says so where it is not all of the log."""
     longest = max(pieces, key=lambda piece: piece.position.size)
     if len(pieces) == 1 and longest.position.size == log.result.n_sample:
         return longest
@@ -261,14 +254,14 @@ def _whole(log: Log, axis: str, gain: float | None, full_scale: float | None, so
     return AxisRecord(source, axis, result.servo_period, *signals, gain=one, logged=logged, wanted=wanted.format(axis=axis))
 
 
-def all_alike(first: Sequence[AxisRecord], second: Sequence[AxisRecord]) -> bool:
-    """Tell whether two logs have the same samples of position and command, piece by piece."""
-    pairs = list(zip(first, second, strict=False))
-    return len(first) == len(second) and all(
-        np.array_equal(a.position, b.position)
-        and (a.command is b.command is None or (a.command is not None and b.command is not None and np.array_equal(a.command, b.command)))
-        for a, b in pairs
-    )
+def samples_digest(pieces: Sequence[AxisRecord]) -> str:
+    """Return a digest of the samples of position and command of a log, piece by piece: logs of one digest are the same record."""
+    digest = sha256()
+    for piece in pieces:
+        command = np.zeros(0) if piece.command is None else piece.command
+        digest.update(np.array([piece.position.size, command.size]).tobytes())
+        digest.update(piece.position.tobytes() + command.tobytes())
+    return digest.hexdigest()
 
 
 def source_of(records: Sequence[AxisRecord]) -> str:
