@@ -18,7 +18,7 @@ if TYPE_CHECKING:
     import pint
     from numpy.typing import NDArray
 
-__all__ = ["from_si", "in_si", "same_dimension", "show", "split", "to_si"]
+__all__ = ["from_si", "in_si", "same_dimension", "show", "si_unit", "split", "to_si"]
 
 Numbers = TypeVar("Numbers", float, "NDArray[np.float64]")
 
@@ -27,6 +27,9 @@ _CLOSE = re.compile(r"(?P<number>[+-]?(\d+\.?\d*|\.\d+)([eE][+-]?\d+)?)(?P<unit>
 
 _USUAL = {"m": "mm", "s": "ms", "m/s": "mm/s", "rad": "deg"}
 """Units that people would write where one of SI is too large for most of what a machine has."""
+
+_NAMED = ("m", "m/s", "N", "N*m", "V", "A", "full_scale")
+"""Units of SI, of size 1, that people say rather than what they are made of."""
 
 
 @cache
@@ -62,6 +65,19 @@ def same_dimension(unit: str, other: str) -> bool:
     True
     """
     return bool(_factor(unit)[0] == _factor(other)[0])
+
+
+def si_unit(unit: str) -> str:
+    """Return the unit in which values of a unit are once they are in SI, by the name that people give it.
+
+    >>> si_unit("mV"), si_unit("N*cm"), si_unit("%")
+    ('V', 'N*m', '')
+    """
+    dimension, size = _factor(unit)
+    if size == 1.0:
+        return unit
+    base = registry().Quantity(1.0, unit).to_base_units().units
+    return next((name for name in _NAMED if _factor(name)[0] == dimension), f"{base:~C}")
 
 
 def split(text: str) -> tuple[float, str]:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import math
 from importlib.resources import files
 from pathlib import Path
 from shutil import copytree
@@ -59,6 +60,32 @@ def test_the_table_says_what_stands_against_the_figures(tmp_path: Path, capsys: 
     assert "Fc+" in said and "condition number" in said and "M " in said
 
 
+@pytest.mark.parametrize(
+    ("column", "size", "written_as"), [("torque", 1.0, "N*m"), ("torque", 1e-3, "mN*m"), ("command", 1.0, "N*m"), ("command", 0.1, "N*dm")]
+)
+def test_a_torque_is_a_force_by_the_lead_for_every_model(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str], column: str, size: float, written_as: str
+) -> None:
+    arm, out = 0.01 / math.tau, tmp_path / "axis.toml"
+    words = ["identify", str(written(tmp_path, seconds=4.0)), "--column", f"{column}.x=push [{written_as}]"]
+    assert main([*words, "--lead", "10 mm", "--out", str(out), "--json"]) == 0
+    found = json.loads(capsys.readouterr().out)["parameters"]
+    assert found["M"]["value"] == pytest.approx(MASS * size / arm, rel=0.01) and found["M"]["unit"] == "kg"
+    assert load_axis(out).plant.values()["force_constant"] == pytest.approx(1.0 / arm)
+    assert main([*words, "--gain", f"{1.0 / arm:.12g} N/(N*m)", "--json"]) == 0
+    assert json.loads(capsys.readouterr().out)["parameters"]["M"]["value"] == pytest.approx(found["M"]["value"], rel=1e-8)
+    assert main([*words, "--lead", "10 mm", "--gain", "628 N/(N*m)"]) == 2
+    assert "of which --lead makes a force: leave --gain out" in capsys.readouterr().err
+
+
+def test_a_command_in_millivolts_is_in_volts(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    words = ["identify", str(written(tmp_path, seconds=4.0)), "--column", "command.x=push [mV]", "--gain", "2 N/mV", "--json"]
+    assert main(words) == 0
+    assert json.loads(capsys.readouterr().out)["parameters"]["M"]["value"] == pytest.approx(2.0 * MASS, rel=0.01)
+    assert main([*words[:4], "--gain", "2 N/A"]) == 2
+    assert 'must be per V, as "35 N/V"' in capsys.readouterr().err
+
+
 def test_the_measured_axis(shared: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     log = shared / "data" / "emps" / "DATA_EMPS.mat"
     words = [
@@ -110,13 +137,13 @@ def test_the_measured_axis_can_be_asked_for_its_motion_again(
         (["--column", "force.x=push", "--cutoff", "700 Hz"], "Nyquist"),
         (["--column", "force.x=push", "--decimation", "0"], "decimation"),
         (["--column", "force.x=push", "--axis", "q"], "no axis q"),
-        (["--column", "force.x=push", "--lead", "10 mm"], "must be left out: it is for two-inertia, and the model is rigid"),
+        (["--column", "force.x=push", "--lead", "10 mm"], "must be left out, or beside a command in N*m, for model rigid: the command of"),
         (["--model", "friction", "--side", "load"], "--side = load: must be left out: it is for two-inertia"),
         (["--model", "first-order", "--validation", "more.csv"], "it is for rigid, rigid-by-direction, and the model is first-order"),
         (["--column", "command.x=push [V]"], "Give --gain"),
         (["--column", "command.x=push [V]", "--gain", "three"], "--gain"),
         (["--column", "command.x=push [V]", "--gain", "0 N/V"], "--gain"),
-        ([], "no force and no command"),
+        ([], "no force, torque or command"),
     ],
 )
 def test_what_is_wrong_is_said(tmp_path: Path, capsys: pytest.CaptureFixture[str], words: list[str], said: str) -> None:

@@ -190,13 +190,6 @@ def test_a_number_at_its_bound_is_not_written_as_fitted(tmp_path: Path, capsys: 
     assert not any("plant.shaft_damping" in pair for pair in load_axis(out).correlations)
 
 
-def test_a_torque_without_a_lead_is_told_what_to_do(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    words, _ = turning_drive(tmp_path, 1e-3)
-    assert main(["identify", *words]) == 2
-    error = capsys.readouterr().err
-    assert "no force and no command of x in turns.csv" in error and "takes it with --lead" in error and "--gain" in error
-
-
 def test_a_log_given_twice_is_refused_and_one_of_the_same_samples_remarked_on(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:

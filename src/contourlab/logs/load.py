@@ -16,7 +16,7 @@ from contourlab.logs.mapping import SIGNALS, TIME, Column, Columns, guessed, unk
 from contourlab.logs.moments import RIGHT
 from contourlab.logs.record import AXIS_LETTERS, Channel, Record
 from contourlab.result import Result, Signal
-from contourlab.units import from_si, show, to_si
+from contourlab.units import from_si, show, si_unit, to_si
 
 __all__ = ["Log", "load_log", "result_of"]
 
@@ -286,7 +286,7 @@ def _signals(
         even, between = resampled(one.time, values, one.report, clock)
         if between:
             one.report = replace(one.report, resampled=True)
-        found.setdefault(column.signal, {})[column.axis] = (even, expected or _si_unit(unit))
+        found.setdefault(column.signal, {})[column.axis] = (even, expected or si_unit(unit))
     return found, list(dict.fromkeys(notes))
 
 
@@ -303,11 +303,6 @@ def _unit(column: Column, channel: Channel, usable: dict[Column, Timed], record:
     raise LogError(
         f"column {channel.name!r} says no unit: write --column '{column.signal}.{column.axis}={channel.name} [mm]'", file=record.file
     )
-
-
-def _si_unit(unit: str) -> str:
-    """Return the unit that values have once they are in SI."""
-    return unit if not unit or to_si(f"1 {unit}", unit) == 1.0 else f"SI of {unit}"
 
 
 def _check_size(values: Array, column: Column, channel: Channel, unit: str, record: Record) -> None:

@@ -41,7 +41,8 @@ def identify(
         str | None, typer.Option(help='closed-loop: K_V as it ran, as "0.1 full_scale*s/mm".', show_default=False)
     ] = None,
     lead: Annotated[
-        str | None, typer.Option(help='two-inertia: travel per turn, as "10 mm"; makes forces of torques.', show_default=False)
+        str | None,
+        typer.Option(help='Travel per turn, as "10 mm": makes a force of a torque; two-inertia takes it.', show_default=False),
     ] = None,
     motor_inertia: Annotated[
         str | None,

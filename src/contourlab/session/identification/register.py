@@ -34,7 +34,7 @@ MODELS = {
     "closed-loop": Model("closed_loop", "a' and b' behind a disturbance observer", ("position_gain", "velocity_gain")),
     "frequency-response": Model("frequency", "position over command from sines, a chirp, noise or a multisine"),
     "linear-motor": Model("frequency", "mass, damping and delay fitted to the frequency response"),
-    "two-inertia": Model("frequency", "motor, load and shaft fitted to the frequency response", ("lead", "motor_inertia", "side")),
+    "two-inertia": Model("frequency", "motor, load and shaft fitted to the frequency response", ("motor_inertia", "side")),
 }
 """By name, in the order in which they are told."""
 

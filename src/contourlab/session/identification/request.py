@@ -39,7 +39,7 @@ class Request:
     position_gain, velocity_gain : str or None
         Of the loop as it ran, as ``"4 full_scale/mm"``.
     lead : str or None
-        Travel per turn, as ``"10 mm"``.
+        Travel per turn, as ``"10 mm"``: of the shaft of two inertias, and of a command in newton metres.
     motor_inertia : str or None
         Of motor and screw, as ``"2 kg*cm^2"``.
     side : str
@@ -113,6 +113,7 @@ class Request:
         self._check_unit(log)
         name = self._names[Path(choice.file)]
         found = axis_pieces(log, self.axis, self.force_gain(), self._full_scale(), name, self.travel())
+        self._check_lead(found[0])
         if not pieces:
             found = (longest_piece(log, found),)
         for note in log.notes:
@@ -124,6 +125,13 @@ class Request:
     def travel(self) -> float | None:
         """Return the travel per turn [m], or None."""
         return None if self.lead is None else positive("--lead", self.lead, "m", 'travel per turn, such as "10 mm"')
+
+    def _check_lead(self, record: AxisRecord) -> None:
+        """Refuse a travel per turn of which nothing is made."""
+        if self.lead is None or self.model == "two-inertia" or (record.logged, record.unit) == ("N*m", "N"):
+            return
+        seen = f"the command of {record.source} is in {record.unit}" if record.unit else f"{record.source} has no command"
+        raise ParameterError("--lead", self.lead, f"left out, or beside a command in N*m, for model {self.model}: {seen}")
 
     def _full_scale(self) -> float | None:
         if self.full_scale is None:
@@ -139,7 +147,7 @@ class Request:
 
     def _check_unit(self, log: Log) -> None:
         """Refuse a gain, or a full scale, per another unit than that of the log's command."""
-        logged = log.result.signals["command"].unit if "command" in log.result else ""
+        logged = next((log.result.signals[name].unit for name in ("command", "torque") if name in log.result), "")
         for option, text in (("--gain", self.gain), ("--full-scale", self.full_scale)):
             if text is None or not logged:
                 continue

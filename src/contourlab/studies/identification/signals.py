@@ -50,15 +50,13 @@ class AxisRecord:
     estimate : ndarray (n,) or None
         Disturbance that an observer took off the command.
     gain : float [N per unit of the log's command]
-        That was given; 1 without one.
+        That was given, or that a lead makes of a torque; 1 without one.
     logged : str
-        Unit of the command in the log.
+        Unit of the command in the log; ``"N*m"`` where its torque stands for it.
     start : float [s]
         Time of the first sample behind that of the log.
     notes : tuple of str
         What there is to know of the record.
-    wanted : str
-        What to do where there is no command.
     """
 
     source: str
@@ -73,7 +71,6 @@ class AxisRecord:
     logged: str = ""
     start: float = 0.0
     notes: tuple[str, ...] = ()
-    wanted: str = ""
 
     @property
     def time(self) -> Array:
@@ -89,7 +86,8 @@ class AxisRecord:
             If the log has none.
         """
         if self.command is None:
-            raise ResultError(f"no force and no command of {self.axis} in {self.source}: {self.wanted}")
+            wanted = f"say --column 'command.{self.axis}=NAME [V]', or with force or torque for command, in N or N*m"
+            raise ResultError(f"no force, torque or command of {self.axis} in {self.source}: {wanted}")
         return self.command
 
     def largest(self) -> float:
@@ -120,13 +118,6 @@ class AxisRecord:
 
 NO_PLANT = "friction in {unit} fits no plant of an axis file: give --gain, or --full-scale, the same for every log of the axis"
 """What is said where a friction is in the command's own unit."""
-
-
-_WANTED = "say --column 'command.{axis}=NAME [V]'"
-_TURNED = (
-    "there is a torque; model two-inertia takes it with --lead, the travel per turn; for the others say "
-    "--column 'command.{axis}=NAME [N*m]' and --gain, 2 pi over the travel per turn, as \"628.32 N/(N*m)\" for 10 mm"
-)
 
 
 def fits_a_plant(unit: str) -> bool:
@@ -196,12 +187,13 @@ def axis_pieces(
     source : str, optional
         What the log is called; by default by the name of its file.
     lead : float [m], optional
-        Travel per turn: with it a torque is a force where the log has neither command nor force.
+        Travel per turn, which makes a force of a command in newton metres.
 
     Raises
     ------
     ResultError
-        If the log has several axes and none is named, or no position; or a gain is given for a log of forces alone.
+        If the log has several axes and none is named, or no position; or a gain is given for a log of forces alone,
+        or beside the lead for one of torques.
     """
     name = chosen_axis(log.result, axis)
     whole = _whole(log, name, gain, full_scale, source or log.record.file.name, lead)
@@ -237,11 +229,16 @@ def _whole(log: Log, axis: str, gain: float | None, full_scale: float | None, so
         said = f"no position of {axis} in {result.source}: say --column 'position.{axis}=NAME [mm]'"
         raise ResultError("; ".join([said, *log.doubtful]))
     command, force = of("command"), of("force")
-    if command is None and force is None and lead is not None and (torque := of("torque")) is not None:
-        force = 2.0 * np.pi / lead * torque
-    logged = unit = result.signals["command"].unit if command is not None else ""
+    logged = result.signals["command"].unit if command is not None else ""
+    if command is None and force is None and (command := of("torque")) is not None:
+        logged = "N*m"
     if command is None and gain is not None and force is not None:
         raise ResultError(f"{source} has the force of {axis} and no command: leave --gain out")
+    if lead is not None and logged == "N*m" and full_scale is None:
+        if gain is not None:
+            raise ResultError(f"{source} has the torque of {axis}, of which --lead makes a force: leave --gain out")
+        gain = 2.0 * np.pi / lead
+    unit = logged
     if gain is not None and command is not None:
         command, unit = gain * command, "N"
     elif full_scale is not None and command is not None:
@@ -249,9 +246,7 @@ def _whole(log: Log, axis: str, gain: float | None, full_scale: float | None, so
     elif gain is None and force is not None:
         command, unit = force, "N"
     signals = position, command, unit, of("reference"), of("disturbance_estimate")
-    wanted = _WANTED if of("torque") is None else _TURNED
-    one = 1.0 if gain is None else gain
-    return AxisRecord(source, axis, result.servo_period, *signals, gain=one, logged=logged, wanted=wanted.format(axis=axis))
+    return AxisRecord(source, axis, result.servo_period, *signals, gain=1.0 if gain is None else gain, logged=logged)
 
 
 def samples_digest(pieces: Sequence[AxisRecord]) -> str:
