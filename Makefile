@@ -43,7 +43,7 @@ demo: $(STAMP)
 	$(BIN)/contourlab demo $(ARGS)
 
 test: $(STAMP)
-	$(BIN)/python -m pytest -n $(WORKERS) $(ARGS)
+	$(BIN)/python -m pytest -n $(WORKERS) --dist worksteal $(ARGS)
 
 check: lint types imports docs
 

@@ -11,11 +11,12 @@ from numba import njit, types
 from numba.extending import intrinsic
 
 from contourlab.engine.memory import load_ring, load_table, truncate
+from contourlab.native.door import INNER
 
 # No nnan/ninf: a flag that assumes finite numbers would fold away every check for them.
 FAST = {"contract", "nsz", "arcp"}
 OPTIONS: dict[str, Any] = {"fastmath": FAST, "error_model": "numpy", "boundscheck": False}
-INLINE: dict[str, Any] = {**OPTIONS, "forceinline": True}
+INLINE: dict[str, Any] = {**OPTIONS, **INNER, "forceinline": True}
 
 _DOUBLE = ir.DoubleType()
 _INT = ir.IntType(64)

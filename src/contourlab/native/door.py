@@ -24,9 +24,11 @@ from numba.core.runtime import rtsys
 from contourlab.errors import EngineError
 from contourlab.native import store
 
-__all__ = ["compiled", "kernel"]
+__all__ = ["INNER", "compiled", "kernel"]
 
 OPTIONS: dict[str, Any] = {"error_model": "numpy", "boundscheck": False}
+INNER: dict[str, Any] = {"no_cpython_wrapper": True, "no_cfunc_wrapper": True}
+"""Of functions that compiled code alone calls: making doors to them for Python and C is half of a compiler's time."""
 _KINDS: dict[str, tuple[Any, Any, Any]] = {
     "i8": (types.int64, ctypes.c_int64, np.int64),
     "f8": (types.float64, ctypes.c_double, np.float64),
@@ -86,7 +88,8 @@ def _twin(function: Any, done: dict[Any, Any]) -> Any:
             value = scope.get(name)
             if isinstance(value, python_types.FunctionType) and value.__module__ == function.__module__:
                 scope[name] = _twin(value, done)
-        done[function] = njit(**OPTIONS)(python_types.FunctionType(function.__code__, scope, function.__name__, function.__defaults__))
+        rebuilt = python_types.FunctionType(function.__code__, scope, function.__name__, function.__defaults__)
+        done[function] = njit(**OPTIONS, **INNER)(rebuilt)
     return done[function]
 
 

@@ -7,12 +7,13 @@ versions of the tools and the processor. Files appear by atomic rename, so two p
 from __future__ import annotations
 
 import contextlib
+import gc
 import os
 import pickle
 import platform
 import sys
 import tempfile
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from functools import cache
 from pathlib import Path
 from typing import Any
@@ -79,13 +80,26 @@ def _loaded(key: str, build: Callable[[], Any], name: str, inner: bool) -> int:
     file = folder() / f"{key}.bin"
     with contextlib.suppress(OSError, EOFError, pickle.UnpicklingError, ValueError, KeyError, RuntimeError):
         return _restore(file.read_bytes())
-    compiled = build()
+    with _without_collector():
+        compiled = build()
     _alive.append(compiled)
     library = compiled._library
     symbol = compiled._wrapper_name
     symbol = symbol.removeprefix("cfunc.") if inner else symbol
     _write(file, pickle.dumps((symbol, name, library.serialize_using_object_code())))
     return int(library.get_pointer_to_function(symbol))
+
+
+@contextlib.contextmanager
+def _without_collector() -> Iterator[None]:
+    """Hold the garbage collector: a compiler makes much, next to none of it garbage before it is done, and is looked through in vain."""
+    held = gc.isenabled()
+    gc.disable()
+    try:
+        yield
+    finally:
+        if held:
+            gc.enable()
 
 
 def _restore(data: bytes) -> int:
