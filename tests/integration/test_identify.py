@@ -76,6 +76,10 @@ def test_a_torque_is_a_force_by_the_lead_for_every_model(
     assert json.loads(capsys.readouterr().out)["parameters"]["M"]["value"] == pytest.approx(found["M"]["value"], rel=1e-8)
     assert main([*words, "--lead", "10 mm", "--gain", "628 N/(N*m)"]) == 2
     assert "of which --lead makes a force: leave --gain out" in capsys.readouterr().err
+    assert main([*words, "--model", "friction", "--lead", "10 mm", "--full-scale", "3 N*m"]) == 2
+    assert "must be one of the two: newtons, or parts of full scale" in capsys.readouterr().err
+    assert main(words) == 2
+    assert 'Give --lead, the travel per turn, as "10 mm"' in capsys.readouterr().err
 
 
 def test_a_command_in_millivolts_is_in_volts(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:

@@ -174,7 +174,7 @@ def test_an_inertia_says_nothing_of_masses_in_volts(tmp_path: Path, capsys: pyte
     words, _ = turning_drive(tmp_path, 1e-3)
     words[words.index("torque.x=T")] = "command.x=T [V]"
     found = found_by([*words, "--lead", "10 mm", "--motor-inertia", "2 kg*cm^2"], capsys)
-    assert "mass" in found["parameters"] and "an axis file of two inertias takes --gain" in found["remarks"]
+    assert "mass" in found["parameters"] and 'an axis file of two inertias takes --gain, as "35.15 N/V"' in found["remarks"]
 
 
 def test_a_number_at_its_bound_is_not_written_as_fitted(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
@@ -262,7 +262,9 @@ def test_sines_of_the_measured_table(shared: Path, tmp_path: Path, capsys: pytes
     assert any("sine_4Hz.mat: harmonics" in said for said in found["remarks"])
     assert not any("turns round" in said for said in found["remarks"])
     assert found["parameters"]["M"]["value"] == pytest.approx(0.347, rel=0.02) and found["fit_percent"] > 95.0
-    assert found["parameters"]["M"]["unit"] == "V*s^2/m" and any("give --gain for kilograms" in said for said in found["remarks"])
+    assert found["parameters"]["M"]["unit"] == "V*s^2/m" and any(
+        'give --gain, as "35.15 N/V" for kilograms' in said for said in found["remarks"]
+    )
     assert load_axis(out).plant.values()["damping"] == pytest.approx(10.3, rel=0.05)
 
 
@@ -536,6 +538,19 @@ def jogged(tmp_path: Path, law: Callable[[np.ndarray], np.ndarray]) -> str:
     v = np.repeat(np.ravel(np.column_stack([speeds, -speeds])), 600)
     u = law(v) + 0.01 * np.random.default_rng(1).standard_normal(v.size)
     return written(tmp_path / "jog.csv", "time [s],cmd [V],pos x [mm]", PERIOD * np.arange(v.size), u, 1e3 * PERIOD * np.cumsum(v))
+
+
+@pytest.mark.parametrize(("seed", "said"), [(3, "the speeds are not constant"), (4, "% of the command: more than friction is at work")])
+def test_levels_of_force_at_random_tell_no_friction(tmp_path: Path, capsys: pytest.CaptureFixture[str], seed: int, said: str) -> None:
+    """What looks straight on the whole is no constant speed where a mass follows steps of force."""
+    u = np.repeat(np.random.default_rng(seed).uniform(-200.0, 200.0, 60), 300)
+    v = np.zeros(u.size)
+    for k in range(1, u.size):
+        v[k] = v[k - 1] + PERIOD * (u[k - 1] - 100.0 * v[k - 1]) / 20.0
+    log = written(tmp_path / "levels.csv", "time [s],push [N],pos x [mm]", PERIOD * np.arange(v.size), u, 1e3 * PERIOD * np.cumsum(v))
+    out = tmp_path / "axis.toml"
+    found = found_by([log, "--column", "force.x=push", "--model", "friction", "--out", str(out)], capsys, code=1)
+    assert any(said in remark for remark in found["remarks"]) and not out.exists()
 
 
 def test_friction_that_rises_is_not_called_stribeck(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:

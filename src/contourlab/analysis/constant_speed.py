@@ -72,6 +72,8 @@ class Stretch:
         Standard deviation of the command within: ripple, oscillation and noise.
     deviation : float
         Standard deviation of the mean, from the means of parts.
+    unevenness : float
+        Standard deviation of the speeds of parts, over their mean.
     count : int
         Samples.
     source : str
@@ -83,6 +85,7 @@ class Stretch:
     command: float
     scatter: float
     deviation: float
+    unevenness: float
     count: int
     source: str = ""
 
@@ -198,5 +201,7 @@ def _stretch(period: float, position: Array, command: Array, start: int, stop: i
     given = command[start:stop]
     parts = np.array([part.mean() for part in np.array_split(given, BATCHES)])
     speed = float(position[stop - 1] - position[start]) / (period * (stop - 1 - start))
+    edges = np.linspace(start, stop - 1, BATCHES + 1).astype(int)
+    unevenness = float(np.std(np.diff(position[edges]) / (period * np.diff(edges)))) / abs(speed)
     deviation = float(parts.std(ddof=1)) / math.sqrt(BATCHES)
-    return Stretch(start, stop, speed, float(given.mean()), float(given.std()), deviation, stop - start, source)
+    return Stretch(start, stop, speed, float(given.mean()), float(given.std()), deviation, unevenness, stop - start, source)

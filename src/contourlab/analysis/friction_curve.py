@@ -33,8 +33,8 @@ SPEEDS = 30
 """Stribeck velocities that are tried before the best of them is refined."""
 WELL_KNOWN = 10.0
 """Relative deviation [percent] from which a parameter is remarked on."""
-EXPLAINED = 50.0
-"""Fit [percent] below which a curve through both directions is remarked on; below half of it a level lost in its deviation is none."""
+EXPLAINED = 75.0
+"""Fit [percent] below which a curve through both directions is not to be used; constant speeds of real axes have 95 and more."""
 
 
 @dataclass(frozen=True)
@@ -44,17 +44,19 @@ class FrictionModel:
     Attributes
     ----------
     name : str
-    viscous, stribeck, directed : bool
+    viscous, stribeck, directed, coulomb : bool
     """
 
     name: str
     viscous: bool
     stribeck: bool
     directed: bool
+    coulomb: bool = True
 
 
 MODELS = (
     FrictionModel("Coulomb", False, False, False),
+    FrictionModel("viscous", True, False, False, coulomb=False),
     FrictionModel("Coulomb and viscous", True, False, False),
     FrictionModel("Coulomb and viscous by direction", True, False, True),
     FrictionModel("Coulomb, viscous and Stribeck", True, True, False),
@@ -185,7 +187,9 @@ def _columns(model: FrictionModel, v: Array, vs: float, offset: bool) -> tuple[l
             parts += [(f"Fc{mark}", way * there), (f"Fv{mark}", v * there)]
             parts += [(f"drop{mark}", way * there * bend)] if model.stribeck else []
     else:
-        parts = [("Fc", way), *([("Fv", v)] if model.viscous else []), *([("drop", way * bend)] if model.stribeck else [])]
+        parts = [("Fc", way)] if model.coulomb else []
+        parts += [("Fv", v)] if model.viscous else []
+        parts += [("drop", way * bend)] if model.stribeck else []
         parts += [("offset", np.ones_like(v))] if offset else []
     return [name for name, _ in parts], np.column_stack([column for _, column in parts])
 
@@ -267,9 +271,10 @@ def _is_friction(curve: FrictionCurve) -> bool:
 
 
 def _level(curve: FrictionCurve) -> tuple[float, float]:
-    """Return Coulomb friction over both directions and its deviation."""
-    if "Fc" in curve.names:
-        return curve["Fc"], curve.deviation("Fc")
+    """Return Coulomb friction over both directions and its deviation; of a curve without it the viscous friction."""
+    for name in ("Fc", "Fv"):
+        if name in curve.names:
+            return curve[name], curve.deviation(name)
     return 0.5 * (curve["Fc+"] + curve["Fc-"]), 0.5 * math.hypot(curve.deviation("Fc+"), curve.deviation("Fc-"))
 
 
@@ -301,9 +306,12 @@ def _remarks(
     level, deviation = _level(chosen)
     if both and chosen.fit < EXPLAINED:
         said.append(f"the curve explains {chosen.fit:.3g} % of the command: more than friction is at work, or it is that of another axis")
-    if chosen.fit < 0.5 * EXPLAINED and level < 2.0 * deviation:
+        usable = False
+    if chosen.fit < EXPLAINED and level < 2.0 * deviation:
         said.append(f"no friction is told apart from the scatter: {level:.4g} with a standard deviation of {deviation:.2g}")
         usable = False
+    if not chosen.model.coulomb:
+        said.append("no Coulomb friction is told apart from zero")
     for name in chosen.names:
         if name.startswith("Fv") and chosen[name] < 0.0:
             said.append(f"{name} = {chosen[name]:.4g} is below zero within its deviation: take no viscous friction")

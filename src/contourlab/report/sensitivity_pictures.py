@@ -69,9 +69,9 @@ def indices_chart(key: str, title: str, x_label: str, names: Sequence[str], seri
     return Bars(key, title, "", x_label, tuple(names[j] for j in order), made)
 
 
-def interactions_chart(title: str, names: Sequence[str], values: Array) -> Matrix:
-    """Return the matrix of interactions; what is on its diagonal is left out."""
+def interactions_chart(title: str, names: Sequence[str], values: Array, doubtful: NDArray[np.bool_]) -> Matrix:
+    """Return the matrix of interactions; what is on its diagonal is left out, what hangs on the step has a question mark."""
     shown = values.copy()
     np.fill_diagonal(shown, np.nan)
-    label = "second difference, in parts of the figure"
-    return Matrix("interactions", title, "", label, tuple(names), shown)
+    label = "second difference, in parts of the figure" + ("; ? half off with half the step" if doubtful.any() else "")
+    return Matrix("interactions", title, "", label, tuple(names), shown, doubtful)

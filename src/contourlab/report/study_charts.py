@@ -85,7 +85,7 @@ class Bars:
 
 @dataclass(frozen=True, eq=False)
 class Matrix:
-    """A matrix (n, n) in colours, red above 0 and blue below; NaN is left blank."""
+    """A matrix (n, n) in colours, red above 0 and blue below; NaN is left blank, what is doubtful has a question mark."""
 
     key: str
     title: str
@@ -93,3 +93,4 @@ class Matrix:
     label: str
     names: tuple[str, ...]
     values: Array
+    doubtful: NDArray[np.bool_]

@@ -99,11 +99,12 @@ def matrix_drawing(chart: Matrix) -> Figure:
     place.set_xticks(np.arange(n), [plain(name) for name in chart.names], rotation=60, ha="right", rotation_mode="anchor")
     place.set_yticks(np.arange(n), [plain(name) for name in chart.names])
     place.grid(visible=False)
-    if n <= NUMBERED:
-        for (row, column), value in np.ndenumerate(chart.values):
-            if np.isfinite(value):
-                dark = abs(value) > 0.6 * top
-                place.text(column, row, f"{value:.2g}", ha="center", va="center", size=6, color="white" if dark else INK)
+    for (row, column), value in np.ndenumerate(chart.values):
+        said = f"{value:.2g}" if n <= NUMBERED else ""
+        said += "?" if chart.doubtful[row, column] else ""
+        if np.isfinite(value) and said:
+            dark = abs(value) > 0.6 * top
+            place.text(column, row, said, ha="center", va="center", size=6, color="white" if dark else INK)
     bar = figure.colorbar(image, ax=place, extend="both", shrink=0.8)
     bar.set_label(plain(chart.label))
     place.set_title(plain(chart.title), pad=6)

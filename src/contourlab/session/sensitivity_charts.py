@@ -27,7 +27,8 @@ def charts_of(study: Study) -> list[Multiples | Bars | Matrix]:
         found.append(curves_chart(f"One number at a time: {words}", f"{words} [{unit}]", drawn))
     found += _indices(study, names)
     if study.local is not None and len(names) > 1:
-        found.append(interactions_chart(f"Interactions near the present values: {words}", names, study.local.interactions))
+        title, near = f"Interactions near the present values: {words}", study.local
+        found.append(interactions_chart(title, names, near.interactions, near.doubtful))
     return found
 
 

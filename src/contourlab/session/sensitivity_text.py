@@ -102,12 +102,12 @@ def _local(study: Study) -> Iterator[str]:
 def _interactions(study: Study) -> Iterator[str]:
     if study.local is None or not 1 < len(study.space.numbers) <= FEW:
         return
-    matrix, apart = study.local.interactions, study.local.interactions_apart
+    matrix, doubtful = study.local.interactions, study.local.doubtful
     step = 100.0 * float(study.local.interaction_steps.max())
     yield f"Interactions, second differences in parts of the error (step {step:.2g} %); ? where with half the step it is half off:"
     rows = [("", *(str(j + 1) for j in range(len(matrix))), "")]
     for j, (number, values) in enumerate(zip(study.space.numbers, matrix, strict=True)):
-        cells = [f"{value:.2g}" + ("?" if apart[j, k] >= 0.5 * abs(value) and abs(value) > 0.1 else "") for k, value in enumerate(values)]
+        cells = [f"{value:.2g}" + ("?" if doubtful[j, k] else "") for k, value in enumerate(values)]
         rows.append((f"{j + 1} {number.short}", *cells, ""))
     yield from table(rows)
 

@@ -72,6 +72,16 @@ def test_the_kind_of_friction_is_told(law, name, true) -> None:  # type: ignore[
     np.testing.assert_allclose(fit.chosen.at(BOTH), fit.chosen.predicted, atol=1e-12)
 
 
+def test_where_friction_is_viscous_no_coulomb_friction_is_told() -> None:
+    """By AICc one runs a risk of about one in ten to take a parameter that is not there."""
+    fits = [fit_friction(BOTH, noisy(4.0 * BOTH + 0.05, seed), np.full(BOTH.size, SPREAD)) for seed in range(20)]
+    plain = [fit for fit in fits if fit.chosen.model.name == "viscous"]
+    assert len(plain) >= 15
+    for fit in plain:
+        assert fit.usable and "no Coulomb friction is told apart from zero" in fit.remarks
+        assert abs(fit.chosen["Fv"] - 4.0) < 4.0 * fit.chosen.deviation("Fv") and fit.chosen["Fc"] == 0.0
+
+
 def test_no_slow_run_no_stribeck() -> None:
     """The dip lies below 20 mm/s; of runs above 60 mm/s nothing of it is claimed, and it is said how far down the runs go."""
     fast = BOTH[np.abs(BOTH) >= 0.06]

@@ -40,10 +40,14 @@ def test_bars_are_in_the_order_of_the_last_series_with_their_intervals() -> None
 
 def test_a_matrix_leaves_its_diagonal_and_what_is_unknown_blank() -> None:
     values = np.array([[9.0, 2.0, np.nan], [2.0, 9.0, -1.0], [np.nan, -1.0, 9.0]])
-    figure = matrix_drawing(interactions_chart("interactions", NAMES, values))
+    sure = np.zeros((3, 3), dtype=bool)
+    figure = matrix_drawing(interactions_chart("interactions", NAMES, values, sure))
     texts = sorted(text.get_text() for text in figure.axes[0].texts)
     assert texts == ["-1", "-1", "2", "2"] and values[0, 0] == 9.0
-    assert matrix_drawing(interactions_chart("nothing", NAMES, np.full((3, 3), np.nan))).axes
+    assert matrix_drawing(interactions_chart("nothing", NAMES, np.full((3, 3), np.nan), sure)).axes
+    chart = interactions_chart("interactions", NAMES, values, np.abs(values) == 1.0)
+    assert sorted(text.get_text() for text in matrix_drawing(chart).axes[0].texts) == ["-1?", "-1?", "2", "2"]
+    assert "? half off with half the step" in chart.label
 
 
 def test_a_span_of_x_is_shaded_and_named_in_print_and_on_the_page() -> None:
@@ -59,7 +63,7 @@ def test_a_span_of_x_is_shaded_and_named_in_print_and_on_the_page() -> None:
 
 
 def test_each_becomes_a_file(tmp_path: Path) -> None:
-    charts = [curves_chart("t", "y", [CURVE]), interactions_chart("t", NAMES, np.eye(3))]
+    charts = [curves_chart("t", "y", [CURVE]), interactions_chart("t", NAMES, np.eye(3), np.eye(3) > 2.0)]
     assert [file.name for file in write_charts(charts, tmp_path, ("png", "svg"))] == [
         "curves.png",
         "curves.svg",

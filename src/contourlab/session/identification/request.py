@@ -130,6 +130,8 @@ class Request:
         """Refuse a travel per turn of which nothing is made."""
         if self.lead is None or self.model == "two-inertia" or (record.logged, record.unit) == ("N*m", "N"):
             return
+        if record.unit == "full_scale" and self.full_scale is not None:
+            raise ParameterError("--lead", f"{self.lead} beside --full-scale", "one of the two: newtons, or parts of full scale")
         seen = f"the command of {record.source} is in {record.unit}" if record.unit else f"{record.source} has no command"
         raise ParameterError("--lead", self.lead, f"left out, or beside a command in N*m, for model {self.model}: {seen}")
 
@@ -155,7 +157,11 @@ class Request:
                 unit = split(text)[1]
                 to_si(f"1 {(unit.partition('/')[2] if option == '--gain' else unit).strip()}", logged)
             except UnitError as error:
-                wanted = f'per {logged}, as "35 N/{logged}"' if option == "--gain" else f'in {logged}, as "10 {logged}"'
+                wanted = (
+                    f'per {logged}, as "35 N/{f"({logged})" if "*" in logged else logged}"'
+                    if option == "--gain"
+                    else f'in {logged}, as "10 {logged}"'
+                )
                 raise ParameterError(option, text, f"{wanted}: the command of {log.record.file.name} is in {logged}") from error
 
     def record(self) -> AxisRecord:

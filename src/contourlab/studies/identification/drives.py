@@ -29,7 +29,7 @@ from contourlab.studies.identification.finding import (
 from contourlab.studies.identification.frequency import FEW, bode_graphs, measured_response, response_points
 from contourlab.studies.identification.limits import Effort, MotionLimits, Peak, motion_limits
 from contourlab.studies.identification.plant_tables import Forces, drive_table, forces_of, plant_numbers, plant_table
-from contourlab.studies.identification.signals import AxisRecord, sensor_table, source_of
+from contourlab.studies.identification.signals import TRAVEL, AxisRecord, in_newtons, sensor_table, source_of
 from contourlab.studies.identification.two_inertias import TwoInertias
 
 __all__ = ["identify_linear_motor", "identify_two_inertia"]
@@ -89,18 +89,18 @@ def identify_two_inertia(
         is more than the whole.
     """
     if motor_inertia is not None and side == "motor":
-        raise ParameterError("motor_inertia", f"{motor_inertia:g}", "left out: at the motor it is measured", "kg*m^2")
+        raise ParameterError("motor_inertia", f"{motor_inertia:g} kg*m^2", "left out: at the motor it is measured")
     found = measured_response(records)
     fit = fit_two_inertia(found, side)
     if motor_inertia is not None and lead is not None and records[0].unit == "N" and fit.usable:
         fit = _shared(found, fit, motor_inertia, lead)
     lines, tables, remarks = _lines(fit), {}, []
     worth = Carried({}, ())
-    wanted = [] if lead is not None else ["--lead"]
+    wanted = [] if lead is not None else [TRAVEL]
     wanted += ["--motor-inertia, of motor and screw"] if side == "load" and motor_inertia is None else []
-    wanted += [] if records[0].unit == "N" else ["--gain"]
+    wanted += [] if records[0].unit == "N" else [in_newtons(records[0].logged)]
     if fit.usable and wanted:
-        remarks.append(f"an axis file of two inertias takes {' and '.join(wanted)}")
+        remarks.append(f"an axis file of two inertias takes {' and '.join(dict.fromkeys(wanted))}")
     elif fit.usable and lead is not None:
         drive, forces = TwoInertias(lead, frozenset(fit.given)), forces_of(records)
         worth = _worth(fit, lambda x: drive.numbers({**fit.given, **x}))
@@ -149,7 +149,8 @@ def _finding(
     told, possible = on_mass(fit.whole_mass) if unit == "N" else ([], True)
     remarks = (*remarks, *told, *_turning(records, found))
     if unit != "N":
-        remarks = (*remarks, f"no force per command is given: masses are in {mass}, as the command sees them; give --gain for kilograms")
+        wanted = f"give {in_newtons(records[0].logged)} for kilograms"
+        remarks = (*remarks, f"no force per command is given: masses are in {mass}, as the command sees them; {wanted}")
     return Finding(
         model,
         records[0].axis,

@@ -21,13 +21,15 @@ from contourlab.studies.identification.finding import (
     of_command,
     told,
 )
-from contourlab.studies.identification.signals import NO_PLANT, AxisRecord, fits_a_plant, one_unit, source_of, sources_of
+from contourlab.studies.identification.signals import AxisRecord, fits_a_plant, no_plant, one_unit, source_of, sources_of
 from contourlab.studies.identification.ways import on_ways
 
 __all__ = ["identify_friction"]
 
 DIP, RISE = "stribeck_velocity", "rise_velocity"
 """Speed of the bend as the components of a dip and of a rise call it."""
+UNEVEN = 0.1
+"""Variation of the speed within stretches, on the median, from which they are none of constant speed; ripple of a ball screw makes 0.06."""
 
 
 def identify_friction(records: Sequence[AxisRecord], settings: StretchSettings | None = None) -> Finding:
@@ -53,12 +55,18 @@ def identify_friction(records: Sequence[AxisRecord], settings: StretchSettings |
     heard = {stretch.source for stretch in stretches}
     silent = [source for source in sources_of(records) if source not in heard]
     fit = fit_friction(*_points(stretches))
+    uneven = float(np.median([stretch.unevenness for stretch in stretches]))
+    usable = fit.usable and uneven <= UNEVEN
     remarks = [*fit.remarks, *_by_log(records)]
     remarks += [f"no constant speed in {', '.join(silent)}"] if silent else []
-    shown = _writable(fit)
+    if uneven > UNEVEN:
+        remarks.append(
+            f"the speeds are not constant, on the median they vary by {100.0 * uneven:.2g} % within: mass counts as friction there"
+        )
+    shown = _writable(fit) if usable else None
     worth = Carried({}, ()) if shown is None else _worth(shown)
     if shown is not None and not fits_a_plant(unit):
-        remarks.append(NO_PLANT.format(unit=unit))
+        remarks.append(no_plant(unit))
         shown = None
     elif shown is not fit.chosen and shown is not None:
         remarks.append(f"the curve is below zero at rest: an axis file is given {shown.name}, fit {shown.fit:.4g} %")
@@ -73,7 +81,7 @@ def identify_friction(records: Sequence[AxisRecord], settings: StretchSettings |
         sources_of(records),
         _figures(curve, unit),
         curve.fit,
-        fit.usable,
+        usable,
         tuple(remarks),
         _tables(shown, unit, records, worth) if shown is not None else {},
         _pictures(curve, stretches, unit, records[0].axis),

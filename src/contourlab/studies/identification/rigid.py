@@ -27,7 +27,7 @@ from contourlab.studies.identification.finding import (
 )
 from contourlab.studies.identification.limits import Effort, motion_limits
 from contourlab.studies.identification.plant_tables import Forces, drive_table, forces_of, plant_numbers, plant_table
-from contourlab.studies.identification.signals import AxisRecord, samples_digest, sensor_table
+from contourlab.studies.identification.signals import AxisRecord, in_newtons, samples_digest, sensor_table
 from contourlab.studies.identification.ways import on_ways
 
 __all__ = ["identify_rigid"]
@@ -81,7 +81,7 @@ def _force(record: AxisRecord) -> np.ndarray:
     """Return the force [N]."""
     command = record.driven()
     if record.unit != "N":
-        raise ResultError(f'{record.source}: how much force is a command? Give --gain, as "35.15 N/V"')
+        raise ResultError(f"{record.source}: how much force is a command? Give {in_newtons(record.logged)}")
     return command
 
 

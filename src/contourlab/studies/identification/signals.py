@@ -16,12 +16,14 @@ from contourlab.result import Result
 from contourlab.studies.identification.finding import Row, reached
 
 __all__ = [
-    "NO_PLANT",
+    "TRAVEL",
     "AxisRecord",
     "axis_pieces",
     "chosen_axis",
     "fits_a_plant",
+    "in_newtons",
     "longest_piece",
+    "no_plant",
     "one_unit",
     "samples_digest",
     "sensor_table",
@@ -116,8 +118,22 @@ class AxisRecord:
         return replace(self, position=self.position[start:stop], start=self.start + start * self.period, **signals)
 
 
-NO_PLANT = "friction in {unit} fits no plant of an axis file: give --gain, or --full-scale, the same for every log of the axis"
-"""What is said where a friction is in the command's own unit."""
+TRAVEL = '--lead, the travel per turn, as "10 mm"'
+"""The option that two inertias take, and that makes newtons of torques."""
+
+
+def in_newtons(unit: str) -> str:
+    """Return the option, with an example, that makes newtons of commands in a unit.
+
+    >>> in_newtons("V")
+    '--gain, as "35.15 N/V"'
+    """
+    return TRAVEL if unit == "N*m" else f'--gain, as "35.15 {f"N/{unit}" if unit else "N"}"'
+
+
+def no_plant(unit: str) -> str:
+    """Return what is said where a friction is in the command's own unit."""
+    return f"friction in {unit} fits no plant of an axis file: give {in_newtons(unit)}, or --full-scale, the same for every log of the axis"
 
 
 def fits_a_plant(unit: str) -> bool:

@@ -11,7 +11,7 @@ import numpy as np
 from contourlab.analysis.stiction import Breakaway, breakaways
 from contourlab.errors import ParameterError
 from contourlab.studies.identification.finding import Drawn, Figure, Finding, Graph, Picture, Row, Tables, assumed, fitted, of_command
-from contourlab.studies.identification.signals import NO_PLANT, AxisRecord, fits_a_plant, one_unit, source_of, sources_of
+from contourlab.studies.identification.signals import AxisRecord, fits_a_plant, no_plant, one_unit, source_of, sources_of
 
 __all__ = ["identify_stiction"]
 
@@ -56,7 +56,7 @@ def identify_stiction(records: Sequence[AxisRecord]) -> Finding:
     if fit < EXPLAINED:
         remarks.append(f"the first motion is explained by {fit:.3g} % only: it is no breakaway from rest, or lost in noise")
     written = fits_a_plant(unit)
-    remarks += [] if written else [NO_PLANT.format(unit=unit)]
+    remarks += [] if written else [no_plant(unit)]
     return Finding(
         "stiction",
         records[0].axis,

@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from itertools import combinations
 
 import numpy as np
+from numpy.typing import NDArray
 
 from contourlab.studies.sensitivity.runs import Array, Judge
 from contourlab.studies.space import Number, Space
@@ -18,6 +19,8 @@ LARGEST, STEPS = 0.04, 5
 """Largest step in parts of the value, and how many are tried, each half of the one before."""
 APART, APART_SHARE = 0.02, 0.05
 """Two steps agree when their sensitivities differ by less than this, and this part of them."""
+NOTICED = 0.1
+"""Interactions below this are next to nothing, whatever their step."""
 CORNER = 0.75
 """At a corner the slopes on the two sides stay apart when the step is halved; on a smooth curve they come half as near."""
 
@@ -73,6 +76,12 @@ class Local:
     interactions: Array
     interactions_apart: Array
     interaction_steps: Array
+
+    @property
+    def doubtful(self) -> NDArray[np.bool_]:
+        """Which interactions (n, n) are half off with half the step, and not next to nothing."""
+        size = np.abs(self.interactions)
+        return (self.interactions_apart >= 0.5 * size) & (size > NOTICED)
 
 
 def local(space: Space, judge: Judge, limits: Mapping[str, tuple[float, float]] | None = None) -> Local:

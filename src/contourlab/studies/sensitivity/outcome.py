@@ -67,18 +67,25 @@ def outcome(figures: Array, level: float, logarithmic: bool, space: Space, point
     bad = np.isnan(figures)
     share = float(bad.mean())
     if share > REFUSED:
-        off = points[bad].mean(axis=0) - 0.5
-        at = int(np.argmax(np.abs(off)))
-        number = space.numbers[at]
-        side = "upper" if off[at] > 0.0 else "lower"
+        number, side = _strayed(space, points[bad])
         right = (
             f"at most {100.0 * REFUSED:.0f} %: they would say what makes the loop fail, not what makes it accurate; take narrower bounds"
         )
-        raise ParameterError("runs", f"{100.0 * share:.0f} % failed", f"{right}, first those of {number.short} at the {side} end")
+        raise ParameterError("runs", f"{100.0 * share:.0f} % failed", f"{right}, first those of {number} at the {side} end")
     capped = level if math.isfinite(level) else BEYOND * float(figures[~bad].max())
     values = np.minimum(np.where(bad, capped, figures), capped)
     if logarithmic:
         if not (values > 0.0).all():
-            raise ParameterError("--transform log", f"a figure of {values.min():g}", "above 0; take --transform none")
+            flat = values <= 0.0
+            number, side = _strayed(space, points[flat])
+            seen = f"a figure of {values.min():g} in {int(flat.sum())} of {flat.size} runs, first those of {number} at the {side} end"
+            raise ParameterError("--transform log", seen, "above 0 in all; take --transform none, with which the runs made so far count")
         values = np.log10(values)
     return Outcome(values, logarithmic, int(bad.sum()), capped)
+
+
+def _strayed(space: Space, points: Array) -> tuple[str, str]:
+    """Return the number that is farthest from the middle of its range on the mean of places (n, n_number), and on which side."""
+    off = points.mean(axis=0) - 0.5
+    at = int(np.argmax(np.abs(off)))
+    return space.numbers[at].short, "upper" if off[at] > 0.0 else "lower"
