@@ -2,14 +2,24 @@
 
 from __future__ import annotations
 
+import os
 import sys
 from typing import NoReturn
 
 __all__ = ["run"]
 
+LINEAR_ALGEBRA = ("OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS", "VECLIB_MAXIMUM_THREADS")
+"""Where the libraries under NumPy read how many threads to take, once, when they are loaded."""
+
 
 def run() -> NoReturn:
-    """Run the command line and leave the process with its exit code."""
+    """Run the command line and leave the process with its exit code.
+
+    Linear algebra has one thread, unless the environment says otherwise: with more, small matrices wait for them, and sums are rounded by
+    their number.
+    """
+    for name in LINEAR_ALGEBRA:
+        os.environ.setdefault(name, "1")
     try:
         from contourlab.cli.main import main
 

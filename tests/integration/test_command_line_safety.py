@@ -142,6 +142,24 @@ def test_the_package_can_be_run_as_a_module(tmp_path: Path) -> None:
     assert done.stdout.startswith("contourlab ")
 
 
+@pytest.mark.parametrize(("chosen", "threads"), [({}, "1"), ({"OPENBLAS_NUM_THREADS": "3"}, "3")])
+def test_linear_algebra_has_one_thread_unless_the_user_says_otherwise(chosen: dict[str, str], threads: str) -> None:
+    """Told before NumPy is loaded, which asks once."""
+    text = """
+import os, sys
+from contourlab.__main__ import run
+assert "numpy" not in sys.modules
+sys.argv = ["contourlab", "--version"]
+try:
+    run()
+except SystemExit as left:
+    print(left.code, os.environ["OPENBLAS_NUM_THREADS"])
+"""
+    bare = {name: value for name, value in environment().items() if name != "OPENBLAS_NUM_THREADS"}
+    done = subprocess.run([sys.executable, "-c", text], env={**bare, **chosen}, capture_output=True, encoding="utf-8", timeout=60)
+    assert done.stdout.splitlines()[-1:] == [f"0 {threads}"], done.stderr
+
+
 @pytest.mark.skipif(sys.platform != "linux", reason="file names of any bytes")
 def test_file_names_need_not_be_utf8(tmp_path: Path) -> None:
     (tmp_path / os.fsdecode(b"c\xe9.toml")).write_text(CIRCLE.split("\n", 1)[1], encoding="utf-8")
