@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from textwrap import fill
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -18,6 +19,8 @@ __all__ = ["bars_drawing", "matrix_drawing", "multiples_drawing"]
 
 NUMBERED = 16
 """A matrix of more names than this has no numbers in its cells."""
+SMALLEST, LETTERS = 3.4, 38
+"""Height of a matrix of few names [in], which has room for lines of so many letters beside it."""
 
 
 def _figure(width: float, height: float) -> Figure:
@@ -91,7 +94,7 @@ def bars_drawing(chart: Bars) -> Figure:
 def matrix_drawing(chart: Matrix) -> Figure:
     """Return a matrix in colours, with its numbers where they have room."""
     n = len(chart.names)
-    figure = _figure(WIDTH, 1.6 + 0.36 * n)
+    figure = _figure(WIDTH, max(SMALLEST, 1.6 + 0.36 * n))
     place = figure.add_subplot()
     # One or two numbers far above the others would leave these without colour.
     top = float(np.nanpercentile(np.abs(chart.values), 95.0)) if np.isfinite(chart.values).any() else 1.0
@@ -105,7 +108,7 @@ def matrix_drawing(chart: Matrix) -> Figure:
         if np.isfinite(value) and said:
             dark = abs(value) > 0.6 * top
             place.text(column, row, said, ha="center", va="center", size=6, color="white" if dark else INK)
-    bar = figure.colorbar(image, ax=place, extend="both", shrink=0.8)
-    bar.set_label(plain(chart.label))
+    bar = figure.colorbar(image, ax=place, extend="both")
+    bar.set_label(plain(fill(chart.label, LETTERS)))
     place.set_title(plain(chart.title), pad=6)
     return figure

@@ -11,7 +11,7 @@ from contourlab.errors import ParameterError, UnitError
 from contourlab.logs import Log
 from contourlab.session.log_choice import LogChoice, open_log, positive, told_apart
 from contourlab.studies.identification.doubts import doubts
-from contourlab.studies.identification.signals import AxisRecord, axis_pieces, longest_piece, samples_digest
+from contourlab.studies.identification.signals import AxisRecord, axis_pieces, longest_piece, newtons_per, samples_digest
 from contourlab.units import split, to_si
 
 __all__ = ["Request", "listed", "per_command"]
@@ -157,11 +157,7 @@ class Request:
                 unit = split(text)[1]
                 to_si(f"1 {(unit.partition('/')[2] if option == '--gain' else unit).strip()}", logged)
             except UnitError as error:
-                wanted = (
-                    f'per {logged}, as "35 N/{f"({logged})" if "*" in logged else logged}"'
-                    if option == "--gain"
-                    else f'in {logged}, as "10 {logged}"'
-                )
+                wanted = f'per {logged}, as "35 {newtons_per(logged)}"' if option == "--gain" else f'in {logged}, as "10 {logged}"'
                 raise ParameterError(option, text, f"{wanted}: the command of {log.record.file.name} is in {logged}") from error
 
     def record(self) -> AxisRecord:

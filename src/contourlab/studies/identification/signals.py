@@ -23,6 +23,7 @@ __all__ = [
     "fits_a_plant",
     "in_newtons",
     "longest_piece",
+    "newtons_per",
     "no_plant",
     "one_unit",
     "samples_digest",
@@ -128,7 +129,16 @@ def in_newtons(unit: str) -> str:
     >>> in_newtons("V")
     '--gain, as "35.15 N/V"'
     """
-    return TRAVEL if unit == "N*m" else f'--gain, as "35.15 {f"N/{unit}" if unit else "N"}"'
+    return TRAVEL if unit == "N*m" else f'--gain, as "35.15 {newtons_per(unit)}"'
+
+
+def newtons_per(unit: str) -> str:
+    """Return the unit of a gain that makes newtons of commands in a unit.
+
+    >>> newtons_per("V"), newtons_per("N*m"), newtons_per("")
+    ('N/V', 'N/(N*m)', 'N')
+    """
+    return f"N/({unit})" if "*" in unit else f"N/{unit}".removesuffix("/")
 
 
 def no_plant(unit: str) -> str:
