@@ -12,8 +12,9 @@ from numpy.typing import NDArray
 from contourlab.errors import LogError, ParameterError, UnitError
 from contourlab.logs.clock import EVEN, ClockReport, common_clock, look_at_clock, repeats_too_often, resampled
 from contourlab.logs.formats import read_record
-from contourlab.logs.mapping import SIGNALS, TIME, Column, Columns, guessed, unknown
+from contourlab.logs.mapping import SIGNALS, Column, Columns, guessed, unknown
 from contourlab.logs.moments import RIGHT
+from contourlab.logs.names import TIME
 from contourlab.logs.record import AXIS_LETTERS, Channel, Record
 from contourlab.result import Result, Signal
 from contourlab.units import from_si, show, si_unit, to_si

@@ -10,8 +10,9 @@ from pathlib import Path
 from typing import Any
 
 from contourlab.errors import LogError, UnitError
+from contourlab.logs.names import TIME, meant
 from contourlab.logs.reading import name_and_unit
-from contourlab.logs.record import AXIS_LETTERS, Channel, Record, said
+from contourlab.logs.record import Channel, Record, said
 from contourlab.units import same_dimension, to_si
 
 __all__ = ["SIGNALS", "Column", "Columns", "guessed", "once", "parse_columns", "read_columns", "unknown"]
@@ -31,13 +32,7 @@ SIGNALS = {
     "disturbance_estimate": "",
 }
 """Signals that a column can be, with their unit; an empty one is what the column has."""
-TIME = "time"
 _TARGET = re.compile(r"(?P<signal>[a-z_]+)(?:\.(?P<axis>\w+))?\Z")
-# Word by word, so that "Encoder Feedback X" is told from "excitation".
-_REFERENCE = {"ref", "refcommand", "reference", "setpoint", "soll", "sollposition", "desired", "target", "cmd", "demand", "commanded"}
-_POSITION = {"encoder", "feedback", "fb", "position", "pos", "actual", "act", "ist", "istposition", "measured", "enc"}
-_VELOCITY = {"vel", "velocity", "speed", "geschwindigkeit"}
-_TIME = {"t", "time", "zeit", "timestamp", "seconds", "datetime"}
 
 
 @dataclass(frozen=True)
@@ -198,9 +193,9 @@ def once(columns: Sequence[Column], where: str | Path) -> tuple[Column, ...]:
 def guessed(record: Record) -> dict[tuple[str, str], list[str]]:
     """Return which columns each signal and axis may be by their names: a time, and for each axis a reference, a position, a velocity.
 
-    A name is taken apart into words: ``Encoder Feedback X`` is the position of x, ``joint.0.motor-pos-cmd`` the reference of x,
-    ``position.x`` what it says, whatever else sounds alike. Where no other column is named as a time, one of dates and times of day is,
-    before all one that is named so. Of several names there is a doubt.
+    A name says it as of `contourlab.logs.names`, or the path of what a channel records where its name does not; ``position.x`` is what it
+    says, whatever else sounds alike. Where no other column is named as a time, one of dates and times of day is, before all one that is named
+    so. Of several names there is a doubt.
     """
     found: dict[tuple[str, str], list[str]] = {}
     for channel in record.channels:
@@ -225,32 +220,7 @@ def _own(channel: Channel) -> tuple[str, str] | None:
 
 
 def _meaning(channel: Channel) -> tuple[str, str] | None:
-    own = _own(channel)
-    if own is not None:
-        return own
-    words = [word.casefold() for word in re.findall(r"[A-Za-z]+|\d+", re.sub(r"(?<=[a-z])(?=[A-Z])", " ", channel.name))]
-    if len(words) == 1 and words[0] in _TIME:
-        return TIME, ""
-    axis = _axis(words)
-    if axis is None:
-        return None
-    kinds = set(words)
-    if kinds & _VELOCITY:
-        return ("reference_velocity" if kinds & _REFERENCE else "velocity"), axis
-    if kinds & _REFERENCE:
-        return "reference", axis
-    return ("position", axis) if kinds & _POSITION else None
-
-
-def _axis(words: list[str]) -> str | None:
-    """Return the axis that words name: a letter, a letter at the end of a word such as "datax", or the number of a joint."""
-    for before, word in zip(["", *words], words, strict=False):
-        if before in ("joint", "axis") and word.isdigit() and int(word) < len(AXIS_LETTERS):
-            return AXIS_LETTERS[int(word)]
-    letters = {word for word in words if len(word) == 1 and word in AXIS_LETTERS}
-    if not letters:
-        letters = {word[-1] for word in words if word[-1] in "xyz" and word[:-1] in ("data", "axis", "ref", "pos", "enc")}
-    return letters.pop() if len(letters) == 1 else None
+    return _own(channel) or meant(channel.name) or meant(channel.symbol)
 
 
 def unknown(record: Record) -> str:

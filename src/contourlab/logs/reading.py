@@ -26,8 +26,8 @@ CUT = "the last line is cut short and left out"
 SHOWN = 40
 """Characters of a faulty cell that a message shows."""
 _UNIT = re.compile(r"\s*(?P<name>.*?)\s*[\[(]\s*(?P<unit>[^\])]*?)\s*[\])]\s*\Z")
-_NO_UNIT = re.compile(r".*,|\d+\s+[A-Za-z]|.*[A-Za-z]\s+\d+\Z")
-"""What is no unit though it stands in brackets: ``(64 bit)``, ``[u1, 1]``."""
+_NO_UNIT = re.compile(r".*,|\d+\s+[A-Za-z]|.*[A-Za-z]\s+\d+\Z|[XYZxyz]\Z")
+"""What is no unit though it stands in brackets: ``(64 bit)``, ``[u1, 1]``, ``PosFbk (X)``."""
 _EMPTY = frozenset(("", "nan", "-nan", "na", "n/a", "null", "none", "#n/a", "-"))
 _BITS = {"true": 1.0, "false": 0.0}
 

@@ -39,6 +39,8 @@ class Channel:
         How its values were understood, in words, for whoever uses them.
     fault : LogError or None
         Why its values cannot be told; to be raised by whoever needs them.
+    symbol : str
+        Path of what it records in the control, where the file says it beside the name.
     """
 
     name: str
@@ -48,6 +50,7 @@ class Channel:
     is_moment: bool = False
     notes: tuple[str, ...] = ()
     fault: LogError | None = None
+    symbol: str = ""
 
 
 @dataclass(frozen=True, eq=False)

@@ -21,7 +21,7 @@ TICK = 1e-7
 """Seconds of a file time, which counts from 1601."""
 FILE_TIME = 1e15
 """A time above this is a file time, not one in milliseconds."""
-NAME, PERIOD, UNIT = "Name", "SampleTime[ms]", "Unit"
+NAME, PERIOD, UNIT, SYMBOL = "Name", "SampleTime[ms]", "Unit", "SymbolName"
 LAST = ("Port", "BitMask", "Unit ScaleFactor", "Unit Offset")
 """Lines that the head of the channels may end with."""
 
@@ -47,7 +47,7 @@ def read(file: Path) -> Record:
         raise LogError("holds no samples", file=file)
     mark = written[0][1].lstrip('"').removeprefix(NAME).lstrip('"')[:1] or "\t"
     rows = [cells_of(line, mark) for _, line in written]
-    heads = {row[0]: row for row in rows[4:40] if row[0] in (NAME, PERIOD, UNIT, "SymbolName", "ScaleFactor")}
+    heads = {row[0]: row for row in rows[4:40] if row[0] in (NAME, PERIOD, UNIT, SYMBOL, "ScaleFactor")}
     for key in (NAME, PERIOD):
         if key not in heads:
             raise LogError(f"has no line {key} of its channels: is it an export of TwinCAT Scope?", file=file)
@@ -116,10 +116,15 @@ def _channel(heads: dict[str, list[str]], values: Array, head: int, column: int,
         seconds = (stamps - stamps[:1]) * TICK if stamps.size and stamps[0] > FILE_TIME else stamps * 1e-3
     else:
         seconds = np.arange(np.count_nonzero(there)) * period
-    said = heads[UNIT][head] if UNIT in heads and head < len(heads[UNIT]) else ""
     # "dV (Voltage)": the unit, and what it measures.
-    unit = said.partition("(")[0].strip()
-    return Channel(heads[NAME][head], values[there, column], unit, seconds)
+    unit = _said(heads, UNIT, head).partition("(")[0].strip()
+    return Channel(heads[NAME][head], values[there, column], unit, seconds, symbol=_said(heads, SYMBOL, head))
+
+
+def _said(heads: Mapping[str, Sequence[str]], key: str, head: int) -> str:
+    """Return what a line of the head says of a channel, nothing where it is not there."""
+    cells = heads.get(key, ())
+    return cells[head] if head < len(cells) else ""
 
 
 def _notes(heads: dict[str, list[str]]) -> tuple[str, ...]:

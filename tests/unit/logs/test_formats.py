@@ -34,6 +34,7 @@ def twincat(mark: str = "\t", comma: bool = False, timelines: str = "each", stam
     groups = {"each": [fast, slow], "all": [["pos"], ["cmd"], slow], "none": [fast, slow]}[timelines]
     heads = {
         "Name": {"pos": "pos", "cmd": "cmd", "load": "load"},
+        "SymbolName": {"pos": "Axes.Axis 1.ToPlc.ActPos", "cmd": "MAIN.cmd", "load": "MAIN.load"},
         "SampleTime[ms]": {"pos": "1", "cmd": "1", "load": "5"},
         "ScaleFactor": {"pos": "1", "cmd": "-10", "load": "1"},
         "Unit": {"pos": "mm (Length)", "cmd": "(None)", "load": "(None)"},
@@ -115,7 +116,7 @@ def test_halscope_in_both_forms(tmp_path: Path) -> None:
 def test_twincat(tmp_path: Path, mark: str, timelines: str) -> None:
     record = read_record(written(tmp_path, "a.csv", twincat(mark, mark in "\t;" and timelines != "none", timelines), "utf-8-sig"))
     assert record.names == ["pos", "cmd", "load"]
-    assert record.channel("pos").unit == "mm"
+    assert record.channel("pos").unit == "mm" and record.channel("pos").symbol == "Axes.Axis 1.ToPlc.ActPos"
     for name, every in (("pos", 1), ("cmd", 1), ("load", 5)):
         channel = record.channel(name)
         count = 10 // every

@@ -37,27 +37,6 @@ def test_columns_become_signals_in_si(tmp_path: Path) -> None:
     assert log.notes == ()
 
 
-@pytest.mark.parametrize(
-    ("name", "meaning"),
-    [
-        ("Encoder Feedback X/x", ("position", "x")),
-        ("Feed Reference DataY/RefCommand", ("reference", "y")),
-        ("joint.0.motor-pos-cmd", ("reference", "x")),
-        ("joint.2.motor-pos-fb", ("position", "z")),
-        ("axis.1.vel-cmd", ("reference_velocity", "y")),
-        ("X actual position", ("position", "x")),
-        ("position.b", ("position", "b")),
-        ("Zeit", ("time", "")),
-        ("excitation", None),
-        ("spindle speed", None),
-        ("x", None),
-    ],
-)
-def test_names_that_leave_no_doubt(name: str, meaning: tuple[str, str] | None) -> None:
-    found = guessed(record(Channel(name, np.arange(3.0))))
-    assert found == ({meaning: [name]} if meaning else {})
-
-
 def test_of_two_columns_that_would_be_one_signal_neither_is_taken() -> None:
     channels = [Channel(name, np.arange(3.0), "mm") for name in ("x pos", "x encoder", "y pos")]
     log = result_of(record(*channels, period=1e-3), Columns())
@@ -68,6 +47,13 @@ def test_of_two_columns_that_would_be_one_signal_neither_is_taken() -> None:
     # One of the two is the reference, so that the other leaves no doubt.
     log = result_of(record(*channels, period=1e-3), Columns(parse_columns(["reference.x=x pos"])))
     assert log.result.axes == ("x", "y") and not any("may be" in note for note in log.notes)
+
+
+def test_the_path_in_the_control_tells_what_a_name_does_not() -> None:
+    twice = [Channel(f"ActPos #{n}", np.arange(3.0), "mm", symbol=f"Axes.Axis {n}.ToPlc.ActPos") for n in (1, 2)]
+    said = Channel("Y raw encoder", np.arange(3.0), "mm", symbol="Axes.Axis 3.ToPlc.ActPos")
+    assert guessed(record(*twice)) == {("position", "x"): ["ActPos #1"], ("position", "y"): ["ActPos #2"]}
+    assert guessed(record(said)) == {("position", "y"): ["Y raw encoder"]}
 
 
 def test_a_column_named_as_a_signal_is_that_signal_whatever_else_sounds_alike() -> None:

@@ -1,0 +1,71 @@
+"""What columns are by the names that controls and people give them."""
+
+from __future__ import annotations
+
+import pytest
+
+from contourlab.logs.names import meant
+from contourlab.logs.reading import name_and_unit
+
+
+@pytest.mark.parametrize(
+    ("name", "meaning"),
+    [
+        ("Encoder Feedback X/x", ("position", "x")),
+        ("Feed Reference DataY/RefCommand", ("reference", "y")),
+        ("joint.0.motor-pos-cmd", ("reference", "x")),
+        ("joint.2.motor-pos-fb", ("position", "z")),
+        ("axis.1.vel-cmd", ("reference_velocity", "y")),
+        ("X actual position", ("position", "x")),
+        ("position.b", ("position", "b")),
+        ("Zeit", ("time", "")),
+        # TwinCAT, whose axes are counted from 1
+        ("ActPos X", ("position", "x")),
+        ("SETPOS_X", ("reference", "x")),
+        ("ActVelo Y", ("velocity", "y")),
+        ("SetVelo Y", ("reference_velocity", "y")),
+        ("Axes.Axis 1.ToPlc.ActPos", ("position", "x")),
+        ("Axes.Axis Z.ToPlc.SetPos", ("reference", "z")),
+        ("MAIN.fbAxis2.NcToPlc.ActPos", ("position", "y")),
+        ("MAIN.fbAxis2.NcToPlc.SetPos", ("reference", "y")),
+        ("Axis 1 SetPos", ("reference", "x")),
+        # Aerotech, Heidenhain, and logs of milling machines
+        ("PosCmd (X)", ("reference", "x")),
+        ("PosFbk (X)", ("position", "x")),
+        ("VelCmd (X)", ("reference_velocity", "x")),
+        ("Noml. pos X", ("reference", "x")),
+        ("Actual pos X", ("position", "x")),
+        ("X1_CommandPosition", ("reference", "x")),
+        ("X1_ActualPosition", ("position", "x")),
+        ("Position Command X", ("reference", "x")),
+        ("Position Feedback X", ("position", "x")),
+        ("X Demand Position", ("reference", "x")),
+        ("DES_POS X", ("reference", "x")),
+        ("Lagesollwert X", ("reference", "x")),
+        ("current position X", ("position", "x")),
+    ],
+)
+def test_names_that_leave_no_doubt(name: str, meaning: tuple[str, str]) -> None:
+    assert meant(name) == meaning
+
+
+@pytest.mark.parametrize(
+    "name",
+    [
+        *("excitation", "spindle speed", "x", "Command X", "set x"),
+        # No position, though an actual value, or the difference of two
+        *("PosErr (X)", "MAIN.fbAxis1.NcToPlc.PosDiff", "MAIN.fbAxis1.NcToPlc.ActTorque", "X1_CurrentFeedback", "X1_CommandAcceleration"),
+        *("Axes.Axis 1.ToPlc.ModuloActPos", "Axes.Axis 1.ToPlc.TargetPos", "X Lag", "REF ACTL X"),
+        # Acceleration, velocity and voltage rather than axes of these letters
+        *("a actual", "V ACTUAL", "V (NOM RPM)", "U nominal"),
+        # Which axis is not sure
+        *("ENC1_POS|1", "DES_POS|1", "G.axis[1].NcToPlc.ActPos", "Axis0 SetPos", "ActPos"),
+    ],
+)
+def test_names_in_doubt_say_nothing(name: str) -> None:
+    assert meant(name) is None
+
+
+def test_an_axis_in_brackets_is_no_unit() -> None:
+    assert name_and_unit("PosFbk (X)") == ("PosFbk (X)", "")
+    assert name_and_unit("PosFbk (X) (mm)") == ("PosFbk (X)", "mm")
