@@ -18,6 +18,8 @@ GAP = 1.5
 """Periods between two samples from which on one is missing."""
 MOST_MISSING = 0.05
 """Part of the samples that may be missing before a log is refused: what would be judged is mostly interpolation."""
+FEW = 3
+"""Gaps up to which a record is even but for them."""
 EVEN = 1e-3
 """Jitter over the period below which samples are taken as even: times are rounded when they are written."""
 
@@ -61,23 +63,35 @@ class ClockReport:
         """Number of samples that are missing."""
         return sum(gap.missing for gap in self.gaps)
 
-    def lines(self) -> list[str]:
-        """Return what there is to say, in words; nothing for an even clock."""
+    def lines(self, period: float | None = None) -> list[str]:
+        """Return what there is to say, in words; nothing for an even clock.
+
+        Parameters
+        ----------
+        period : float [s], optional
+            Of the clock that the values were put on; by default their own.
+        """
+        onto = self.period if period is None else period
         found = []
         if self.jitter_peak > EVEN * self.period:
             found.append(f"times jitter by {show(self.jitter_rms, 'us', 3)} rms, {show(self.jitter_peak, 'us', 3)} at most")
         if self.gaps:
-            worst = max(self.gaps, key=lambda gap: gap.missing)
-            where = "1 gap" if len(self.gaps) == 1 else f"{len(self.gaps)} gaps"
-            samples = f"{self.missing} of {self.n_sample + self.missing} samples"
-            found.append(f"{samples} are missing, in {where}; the longest of {worst.missing} at t = {worst.time:.6g} s")
+            found.append(f"{self.missing} of {self.n_sample + self.missing} samples are missing, {self._gaps()}")
         if self.repeated:
             many = self.repeated > 1
             words = ("samples repeat", "were") if many else ("sample repeats", "was")
             found.append(f"{self.repeated} {words[0]} the time of the one before and {words[1]} left out")
         if self.resampled:
-            found.append(f"interpolated to an even clock of {show(self.period, 'us')}")
+            own = f"a sample every {show(self.period, 'us')}, " if abs(onto - self.period) > EVEN * onto else ""
+            found.append(f"{own}interpolated to an even clock of {show(onto, 'us')}")
         return found
+
+    def _gaps(self) -> str:
+        """Return how many gaps there are, and between which samples the longest is."""
+        worst = max(self.gaps, key=lambda gap: gap.missing)
+        end = worst.time + (worst.missing + 1) * self.period
+        longest = f"{worst.missing} from t = {worst.time:.6g} s to {end:.6g} s"
+        return f"in 1 gap of {longest}" if len(self.gaps) == 1 else f"in {len(self.gaps)} gaps; the longest of {longest}"
 
 
 def look_at_clock(time: Array, name: str, file: Path, period: float | None = None) -> tuple[ClockReport, NDArray[np.bool_]]:
@@ -115,11 +129,18 @@ def look_at_clock(time: Array, name: str, file: Path, period: float | None = Non
     report = ClockReport(usual, even.size, float(np.sqrt(np.mean(jitter**2))), float(np.abs(jitter).max()), gaps, int((~kept).sum()))
     if report.missing > MOST_MISSING * (report.n_sample + report.missing):
         raise LogError(
-            f"{report.missing} of {report.n_sample + report.missing} samples of {name!r} are missing at a period of {show(usual, 'us')}: "
-            "that is no even sampling, or the wrong period",
+            f"{report.missing} of {report.n_sample + report.missing} samples of {name!r} are missing at a period of {show(usual, 'us')}, "
+            f"{report._gaps()}: {_too_much(report)}",
             file=file,
         )
     return report, kept
+
+
+def _too_much(report: ClockReport) -> str:
+    """Return what may be wrong where too much is missing: a few gaps are in the record, many are in its clock."""
+    if len(report.gaps) <= FEW:
+        return "cut the log there and take the parts apart"
+    return "that is no even sampling, or the wrong period"
 
 
 def _kept(time: Array, name: str, file: Path) -> NDArray[np.bool_]:

@@ -16,6 +16,7 @@ from contourlab.logs.mapping import SIGNALS, Column, Columns, guessed, unknown
 from contourlab.logs.moments import RIGHT
 from contourlab.logs.names import TIME
 from contourlab.logs.record import AXIS_LETTERS, Channel, Record
+from contourlab.logs.record import said as names_said
 from contourlab.result import Result, Signal
 from contourlab.units import from_si, show, si_unit, to_si
 
@@ -54,9 +55,17 @@ class Log:
     record: Record
     columns: tuple[Column, ...]
     clocks: dict[str, ClockReport]
-    notes: tuple[str, ...]
+    notes: tuple[str, ...] = ()
     start: float = 0.0
     doubtful: tuple[str, ...] = ()
+
+    def clock_notes(self) -> list[str]:
+        """Return what there is to say of the channels' times, and of which channels where it is not of all."""
+        of: dict[str, list[str]] = {}
+        for name, report in self.clocks.items():
+            for line in report.lines(self.result.servo_period):
+                of.setdefault(line, []).append(name)
+        return [line if len(names) == len(self.clocks) else f"{names_said(names)}: {line}" for line, names in of.items()]
 
     def gaps_at(self, time: float) -> list[str]:
         """Return the channels of positions that have a gap at a time [s] of the result: what stands there is a line between samples."""
@@ -150,8 +159,8 @@ def result_of(record: Record, given: Columns) -> Log:
     )
     by_name = [f"{column.target} {column.column!r}" for column in more if column.signal != TIME and not _is_its_own(column)]
     said = [f"taken by their names: {', '.join(by_name)}"] if by_name else []
-    spoken = dict.fromkeys(line for report in clocks.values() for line in report.lines())
-    return Log(result, record, columns, clocks, (*record.notes, *said, *doubtful, *how, *notes, *spoken), clock[1], tuple(doubtful))
+    found = Log(result, record, columns, clocks, start=clock[1], doubtful=tuple(doubtful))
+    return replace(found, notes=(*record.notes, *said, *doubtful, *how, *notes, *found.clock_notes()))
 
 
 def _guessed(record: Record, given: Columns) -> tuple[list[Column], list[str]]:

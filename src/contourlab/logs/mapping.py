@@ -194,8 +194,8 @@ def guessed(record: Record) -> dict[tuple[str, str], list[str]]:
     """Return which columns each signal and axis may be by their names: a time, and for each axis a reference, a position, a velocity.
 
     A name says it as of `contourlab.logs.names`, or the path of what a channel records where its name does not; ``position.x`` is what it
-    says, whatever else sounds alike. Where no other column is named as a time, one of dates and times of day is, before all one that is named
-    so. Of several names there is a doubt.
+    says, whatever else sounds alike. Where no other column is named as a time, one of dates and times of day is, before all one that is
+    named so. Of several names there is a doubt.
     """
     found: dict[tuple[str, str], list[str]] = {}
     for channel in record.channels:

@@ -120,8 +120,7 @@ def _run(scenario: Scenario, choice: LogChoice, several: bool) -> LogRun:
     label = scenario.file.stem if several else Path(choice.file).stem
     log = open_log(choice)
     run = log_run(scenario.machine, scenario.controller, log.result, label)
-    clocks = dict.fromkeys(f"{label}: {line}" for report in log.clocks.values() for line in report.lines())
-    return replace(run, notes=(*run.notes, *clocks))
+    return replace(run, notes=(*run.notes, *(f"{label}: {line}" for line in log.clock_notes())))
 
 
 def _windows(texts: Sequence[str], count: int) -> list[Window | None]:

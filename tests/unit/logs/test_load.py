@@ -164,7 +164,24 @@ def test_gaps_are_counted_where_they_are() -> None:
     report, _ = look_at_clock(time, "a", FILE)
     assert [(round(gap.time, 6), gap.missing) for gap in report.gaps] == [(0.049, 3), (0.119, 1)]
     assert report.period == pytest.approx(1e-3)
-    assert "4 of 200 samples are missing, in 2 gaps; the longest of 3 at t = 0.049 s" in report.lines()[0]
+    assert "4 of 200 samples are missing, in 2 gaps; the longest of 3 from t = 0.049 s to 0.053 s" in report.lines()[0]
+
+
+def test_too_large_a_gap_is_refused_with_its_place() -> None:
+    time = np.arange(400) * 1e-3
+    words = r"40 of 400 samples of 'a' are missing at a period of 1000 us, in 1 gap of 40 from t = 0.099 s to 0.14 s: cut the log there"
+    with pytest.raises(LogError, match=words):
+        look(np.delete(time, range(100, 140)))
+    with pytest.raises(LogError, match=r"in 80 gaps; the longest of 1 from t = 0 s to 0.002 s: that is no even sampling, or the wrong"):
+        look(np.delete(time, range(1, 400, 5)))
+
+
+def test_what_is_interpolated_is_said_with_the_clock_it_is_on() -> None:
+    t = np.arange(101) * 1e-3
+    fast, slow = (Channel(name, time, "mm", time) for name, time in (("x act", t), ("x ref", t[::2])))
+    log = result_of(record(fast, slow), Columns())
+    assert log.result.servo_period == 1e-3 and log.result.n_sample == 101
+    assert log.notes[-1] == "'x ref': a sample every 2000 us, interpolated to an even clock of 1000 us"
 
 
 @pytest.mark.parametrize(
