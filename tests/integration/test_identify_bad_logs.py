@@ -116,7 +116,7 @@ REFUSED: dict[str, tuple[Callable[[Log], Log], str]] = {
 def test_what_tells_nothing_is_refused(tmp_path: Path, capsys: pytest.CaptureFixture[str], model: str, case: str) -> None:
     spoil, words = REFUSED[case]
     code, _, said = identified(tmp_path, model, spoil(good(model)), capsys)
-    assert code == 2 and words in said
+    assert code == 2 and words in said and "log.csv: " in said
 
 
 @pytest.mark.parametrize("model", MODELS)

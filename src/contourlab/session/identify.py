@@ -52,9 +52,9 @@ def identify_log(
     Raises
     ------
     LogError, ResultError
-        If a log cannot be read or lacks a signal.
+        If a log cannot be read or lacks a signal, or the axis cannot be identified from the logs; says which.
     ParameterError
-        If an option is out of range, or the axis cannot be identified from the logs.
+        If an option is out of range.
     OutputError
         If `out` or `folder` cannot be written; found before a log is read.
     """
@@ -63,7 +63,8 @@ def identify_log(
     if out is not None:
         check_file(out)
     with staged(folder, alone=False, option="--folder") if plots else nullcontext() as stage:
-        found = study(request)
+        with request.about():
+            found = study(request)
         found = replace(found, remarks=(*found.remarks, *request.doubts))
         text = _text(found, request.notes)
         if stage is not None:

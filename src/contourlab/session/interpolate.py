@@ -11,7 +11,8 @@ from typing import Any
 from contourlab.analysis.interpolation import interpolation_order
 from contourlab.analysis.quadrature import QuadratureConstants, fit_ellipse
 from contourlab.analysis.quadrature_tracking import track_ellipse
-from contourlab.errors import ParameterError, ResultError, UnitError
+from contourlab.errors import ParameterError, UnitError
+from contourlab.logs.naming import about
 from contourlab.session.interpolate_text import counts_csv, summary_json, summary_text
 from contourlab.session.interpolated_record import InterpolatedRecord
 from contourlab.session.quadrature_record import read_quadrature
@@ -80,15 +81,11 @@ def interpolate_file(
     period, count = _length("--pitch", pitch, "20 um"), _length("--resolution", resolution, "25 nm")
     order = interpolation_order(period, count)
     record = read_quadrature(file, columns, reference)
-    try:
+    with about(record.source.file, options=("forgetting",)):
         fit = fit_ellipse(record.u1, record.u2)
         circle = QuadratureConstants(amplitude=fit.constants.amplitude)
         tracked = None if forgetting is None else track_ellipse(record.u1, record.u2, circle, forgetting=forgetting)
         constants = fit.constants if tracked is None else tracked.constants()
-    except ParameterError as error:
-        if error.name == "forgetting":
-            raise
-        raise ResultError(f"{record.source.file}: {error}") from error
     judged = InterpolatedRecord(record, period, order, fit, tracked, forgetting, constants)
     summary = judged.summary()
     if out is not None:

@@ -15,6 +15,7 @@ from numpy.typing import NDArray
 from contourlab import __version__
 from contourlab.errors import LogError, ParameterError, ResultError, UnitError
 from contourlab.logs import Log
+from contourlab.logs.naming import about
 from contourlab.metrics import reversal_figures
 from contourlab.metrics.circles import pairs
 from contourlab.result import write_text_atomic
@@ -114,10 +115,11 @@ def _judged(choice: LogChoice, reference: str | None = None, shift: str | None =
     log = open_log(choice, more)
     axes = tuple(choice.axes)
     path = program_path(program, axes or log.result.axes) if program else None
-    try:
-        found = measure(log.result, path, axes or None, shift=_shift(shift, axes or log.result.axes))
-    except ResultError as error:
-        raise ResultError("; ".join([str(error), *log.doubtful])) from error
+    with about(choice.file):
+        try:
+            found = measure(log.result, path, axes or None, shift=_shift(shift, axes or log.result.axes))
+        except ResultError as error:
+            raise ResultError("; ".join([str(error), *log.doubtful])) from error
     found = replace(found, notes=(*found.notes, *gap_words(log, found, of_samples=path is None)))
     return _Judged(log.result.scheme, log, found)
 

@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from contourlab.errors import ParameterError, UnitError
+from contourlab.logs.naming import about
 from contourlab.result import write_text_atomic
 from contourlab.session.folder import check_file, staged
 from contourlab.session.log_choice import LogChoice, open_log, told_apart
@@ -119,7 +120,8 @@ def _read(files: Sequence[str | Path], plugins: Sequence[str | Path]) -> list[Sc
 def _run(scenario: Scenario, choice: LogChoice, several: bool) -> LogRun:
     label = scenario.file.stem if several else Path(choice.file).stem
     log = open_log(choice)
-    run = log_run(scenario.machine, scenario.controller, log.result, label)
+    with about(choice.file):
+        run = log_run(scenario.machine, scenario.controller, log.result, label)
     return replace(run, notes=(*run.notes, *(f"{label}: {line}" for line in log.clock_notes())))
 
 

@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, field, replace
+from contextlib import AbstractContextManager
+from dataclasses import dataclass, field, fields, replace
 from functools import cached_property
 from pathlib import Path
 
 from contourlab.errors import ParameterError, UnitError
 from contourlab.logs import Log
+from contourlab.logs.naming import about
 from contourlab.session.log_choice import LogChoice, open_log, positive, told_apart
 from contourlab.studies.identification.doubts import doubts
 from contourlab.studies.identification.signals import AxisRecord, axis_pieces, longest_piece, newtons_per, samples_digest
@@ -85,6 +87,10 @@ class Request:
             self.doubts.extend(f"{records[0].source} has the samples of {first}: they count twice" for first in named)
             named.append(records[0].source)
         return [record for records in found for record in records]
+
+    def about(self) -> AbstractContextManager[None]:
+        """Return what gives errors about samples the names of the logs; see `contourlab.logs.naming.about`."""
+        return about(*self._names.values(), options=[each.name for each in fields(self)])
 
     def _check_once(self) -> None:
         """Refuse a log that is given twice, by whatever path."""

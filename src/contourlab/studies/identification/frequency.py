@@ -12,6 +12,7 @@ from contourlab.analysis.frequency_response import Measured, MeasuredResponse, p
 from contourlab.analysis.response_doubts import response_doubts
 from contourlab.analysis.sine_response import sine_responses, sine_stretch
 from contourlab.analysis.swept_response import is_sweep, swept_response
+from contourlab.logs.naming import about
 from contourlab.studies.identification.finding import Drawn, Finding, Graph, Picture
 from contourlab.studies.identification.signals import AxisRecord, one_unit
 
@@ -37,11 +38,13 @@ def measured_response(records: Sequence[AxisRecord]) -> MeasuredResponse:
     ------
     ResultError
         If a log has no command, or commands are in different units.
+    LogError
+        If command or position of a record do not change; says which.
     ParameterError
-        If a record does not move, is too short, or has nothing that can be trusted.
+        If a record is too short, or has nothing that can be trusted.
     """
     one_unit(records, "one response")
-    runs = [Measured(record.period, record.driven(), record.position, _outside(record)) for record in records]
+    runs = [_run(record) for record in records]
     excitations = [run.command if run.outside is None else run.outside for run in runs]
     if any(sine_stretch(excitation, run.period) is not None for excitation, run in zip(excitations, runs, strict=True)):
         return sine_responses(runs, [record.source for record in records])
@@ -51,6 +54,11 @@ def measured_response(records: Sequence[AxisRecord]) -> MeasuredResponse:
     if repeats is not None:
         return periodic_response(runs[0], repeats)
     return swept_response(runs[0]) if is_sweep(excitations[0]) else spectral_response(runs)
+
+
+def _run(record: AxisRecord) -> Measured:
+    with about(record.source):
+        return Measured(record.period, record.driven(), record.position, _outside(record))
 
 
 def _outside(record: AxisRecord) -> Any:

@@ -8,6 +8,7 @@ import numpy as np
 
 from contourlab.analysis.constant_speed import Stretch, StretchSettings, constant_speed_stretches
 from contourlab.analysis.friction_curve import FrictionCurve, FrictionFit, fit_friction
+from contourlab.logs.naming import about
 from contourlab.studies.identification.finding import (
     Carried,
     Drawn,
@@ -45,13 +46,18 @@ def identify_friction(records: Sequence[AxisRecord], settings: StretchSettings |
     ------
     ResultError
         If a log has no command, or the logs' commands are in different units.
+    LogError
+        If the signals of a record are not finite; says which.
     ParameterError
         If there are fewer than three stretches of constant speed, or what drives the axis helps its motion.
     """
     unit = one_unit(records, "one friction curve")
     stretches: list[Stretch] = []
     for record in records:
-        stretches += constant_speed_stretches(record.period, record.position, record.driven(), record.reference, settings, record.source)
+        with about(record.source):
+            stretches += constant_speed_stretches(
+                record.period, record.position, record.driven(), record.reference, settings, record.source
+            )
     heard = {stretch.source for stretch in stretches}
     silent = [source for source in sources_of(records) if source not in heard]
     fit = fit_friction(*_points(stretches))

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from dataclasses import fields
 
 import numpy as np
 
@@ -15,6 +16,7 @@ from contourlab.analysis.inverse_dynamics import (
 )
 from contourlab.components.origin import Origin
 from contourlab.errors import ResultError
+from contourlab.logs.naming import about
 from contourlab.studies.identification.finding import (
     Carried,
     Figure,
@@ -52,11 +54,18 @@ def identify_rigid(record: AxisRecord, settings: InverseDynamicsSettings | None 
     ------
     ResultError
         If a log has no force.
+    LogError
+        If a record tells no axis, as of `contourlab.analysis.inverse_dynamics.identify_inverse_dynamics`; says which.
     ParameterError
-        As of `contourlab.analysis.inverse_dynamics.identify_inverse_dynamics`.
+        If a setting is out of range for it.
     """
-    fit = identify_inverse_dynamics(record.time, record.position, _force(record), settings)
-    there = None if second is None else cross_validate(fit, second.time, second.position, _force(second))
+    options = [each.name for each in fields(InverseDynamicsSettings)]
+    with about(record.source, options=options):
+        fit = identify_inverse_dynamics(record.time, record.position, _force(record), settings)
+    there = None
+    if second is not None:
+        with about(second.source, options=options):
+            there = cross_validate(fit, second.time, second.position, _force(second))
     forces = forces_of([record])
     known = np.maximum(fit.deviations, fit.robust_deviations)
     worth = carried(lambda x: _numbers(forces, x), fit.names, fit.values, known, fit.correlation)
