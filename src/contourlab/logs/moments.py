@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
@@ -10,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from contourlab.errors import LogError
-from contourlab.logs.moment_cell import DAY, DAY_FIRST, MONTH_FIRST, NAMED, SECOND, UNTOLD, YEAR_FIRST, Cell, taken_apart
+from contourlab.logs.moment_cell import DAY, DAY_FIRST, MONTH_FIRST, NAMED, SECOND, UNTOLD, YEAR_FIRST, Cell, is_moment, taken_apart
 from contourlab.logs.reading import called, is_empty, number, shown
 
 __all__ = ["EXAMPLE", "RIGHT", "Moments", "moments_of"]
@@ -99,6 +100,7 @@ def moments_of(
             read[j] = _taken_apart(texts, places[j])
         except LogError as error:
             found[j] = _at_fault(error, len(texts))
+    untold = [moments.fault.message.removesuffix(f": {RIGHT}") for j, moments in found.items() if moments.fault and _are_dates(columns[j])]
     joined = _join_milliseconds(read, milliseconds or {}, places)
     clocks = [j for j, column in read.items() if column.first.date is None]
     dates = [j for j, column in read.items() if column.first.clock is None]
@@ -110,6 +112,8 @@ def moments_of(
             found[j] = _at_fault(fault, len(column.cells))
         elif j in clocks and len(named) == 1:
             found[j] = _with_dates(column, read[named[0]], places[j], places[named[0]])
+        elif j in clocks and (why := untold if not named else [f"they are in {' or '.join(repr(names[k]) for k in named)}"]):
+            found[j] = _without_dates(column, places[j], "; ".join(why))
         else:
             found[j] = _told(column, column, places[j])
         if j in joined:
@@ -160,9 +164,20 @@ def _with_dates(clocks: _Column, dates: _Column, place: _Place, of_dates: _Place
     found = _told(clocks, dates, of_dates)
     if found.fault is None:
         return Moments(found.seconds, (f"the dates in {of_dates.name!r} and the times of day in {place.name!r} are taken together",))
-    why = f"the times of day in {place.name!r} are taken without their dates: {found.fault.message.removesuffix(f': {RIGHT}')}"
+    return _without_dates(clocks, place, found.fault.message)
+
+
+def _without_dates(clocks: _Column, place: _Place, why: str) -> Moments:
+    """Return the moments of times of day whose dates cannot be told, and say why not."""
     alone = _told(clocks, clocks, place)
-    return Moments(alone.seconds, (why, *alone.notes))
+    said = f"the times of day in {place.name!r} are taken without their dates: {why.removesuffix(f': {RIGHT}')}"
+    return replace(alone, notes=(said, *alone.notes))
+
+
+def _are_dates(texts: Sequence[str]) -> bool:
+    """Tell whether a column looks like one of dates without times of day, told for sure or not."""
+    first = next((text.strip(' "') for text in texts if not is_empty(text.strip(' "'))), "")
+    return is_moment(first) and re.search(r":|\dT\d", first) is None
 
 
 def _told(clocks: _Column, dates: _Column, place: _Place) -> Moments:

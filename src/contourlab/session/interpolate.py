@@ -73,6 +73,8 @@ def interpolate_file(
     ------
     ResultError
         If the file is no record of quadrature signals, with its line where there is one.
+    LogError
+        If its signals tell no ellipse.
     ParameterError, UnitError
         If pitch, resolution or forgetting make no sense.
     OutputError

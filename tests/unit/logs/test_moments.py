@@ -164,6 +164,22 @@ def test_a_date_and_a_time_of_day_in_two_columns_are_one_moment(tmp_path: Path, 
     assert said in " ".join(found.notes)
 
 
+@pytest.mark.parametrize("date", ["22.11.26", "22-Nov-26", "22-SEPT-26", "22-Okt-2026", "22/11/26"])
+def test_a_date_that_cannot_be_told_is_passed_over_with_its_reason(tmp_path: Path, date: str) -> None:
+    times = ["23:59:59.998", "23:59:59.999", "00:00:00.000", "00:00:00.001"]
+    found = load_log(in_two(tmp_path, [f"{date};{time}" for time in times]))
+    assert found.result.servo_period == pytest.approx(1e-3, rel=1e-9)
+    why = f"'{date}' in column 'Date' is no date and time that can be told for sure"
+    assert f"the times of day in 'Time' are taken without their dates: {why}" in found.notes
+    assert "times of day in 'Time' run past midnight, and are counted on" in found.notes
+
+
+def test_of_two_columns_of_dates_neither_goes_with_the_times_and_that_is_said(tmp_path: Path) -> None:
+    rows = [f"2024-05-31;2024-05-30;14:03:21.{k:03d}" for k in range(4)]
+    found = load_log(in_two(tmp_path, rows, "run;made;Time"))
+    assert "the times of day in 'Time' are taken without their dates: they are in 'run' or 'made'" in found.notes
+
+
 SPLIT = ["31.05.2024;23:59:59;998", "31.05.2024;23:59:59;999", "01.06.2024;00:00:00;000", "01.06.2024;00:00:00;001"]
 
 
