@@ -11,6 +11,7 @@ import numpy as np
 
 from contourlab.studies.division import DivisionCost
 from contourlab.studies.link_sweep import CHUNK, GROWN, QUANTITIES, LinkSweep
+from contourlab.studies.link_values import EACH, FARTHER
 
 __all__ = ["SHOWN", "Costs", "link_lines", "link_summary"]
 
@@ -79,7 +80,9 @@ def _words(quantity: str) -> str:
 
 
 def _amount(quantity: str, value: float) -> str:
-    return f"{100.0 * value:.3g} %" if quantity == "loss" else f"{value * 1e3:.4g} ms"
+    if quantity == "loss":
+        return f"{100.0 * value:.3g} %"
+    return f"{value * 1e3:.4g} ms" if value < 9.9995 else f"{value:.4g} s"
 
 
 def _most(sweep: LinkSweep) -> str:
@@ -115,10 +118,14 @@ def _looked_at(costs: Costs, heads: Sequence[str]) -> Iterator[str]:
     for head in heads:
         sweep = costs.divisions[0].sweeps[head]
         if sweep.values.size > 1:
-            steps = np.diff(sweep.values)
-            each, to = (_amount(head, value) for value in (float(steps.max()), sweep.asked))
-            closer = ", closer at the start and ahead of a limit" if steps.min() < 0.99 * steps.max() else ""
-            grids.setdefault(f"every {each} up to {to}{closer}", []).append(_words(head))
+            least = float(np.diff(sweep.values).min())
+            each, near, to = (_amount(head, value) for value in (least, EACH * least, sweep.asked))
+            grid = f"every {each} up to {to}"
+            if round(sweep.asked / least) > EACH:
+                grid = (
+                    f"every {each} up to {near}, beyond in steps of {100.0 / FARTHER:.2g} % at most up to {to}, and each ahead of a limit"
+                )
+            grids.setdefault(grid, []).append(_words(head))
     if grids:
         yield "looked at: " + "; ".join(f"{', '.join(named)} {grid}" for grid, named in grids.items())
 

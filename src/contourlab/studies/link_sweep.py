@@ -19,6 +19,7 @@ from contourlab.feed import Reference
 from contourlab.loop import Controller, Division, Machine, simulate_batch
 from contourlab.loop.tool import stream_of
 from contourlab.studies.idealise import perfect_sensing, undisturbed, unlimited, without_friction
+from contourlab.studies.link_values import EACH, LOSSES, passed_over, times
 
 __all__ = ["CHUNK", "FIGURES", "GROWN", "QUANTITIES", "SEEDS", "WAYS", "LinkSetting", "LinkSweep", "divided", "swept"]
 
@@ -34,11 +35,8 @@ WAYS = {
 }
 SEEDS = 8
 """Runs of which the worst counts where chance plays a part."""
-LOSSES = np.linspace(0.0, 0.98, 50)
 CHUNK = 32
 """Values that run at once; where none of them holds no more are looked at."""
-STEPS = 256
-"""Most values of a time that are looked at."""
 LARGE, LARGEST = 200, 700
 """States of a linear model beyond which it is worked out now and then only, and not at all."""
 COLUMNS = ("values", "error", "median", "growth", "repeats")
@@ -297,24 +295,11 @@ def _linear(machine: Machine, controller: Controller) -> Iterator[DividedLoop]:
         return
 
 
-def _ticks(quantity: str, period: float, longest: float) -> Array:
-    """Return the values of a time that are looked at, in servo periods: each of them where that are not too many, else even steps.
-
-    Below the first of those the values double, so that a limit there is seen too.
-    """
-    if not longest >= period:
-        raise ParameterError("longest", f"{longest:g}", f">= the servo period, {period:g}", "s")
-    last = math.floor(longest / period + 1e-9)
-    step = max(1, math.ceil(last / STEPS))
-    fine = 2 ** np.arange(step.bit_length())
-    found = np.union1d(fine[fine < step], np.arange(0, last + 1, step)).astype(float)
-    return found[1:] if quantity == "message_period" else found
-
-
 def swept(setting: LinkSetting, quantity: str, longest: float) -> LinkSweep:
-    """Return the contour error over a quantity of the links, from the least value on, at most to where nothing holds over `CHUNK` values.
+    """Return the contour error over a quantity of the links, from the least value on, at most to where there is nothing more to find.
 
-    Where values have been passed over ahead of the first one that does not hold, up to `CHUNK` of them are looked at as well.
+    That is where nothing holds over `CHUNK` values, and either the limits of stability are found that can be told or `EACH` values were
+    looked at. What the grid of times passes over ahead of a limit, of the error or of stability, is looked at too, to each servo period.
 
     Parameters
     ----------
@@ -332,42 +317,66 @@ def swept(setting: LinkSetting, quantity: str, longest: float) -> LinkSweep:
     if quantity not in QUANTITIES:
         raise ParameterError("quantity", repr(quantity), "one of " + ", ".join(QUANTITIES))
     period = setting.machine.servo_period
-    values = LOSSES if quantity == "loss" else _ticks(quantity, period, longest) * period
+    values = LOSSES if quantity == "loss" else times(quantity, period, longest)
     parts: list[tuple[Array, ...]] = []
     for i in range(0, len(values), CHUNK):
-        known = any((growth >= 1.0).any() for _, _, _, growth, _ in parts)
-        parts.append(_looked_at(setting, quantity, values[i : i + CHUNK], known))
-        if not (parts[-1][1] <= setting.allowed).any():
+        chunk = values[i : i + CHUNK]
+        parts.append(_looked_at(setting, quantity, chunk, chunk[-1], _unstable_at(parts)))
+        found = _joined(setting, quantity, parts, float(values[-1]))
+        if not (parts[-1][1] <= setting.allowed).any() and (i + CHUNK >= EACH or not _stable_to_the_end(found)):
             break
-    found = _joined(setting, quantity, parts, float(values[-1]))
-    between = np.zeros(0) if quantity == "loss" else _passed_over(found, period)
-    return _joined(setting, quantity, [*parts, _looked_at(setting, quantity, between)], found.asked) if between.size else found
+    return found if quantity == "loss" else _closed_in(setting, found, parts)
 
 
-def _looked_at(setting: LinkSetting, quantity: str, values: Array, unstable: bool = False) -> tuple[Array, ...]:
-    """Return the columns of a sweep at some values; the linear model is left out behind the first one at which it is unstable."""
+def _looked_at(setting: LinkSetting, quantity: str, values: Array, surely: float, unstable: float) -> tuple[Array, ...]:
+    """Return the columns of a sweep at some values, in the order of `COLUMNS`.
+
+    The linear model, if it is large, is worked out at one value only, and never from the first one on at which it is unstable.
+    """
     errors = setting.errors(quantity, values)
     growth = np.full(len(values), math.nan)
     for j, value in enumerate(values.tolist()):
-        if unstable:
+        if value >= unstable:
             break
-        growth[j] = setting.growth(quantity, value, LARGEST if j == len(values) - 1 else LARGE)
-        unstable = bool(growth[j] >= 1.0)
+        growth[j] = setting.growth(quantity, value, LARGEST if value == surely else LARGE)
+        if growth[j] >= 1.0:
+            unstable = value
     worst = np.where(np.isnan(errors).any(axis=1), math.nan, errors.max(axis=1))
     return values, worst, np.median(errors, axis=1), growth, setting.repeats(quantity, values)
 
 
+def _unstable_at(parts: Sequence[tuple[Array, ...]]) -> float:
+    """Return the first value at which the linear model is known to be unstable; infinite if there is none."""
+    return min((float(values[growth >= 1.0].min()) for values, _, _, growth, _ in parts if (growth >= 1.0).any()), default=math.inf)
+
+
+def _stable_to_the_end(sweep: LinkSweep) -> bool:
+    """Tell whether the loop is stable as far as was looked, by the linear model or as it was simulated: its limit is farther on."""
+    return math.isinf(sweep.stable_linear) or math.isinf(sweep.stable_simulated)
+
+
 def _joined(setting: LinkSetting, quantity: str, parts: Sequence[tuple[Array, ...]], asked: float) -> LinkSweep:
-    columns = [np.concatenate(column) for column in zip(*parts, strict=True)]
-    order = np.argsort(columns[0], kind="stable")
+    """Return one sweep of several parts; of a value in two of them the later one counts."""
+    columns = [np.concatenate(column[::-1]) for column in zip(*parts, strict=True)]
+    _, order = np.unique(columns[0], return_index=True)
     found = {name: column[order] for name, column in zip(COLUMNS, columns, strict=True)}
     return LinkSweep(quantity, **found, allowed=setting.allowed, asked=asked)
 
 
-def _passed_over(sweep: LinkSweep, period: float) -> Array:
-    """Return values between the last one that holds and the first that does not, whole servo periods, `CHUNK` at most."""
-    if sweep.limited_by is None or math.isnan(sweep.most):
-        return np.zeros(0)
-    good, bad = (round(value / period) for value in (sweep.most, sweep.limited_by[0]))
-    step = max(1, math.ceil((bad - good) / (CHUNK + 1)))
-    return period * np.arange(good + step, bad, step, dtype=float)
+def _closed_in(setting: LinkSetting, sweep: LinkSweep, parts: list[tuple[Array, ...]]) -> LinkSweep:
+    """Return a sweep in which no servo period is passed over ahead of a limit."""
+    period, tried = setting.machine.servo_period, set[float]()
+    while True:
+        values, none, grown = sweep.values, np.zeros(len(sweep.values), dtype=bool), sweep.repeats > 1.0 + GROWN
+        evenly = passed_over(values, ~sweep.holds, none, period, CHUNK), passed_over(values, grown, np.isnan(sweep.repeats), period, CHUNK)
+        wanted, surely = np.setdiff1d(np.concatenate(evenly), values), math.nan
+        # One value of the linear model takes as long as many runs.
+        middle = passed_over(values, sweep.growth >= 1.0, np.isnan(sweep.growth), period, 1)
+        if middle.size and middle[0] not in tried:
+            surely = float(middle[0])
+            tried.add(surely)
+            wanted = np.union1d(wanted, middle)
+        if not wanted.size:
+            return sweep
+        parts.append(_looked_at(setting, sweep.quantity, wanted, surely, _unstable_at(parts)))
+        sweep = _joined(setting, sweep.quantity, parts, sweep.asked)

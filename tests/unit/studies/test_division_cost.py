@@ -7,6 +7,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from numpy.typing import NDArray
 
 import contourlab as cl
 from contourlab.components.link.ideal import IdealLink
@@ -15,7 +16,9 @@ from contourlab.errors import DivergenceError, ParameterError
 from contourlab.loop import Division, simulate_batch
 from contourlab.scenario import load_controller, load_machine
 from contourlab.studies.division import allowed_error, division_cost, link_limit, message_rate, undivided_error
-from contourlab.studies.link_sweep import LinkSweep, divided
+from contourlab.studies.link_sweep import LinkSetting, LinkSweep, divided, swept
+
+Array = NDArray[np.float64]
 
 
 @pytest.fixture(scope="module")
@@ -63,6 +66,39 @@ def test_looking_far_does_not_lose_what_is_near(
     whole = divided(controller, "drive", "both", Network())
     near, far = (link_limit(machine, whole, circle, "delay", longest=to) for to in (0.1, longest))
     assert far.value == near.value == pytest.approx(1e-3) and far.limited
+
+
+class Known(LinkSetting):
+    """Links whose limits are known in servo periods: the last one with a small error, with a stable model, and with a stable run."""
+
+    def __init__(self, machine: cl.Machine, error: int, linear: int, simulated: int) -> None:
+        self.machine, self.allowed, self.asked = machine, 1.0, 0
+        self.error, self.linear, self.simulated = (1e-3 * (tick + 0.5) for tick in (error, linear, simulated))
+
+    def errors(self, quantity: str, values: Array) -> Array:
+        self.asked += len(values)
+        return np.where(values < self.error, 0.5, 2.0)[:, None]
+
+    def growth(self, quantity: str, value: float, size_limit: int = 0) -> float:
+        return math.nan if size_limit < 300 and value > 0.2 else 0.9 if value < self.linear else 1.1
+
+    def repeats(self, quantity: str, values: Array) -> Array:
+        return np.where(values < self.simulated, 1.0, 9.0)
+
+
+@pytest.mark.parametrize("quantity", ["message_period", "delay"])
+@pytest.mark.parametrize(
+    ("error", "linear", "simulated"), [(6, 14, 12), (2, 100, 90), (300, 500, 333), (700, 641, 900), (999, 199, 77), (450, 500, 640)]
+)
+def test_limits_do_not_hang_on_how_far_one_looks(quantity: str, error: int, linear: int, simulated: int, machine: cl.Machine) -> None:
+    """Of the error and of stability alike, also where the linear model is large and known here and there only."""
+    for longest in (2.0, 3.3, 10.0):
+        setting = Known(machine, error, linear, simulated)
+        sweep = swept(setting, quantity, longest)
+        found = np.array([sweep.most, sweep.stable_linear, sweep.stable_simulated])
+        assert found == pytest.approx(np.array([min(error, linear), linear, simulated]) * 1e-3)
+        assert len(np.unique(sweep.values)) == len(sweep.values) and setting.asked < 700
+        assert (sweep.asked, sweep.ended) == (pytest.approx(longest), True)
 
 
 @pytest.mark.parametrize(
