@@ -124,6 +124,9 @@ def _coverage(study: SwapStudy, over: Coverage) -> Iterator[str]:
     held = int(np.isfinite(over.values).sum())
     searched = "" if over.tolerance is not None else "; J* from a search at each of them"
     yield f"  {good}, guards kept, nothing local: {over.covered} of {over.judged} Sobol points{searched}; the guards hold at {held}"
+    if over.without:
+        counts = "it counts" if over.without == 1 else "they count"
+        yield f"  at {over.without} of them no search found a design that keeps the guards, so that there is no J*: {counts} as not covered"
 
 
 def _linear(found: LinearSwap) -> Iterator[str]:
@@ -265,6 +268,7 @@ def _coverage_summary(over: Coverage) -> dict[str, Any]:
         "tolerance": over.tolerance,
         "values": over.values.tolist(),
         "best": over.best.tolist(),
+        "without_design": over.without,
     }
 
 

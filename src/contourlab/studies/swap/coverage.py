@@ -36,7 +36,8 @@ class Coverage:
     values : ndarray (n,) [SI]
         J of the shared design there; infinite where it breaks a guard.
     best : ndarray (m,) [SI]
-        J* at the first m points, from a search at each of them; empty where a tolerance was given.
+        J* at the first m points, from a search at each of them, infinite where none found a design that keeps the guards: such a plant
+        is not covered. Empty where a tolerance was given.
     covered : int
         Points that are good enough, of `judged`.
     judged : int
@@ -56,6 +57,11 @@ class Coverage:
     def share(self) -> float:
         """Part of the region that is covered."""
         return self.covered / self.judged
+
+    @property
+    def without(self) -> int:
+        """At how many points no search found a design that keeps the guards."""
+        return int(np.isinf(self.best).sum())
 
     @property
     def bounds(self) -> tuple[float, float]:
@@ -103,7 +109,8 @@ def coverage(
     if tolerance is not None:
         return Coverage(region, points, values, np.zeros(0), int((values <= tolerance).sum()), size, tolerance)
     best = np.array([_best(fleet, point, region.values(at), budget) for at in points])
-    good = losses(np.where(np.isfinite(values), values, math.inf), best, fleet.floor) < full
+    found = np.isfinite(best)
+    good = losses(values[found], best[found], fleet.floor) < full
     return Coverage(region, points, values, best, int(good.sum()), size, None)
 
 

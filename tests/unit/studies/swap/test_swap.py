@@ -233,6 +233,17 @@ def test_coverage_of_a_region_of_gains() -> None:
     assert len(searched.best) == 2 and (searched.best <= searched.values).all()
 
 
+def test_a_plant_that_no_design_keeps_is_not_covered_and_is_counted() -> None:
+    """The gains stay, and with a plant a hundred times as strong no feedforward makes the loop stable."""
+    fleet = fleet_of([("strong", rigid("other", 2.0))])
+    region = Space.chosen(*stage(), ["axes.x.plant.gain=0.5 m/s^2/full_scale..500 m/s^2/full_scale"])
+    over = coverage(fleet, fleet.space.start, region, full=0.03, places=4, budget=100)
+    strong = region.columns(over.points)["axes.x.plant.gain"] > 40.0
+    assert np.isinf(over.best).tolist() == np.isinf(over.values).tolist() == strong.tolist()
+    assert over.without == strong.sum() > 0 and over.covered <= over.judged - over.without
+    assert over.judged == 4
+
+
 def test_modules_keep_their_local_numbers_in_any_company() -> None:
     machine, controller = stage()
     variants = variants_of(machine, {"x": [("b", rigid("o", 2.0))], "y": [("c", rigid("o", 3.0))]})
