@@ -158,10 +158,10 @@ def test_a_folder_that_cannot_be_is_told_before_anything_runs(
 
 
 def test_messages_that_never_arrive_are_told(circle: str, capsys: pytest.CaptureFixture[str]) -> None:
-    words = (circle, "--division", "observer", "--ways", "both", "--vary", "message-period", "--longest", "2 ms", "--seeds", "1")
+    words = (circle, "--division", "observer", "--ways", "both", "--vary", "message-period", "--longest", "2 ms")
     said = told(capsys, *words, "--delay", "9 s")
     assert "messages take 9 s, the motion 4 s: none arrives" in said and "none" in said
-    assert "every message is lost" in told(capsys, *words, "--loss", "1")
+    assert "every message is lost" in told(capsys, *words, "--loss", "1", "--seeds", "1")
 
 
 def test_a_loop_that_runs_away_undivided_is_3_and_says_where(circle: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
@@ -230,9 +230,32 @@ def test_the_network_is_named_as_a_cause(tmp_path: Path, capsys: pytest.CaptureF
         (("--seeds", "100000"), "<= 256"),
         (("--delay", "11 s"), "<= 10 s"),
         (("--plots", "bmp", "--vary", "delay", "--longest", "2 ms"), "png"),
+        (("--within", "10 %", "--tolerance", "15 um"), "one of the two"),
+        (("--longest", "20 ms", "--vary", "loss"), "where a time is varied"),
+        (("--seeds", "4", "--vary", "delay,message-period", "--delay", "1 ms"), "where chance plays a part"),
     ],
 )
 def test_bad_input_is_2_in_one_line(circle: str, words: tuple[str, ...], wanted: str, capsys: pytest.CaptureFixture[str]) -> None:
     said = told(capsys, circle, *words, code=2)
     assert wanted in said
     assert said.count("\n") == 1
+
+
+@pytest.mark.parametrize(
+    "words", [("--ways", "both"), ("--axes", "1"), ("--delay", "1 ms"), ("--message-period", "2 ms"), ("--extrapolate",)]
+)
+def test_a_scheme_that_is_taken_with_its_own_links_is_not_divided_in_silence(
+    tmp_path: Path, words: tuple[str, ...], capsys: pytest.CaptureFixture[str]
+) -> None:
+    (tmp_path / "own.toml").write_text(CIRCLE.replace("LINK", OWN), encoding="utf-8")
+    said = told(capsys, str(tmp_path / "own.toml"), *words, code=2)
+    assert words[0] in said and "given with --division: scheme 'base' has links of its own" in said
+    assert not Path("results").exists()
+
+
+def test_chance_may_be_in_the_links_of_a_scheme(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    drawn = OWN.replace('"2 ms"}', '"2 ms", jitter = "0.4 ms"}')
+    (tmp_path / "own.toml").write_text(CIRCLE.replace("LINK", drawn), encoding="utf-8")
+    words = (str(tmp_path / "own.toml"), "--vary", "delay", "--longest", "2 ms", "--seeds", "2")
+    assert "jitter and loss make the loop another one" in told(capsys, *words)
+    assert "where chance plays a part" in told(capsys, *words, "--division", "drive", code=2)

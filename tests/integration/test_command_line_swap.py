@@ -48,6 +48,8 @@ PLAIN = '[plant]\nkind = "rigid-axis"\ngain = "1000 mm/s^2/full_scale"\n[drive]\
 WORDS = ["--parameter", "model_gain=300 mm/s^2/full_scale..4000 mm/s^2/full_scale", "--budget", "400"]
 BRIEF = ["--budget", "100", "--plots", "svg", "--ways", "one", "--longest", "1 ms"]
 
+REGION = ["--region", "axes.x.plant.gain=500 mm/s^2/full_scale..500000 mm/s^2/full_scale"]
+
 
 @pytest.fixture
 def typed(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
@@ -231,6 +233,16 @@ def test_a_scenario_with_links_of_its_own_keeps_in_the_base_what_they_leave_ther
     assert [one["name"] for one in found["choices"]] == ["none"] and {one["division"] for one in found["networks"]} == {"drive"}
 
 
+def test_plants_that_no_design_keeps_are_told(contourlab: Run, typed: Path) -> None:
+    """With the gains as they are a plant hundreds of times as strong is unstable; nothing leaks of what has no J*."""
+    said = contourlab("swap", "circle.toml", "--axis", "x", "--with", "strong.toml", *WORDS[:2], *BRIEF, *REGION, "--places", "4")
+    assert said.code in (0, 1) and said.err == ""
+    found = json.loads((typed / "results" / "swap.json").read_text())["coverage"]
+    lost = [best is None for best in found["best"]]
+    assert len(lost) == 4 and 0 < sum(lost) == found["without_design"] < 4
+    assert f"at {sum(lost)} of them no search found a design that keeps the guards, so that there is no J*" in said.out
+
+
 @pytest.mark.parametrize(
     ("words", "said"),
     [
@@ -242,7 +254,12 @@ def test_a_scenario_with_links_of_its_own_keeps_in_the_base_what_they_leave_ther
         (["--axis", "x", "--with", "strong.toml", "--floor", "2 kg"], "2 um*s"),
         (["--axis", "x", "--with", "strong.toml", "--objective", "beauty"], "contour_error_rms"),
         (["--axis", "x", "--with", "strong.toml", "--local", "y.model_gain"], "a number of a swapped axis"),
-        (["--axis", "x", "--with", "strong.toml", "--region", "model_gain"], "numbers of the machine"),
+        (["--axis", "x", "--with", "strong.toml", "--region", "model_gain"], "a number of the machine, such as axes.x.plant.gain"),
+        (["--axis", "x", "--with", "strong.toml", "--region", "x.plant.foo=1 mm..2 mm"], "such as axes.x.plant.gain, axes.x.plant.damping"),
+        (["--axis", "x", "--with", "strong.toml", "--tolerance", "5 um*s"], "given with --region"),
+        (["--axis", "x", "--with", "strong.toml", "--places", "4"], "given with --region"),
+        (["--axis", "x", "--with", "strong.toml", *REGION, "--places", "4", "--tolerance", "5 um*s"], "left out with --tolerance"),
+        (["--axis", "x", "--with", "strong.toml", "--exhaustive", "--local", "x.model_gain"], "one of the two"),
         (["--axis", "x", "--with", "strong.toml", "--linear", "magic"], "three-step"),
         (["--axis", "x", "--with", "strong.toml", "--budget", "1"], "100 or more"),
         (["--axis", "x", "--with", "strong.toml", "--from", "none.toml"], "none.toml"),

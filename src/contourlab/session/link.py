@@ -43,18 +43,18 @@ class LinkOptions:
         Empty for all; a scenario with links of its own is taken as it stands unless a division is named.
     figure : str
         Of `SHOWN`.
-    within : str
-        As ``"10 %"``: more than the undivided loop's error that is allowed.
+    within : str, optional
+        As ``"10 %"``, which it is by default: more than the undivided loop's error that is allowed.
     tolerance : str, optional
         Largest error in place of that, as ``"15 um"``.
     network : mapping of str to str
         Message period, delay, jitter and loss of the links while another is varied.
     extrapolate : bool
         Whether messages are extrapolated instead of held.
-    longest : str
-        Up to where times are varied.
-    seeds : int
-        Runs of which the worst counts where chance plays a part.
+    longest : str, optional
+        Up to where times are varied, by default 100 ms.
+    seeds : int, optional
+        Runs of which the worst counts where chance plays a part, by default `contourlab.studies.link_sweep.SEEDS`.
     """
 
     divisions: tuple[str, ...] = ()
@@ -62,12 +62,12 @@ class LinkOptions:
     quantities: tuple[str, ...] = ()
     axes: tuple[str, ...] = ()
     figure: str = "rms"
-    within: str = "10 %"
+    within: str | None = None
     tolerance: str | None = None
     network: Mapping[str, str] | None = None
     extrapolate: bool = False
-    longest: str = "100 ms"
-    seeds: int = 8
+    longest: str | None = None
+    seeds: int | None = None
 
 
 @dataclass(frozen=True)
@@ -109,7 +109,7 @@ def link_scenario(
     Raises
     ------
     ScenarioError, ParameterError
-        If the scenario cannot be read, or an option is out of range.
+        If the scenario cannot be read, or an option is out of range, or nothing would come of it.
     OutputError
         If the folder cannot be made or written to; found before anything is simulated.
     DivergenceError
@@ -121,6 +121,7 @@ def link_scenario(
     check_plots(plots)
     asked = read_options(options)
     scenario = loaded(file, schemes, plugins)
+    refuse_idle(options, asked, scenario.cases())
     found: dict[str, Any] = {"name": scenario.name, "schemes": {}}
     texts: list[str] = []
     charts: list[Chart] = []
@@ -151,6 +152,7 @@ class Asked:
     within: float
     allowed: float | None
     longest: float
+    seeds: int
     network: Network
     divisions: tuple[str, ...]
     ways: tuple[str, ...]
@@ -163,33 +165,74 @@ def read_options(options: LinkOptions) -> Asked:
     Raises
     ------
     ParameterError
-        If one is unknown or out of range.
+        If one is unknown or out of range, or two are given of which one alone can hold.
     """
     from contourlab.components.link.network import Network
     from contourlab.loop import DIVISIONS
-    from contourlab.studies.link_sweep import QUANTITIES, WAYS
+    from contourlab.studies.link_sweep import QUANTITIES, SEEDS, WAYS
 
     if options.figure not in SHOWN:
         raise ParameterError("--figure", repr(options.figure), "one of " + ", ".join(SHOWN))
-    if not 1 <= options.seeds <= MOST_SEEDS:
-        raise ParameterError("--seeds", f"{options.seeds}", f">= 1 and <= {MOST_SEEDS}")
+    seeds = SEEDS if options.seeds is None else options.seeds
+    if not 1 <= seeds <= MOST_SEEDS:
+        raise ParameterError("--seeds", f"{seeds}", f">= 1 and <= {MOST_SEEDS}")
+    if options.tolerance is not None and options.within is not None:
+        raise ParameterError(
+            "--within", f"{options.within} beside --tolerance", "one of the two: a part of the undivided error, or an error"
+        )
     given = {name: _value(name, text) for name, text in (options.network or {}).items()}
     allowed = None
     if options.tolerance is not None:
         unit = "m*s" if options.figure == "integral" else "m"
         allowed = _positive("--tolerance", options.tolerance, unit, '"15 um s"' if unit == "m*s" else '"15 um"')
-    longest = _positive("--longest", options.longest, "s", '"100 ms"')
+    text = "100 ms" if options.longest is None else options.longest
+    longest = _positive("--longest", text, "s", '"100 ms"')
     if longest > LONGEST:
-        raise ParameterError("--longest", options.longest, f"up to {LONGEST:g} s, the most that a link takes")
+        raise ParameterError("--longest", text, f"up to {LONGEST:g} s, the most that a link takes")
     return Asked(
-        within=_part("--within", options.within),
+        within=_part("--within", "10 %" if options.within is None else options.within),
         allowed=allowed,
         longest=longest,
+        seeds=seeds,
         network=Network(**given, between="extrapolate" if options.extrapolate else "hold"),
         divisions=_named("--division", options.divisions, tuple(DIVISIONS)),
         ways=_named("--ways", options.ways, tuple(WAYS)),
         quantities=_named("--vary", tuple(name.replace("-", "_") for name in options.quantities), QUANTITIES),
     )
+
+
+def as_it_stands(controller: Controller, options: LinkOptions) -> bool:
+    """Tell whether a controller is taken with the links that it has."""
+    return not options.divisions and any(mine.link is not None for mine in controller.axes.values())
+
+
+def refuse_idle(options: LinkOptions, asked: Asked, cases: Sequence[Case]) -> None:
+    """Refuse options of which nothing would come.
+
+    Raises
+    ------
+    ParameterError
+        If a scheme that is taken with its own links is to be divided in another way, or what is varied has no use for an option.
+    """
+    texts = {f"--{name.replace('_', '-')}": text for name, text in (options.network or {}).items()}
+    texts |= {"--ways": ",".join(options.ways), "--axes": ",".join(options.axes), "--extrapolate": "given" * options.extrapolate}
+    for case in cases:
+        for option, text in texts.items():
+            if text and as_it_stands(case.controller, options):
+                wanted = f"given with --division: scheme {case.name!r} has links of its own, and is taken as it stands without one"
+                raise ParameterError(option, repr(text), wanted)
+    if options.longest is not None and asked.quantities == ("loss",):
+        raise ParameterError("--longest", options.longest, "given where a time is varied: --vary names the loss alone")
+    drawn = {"jitter", "loss"} & set(asked.quantities) or asked.network.jitter or asked.network.loss
+    if options.seeds is not None and not drawn and not any(_by_chance(case, options) for case in cases):
+        wanted = "given where chance plays a part: with --jitter, --loss, or one of them in --vary"
+        raise ParameterError("--seeds", f"{options.seeds}", wanted)
+
+
+def _by_chance(case: Case, options: LinkOptions) -> bool:
+    """Tell whether chance plays a part in links that a scheme is taken with."""
+    links = [mine.link for mine in case.controller.axes.values() if mine.link is not None and as_it_stands(case.controller, options)]
+    return any(part.values().get(name) for link in links for part in (link.down, link.up) if part for name in ("jitter", "loss"))
 
 
 def _named(option: str, names: tuple[str, ...], known: tuple[str, ...]) -> tuple[str, ...]:
@@ -243,7 +286,7 @@ def _costs(case: Case, reference: Reference, options: LinkOptions, asked: Asked,
         swept: dict[str, Any] = {
             "quantities": asked.quantities,
             "longest": asked.longest,
-            "seeds": options.seeds,
+            "seeds": asked.seeds,
             "progress": stages.advance,
         }
         costs.append(division_cost(case.machine, controller, reference, allowed=allowed, figure=figure, **same, **swept))
@@ -253,7 +296,7 @@ def _costs(case: Case, reference: Reference, options: LinkOptions, asked: Asked,
 def _controllers(controller: Controller, options: LinkOptions, asked: Asked) -> Iterator[tuple[str, Controller]]:
     from contourlab.studies.link_sweep import divided
 
-    if not options.divisions and any(mine.link is not None for mine in controller.axes.values()):
+    if as_it_stands(controller, options):
         yield "as the scenario divides it", controller
         return
     for division in asked.divisions:

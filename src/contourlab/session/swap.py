@@ -34,7 +34,10 @@ if TYPE_CHECKING:
     from contourlab.loop import Axis, Controller
     from contourlab.scenario import Case
 
-__all__ = ["SwapOptions", "swap_scenario"]
+__all__ = ["PLACES", "SwapOptions", "swap_scenario"]
+
+PLACES = 8
+"""Points of a region at which J* is searched."""
 
 
 @dataclass(frozen=True)
@@ -55,6 +58,8 @@ class SwapOptions:
         Numbers of the machine with bounds.
     tolerance : str, optional
         J that is good enough in the region.
+    places : int, optional
+        Points of the region at which J* is searched, by default `PLACES`.
     origins : sequence of str
         Controllers that every search starts from as well, as of `contourlab.session.swap_known.known_designs`.
     linear : sequence of str
@@ -77,7 +82,7 @@ class SwapOptions:
     phase_margin: float = 30.0
     region: tuple[str, ...] = ()
     tolerance: str | None = None
-    places: int = 8
+    places: int | None = None
     origins: tuple[str, ...] = ()
     linear: tuple[str, ...] = ()
     network: LinkOptions = field(default_factory=LinkOptions)
@@ -135,7 +140,7 @@ def swap_scenario(
     asked = read_options(options.network)
     period = fleet.variants[0].machine.servo_period
     if asked.longest < period:
-        raise ParameterError("--longest", options.network.longest, f"the servo period, {period * 1e3:g} ms, or longer")
+        raise ParameterError("--longest", options.network.longest or "100 ms", f"the servo period, {period * 1e3:g} ms, or longer")
     with taken_up_again(Path(out) / KEPT, "searches"), shown(progress) as stages, staged(out) as folder:
         kept = kept_searches(Path(out) / KEPT, fleet, ready.candidates, settings)
         study = swap_study(fleet, ready.candidates, settings, _told(stages, fleet), kept)
@@ -143,7 +148,9 @@ def swap_scenario(
         if ready.region is not None:
             stages.begin("coverage of the region")
             point, few = study.base.design.points[0], max(options.budget // 4, 200)
-            over = coverage(fleet, point, ready.region, full=settings.full, tolerance=ready.tolerance, places=options.places, budget=few)
+            over = coverage(
+                fleet, point, ready.region, full=settings.full, tolerance=ready.tolerance, places=options.places or PLACES, budget=few
+            )
         stages.begin("linear designs")
         swapped = [name for name, _ in swaps] if options.linear else []
         linear = tuple(found for name in swapped for found in linear_swap(fleet.variants, fleet.controller, name, options.linear))
@@ -162,7 +169,7 @@ def _networks(study: SwapStudy, options: LinkOptions, asked: Asked, stages: Stag
     if not choice.design.holds:
         return ()
     local, found = choice.design.local, []
-    given = {"within": asked.within, "longest": asked.longest, "seeds": options.seeds, "told": stages.advance}
+    given = {"within": asked.within, "longest": asked.longest, "seeds": asked.seeds, "told": stages.advance}
     for division in asked.divisions if options.divisions else (_own_division(study.fleet.controller) or least_division(local),):
         for ways in asked.ways:
             stages.begin(f"network: {division} in the axis, messages {WORDS[ways]}")
@@ -205,9 +212,9 @@ def _prepared(file: str | Path, swaps: Sequence[tuple[str, Sequence[str]]], opti
     candidates = tuple(name for name in fleet.space.names if variants[0].module(name) and _may_move(controller, name))
     local, origins = _local_sets(fleet, candidates, options.local), known_designs(fleet, options.origins, options.plugins)
     settings = SwapSettings(options.budget, options.seed, exhaustive=options.exhaustive, local=local, known=origins.known)
-    region = Space.chosen(machine, controller, options.region, options.width, called="region") if options.region else None
-    if region is not None and any(not name.startswith("axes.") for name in region.names):
-        raise ParameterError("--region", ", ".join(options.region), "numbers of the machine, such as axes.x.plant.gain")
+    region = None
+    if options.region:
+        region = Space.chosen(machine, controller, options.region, options.width, called="--region", machine_only=True)
     tolerance = None if options.tolerance is None else _quantity("--tolerance", options.tolerance, unit, 0.0)
     _methods(options.linear)
     return _Prepared(fleet, candidates, settings, region, tolerance, origins.notes)
@@ -227,8 +234,22 @@ def _check_search(options: SwapOptions) -> None:
         raise ParameterError("--seed", str(options.seed), "0 or more")
     if options.threads is not None and options.threads < 1:
         raise ParameterError("--threads", str(options.threads), "1 or more")
-    if options.places < 1 or options.places & (options.places - 1):
+    if options.places is not None and (options.places < 1 or options.places & (options.places - 1)):
         raise ParameterError("--places", str(options.places), "a power of 2")
+    _refuse_idle(options)
+
+
+def _refuse_idle(options: SwapOptions) -> None:
+    """Refuse options of which nothing would come."""
+    if options.exhaustive and options.local:
+        raise ParameterError("--exhaustive", "given beside --local", "one of the two: all sets by size, or those that are named")
+    if options.tolerance is not None and not options.region:
+        raise ParameterError("--tolerance", options.tolerance, "given with --region: it is the J that is good enough there")
+    if options.places is not None and not options.region:
+        raise ParameterError("--places", str(options.places), "given with --region, of which they are points")
+    if options.places is not None and options.tolerance is not None:
+        wanted = "left out with --tolerance, or that without it: J* is searched nowhere where J itself is judged"
+        raise ParameterError("--places", f"{options.places} beside --tolerance", wanted)
 
 
 def _methods(methods: Sequence[str]) -> None:

@@ -23,15 +23,19 @@ def link(
     vary: Annotated[str | None, typer.Option(help="Of message-period, delay, jitter, loss; all by default.", show_default=False)] = None,
     axes: Annotated[str | None, typer.Option(help="Axes whose controllers are divided; all by default.", show_default=False)] = None,
     figure: Annotated[str, typer.Option(help="Of the contour error: rms, max or integral.")] = "rms",
-    within: Annotated[str, typer.Option(help="How much more than the undivided loop's error is allowed.")] = "10 %",
+    within: Annotated[
+        str | None, typer.Option(help="How much more than the undivided loop's error is allowed; 10 % by default.", show_default=False)
+    ] = None,
     tolerance: Annotated[str | None, typer.Option(help='Largest error in its place, as "15 um".', show_default=False)] = None,
     message_period: Annotated[str | None, typer.Option(help="While another is varied; the servo period by default.")] = None,
     delay: Annotated[str | None, typer.Option(help="Each way, while another is varied; none by default.")] = None,
     jitter: Annotated[str | None, typer.Option(help="The same.")] = None,
     loss: Annotated[str | None, typer.Option(help="Part of the messages, the same.")] = None,
     extrapolate: Annotated[bool, typer.Option("--extrapolate", help="Follow the last two messages instead of holding the last.")] = False,
-    longest: Annotated[str, typer.Option(help="Up to where times are varied.")] = "100 ms",
-    seeds: Annotated[int, typer.Option(help="Runs of which the worst counts where chance plays a part.")] = 8,
+    longest: Annotated[str | None, typer.Option(help="Up to where times are varied; 100 ms by default.", show_default=False)] = None,
+    seeds: Annotated[
+        int | None, typer.Option(help="Runs of which the worst counts where chance plays a part; 8 by default.", show_default=False)
+    ] = None,
     out: Out = Path("results/link"),
     as_json: Json = False,
     plots: Plots = None,

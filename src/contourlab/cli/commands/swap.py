@@ -56,7 +56,9 @@ def swap(
     tolerance: Annotated[
         str | None, typer.Option(help='J that is good enough in the region, as "5 um*s", in place of a loss.', show_default=False)
     ] = None,
-    places: Annotated[int, typer.Option(help="Points of the region at which J* is searched; a power of 2.")] = 8,
+    places: Annotated[
+        int | None, typer.Option(help="Points of the region at which J* is searched; a power of 2, 8 by default.", show_default=False)
+    ] = None,
     linear: Annotated[
         list[str] | None,
         typer.Option(help="Linear base and local designs too: direct, three-step, lmi; may be given again.", show_default=False),

@@ -182,7 +182,13 @@ class Space:
 
     @staticmethod
     def chosen(
-        machine: Machine, controller: Controller, texts: Sequence[str] = (), width: float = WIDTH, *, called: str = "parameter"
+        machine: Machine,
+        controller: Controller,
+        texts: Sequence[str] = (),
+        width: float = WIDTH,
+        *,
+        called: str = "parameter",
+        machine_only: bool = False,
     ) -> Space:
         """Return the numbers that texts choose, each with its bounds.
 
@@ -197,6 +203,8 @@ class Space:
             Factor either side of the value where no bounds are given.
         called : str
             What the texts are called in an error.
+        machine_only : bool
+            Whether the numbers of the controller are left out: a name then stands for those of the machine alone.
 
         Raises
         ------
@@ -207,6 +215,8 @@ class Space:
         if not (width > 1.0 and math.isfinite(width)):
             raise ParameterError("width", f"{width:g}", "above 1 and finite: a factor either side of a value")
         known = parameter_names(machine, controller)
+        if machine_only:
+            known = {name: found for name, found in known.items() if name.startswith("axes.")}
         units = {axis.name: (axis.plant.command_unit, axis.plant.force_unit) for axis in machine.axes}
         if not texts:
             order = calibration_order(machine, controller)
@@ -215,7 +225,7 @@ class Space:
         asked: dict[str, str] = {}
         for text in texts:
             wanted, _, bounds = (part.strip() for part in text.partition("="))
-            for name in _fitting(wanted, known, called):
+            for name in _fitting(wanted, known, called, "the machine" if machine_only else "the machine or its controller"):
                 if bounds and asked.get(name, bounds) not in ("", bounds):
                     raise ParameterError(name, f"{asked[name]} and {bounds}", "given bounds once")
                 asked[name] = bounds or asked.get(name, "")
@@ -235,7 +245,7 @@ def _value(known: tuple[Component, str]) -> float:
     return float(getattr(*known))
 
 
-def _fitting(wanted: str, known: Mapping[str, tuple[Component, str]], called: str) -> list[str]:
+def _fitting(wanted: str, known: Mapping[str, tuple[Component, str]], called: str, whose: str) -> list[str]:
     """Return the dotted names that a text stands for."""
     if wanted in known:
         return [wanted]
@@ -243,7 +253,7 @@ def _fitting(wanted: str, known: Mapping[str, tuple[Component, str]], called: st
     # "3.position_gain" for controller.axes.3.controller.position_gain: the slot of the controller goes without saying.
     found += [name for name in known if name not in found and fnmatchcase(name.replace(".controller.", "."), f"*.{wanted}")]
     if not wanted or not found:
-        raise ParameterError(called, repr(wanted), f"a number of the machine or its controller, such as {', '.join(_near(wanted, known))}")
+        raise ParameterError(called, repr(wanted), f"a number of {whose}, such as {', '.join(_near(wanted, known))}")
     return found
 
 
