@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from itertools import product
+from itertools import combinations, product
 
 from contourlab.errors import ParameterError
 from contourlab.loop import Axis, Machine
@@ -47,7 +47,8 @@ def variants_of(machine: Machine, swaps: Mapping[str, Sequence[tuple[str, Axis]]
     Raises
     ------
     ParameterError
-        If the machine has no such axis, nothing takes its place, two are called the same, or one has a drive of another unit.
+        If the machine has no such axis, nothing but its like takes its place, two are alike or called the same, or one has a drive of
+        another unit.
     """
     if not swaps:
         raise ParameterError("axis", "none", f"at least one axis to swap, of {', '.join(machine.axis_names)}")
@@ -71,14 +72,25 @@ def _choices(machine: Machine, name: str, others: Sequence[tuple[str, Axis]]) ->
     own = machine.axis(name)
     same = next((called for called, other in others if _alike(own, other)), "as it is")
     kept = [(called, other) for called, other in others if not _alike(own, other)]
-    # Where there is nothing but copies of the axis, one is a variant too: what it loses is nothing, and that is worth saying.
-    kept = kept or [(f"{called} again", other) for called, other in others]
+    _check_differ(name, others, kept)
     calls = [called for called, _ in kept]
     if len({same, *calls}) != len(calls) + 1:
         raise ParameterError("with", ", ".join([same, *calls]), "axes that differ in their names")
     for called, other in kept:
         _check_fits(own, other, called)
     return [(name, same, None), *((name, called, other) for called, other in kept)]
+
+
+def _check_differ(name: str, others: Sequence[tuple[str, Axis]], kept: Sequence[tuple[str, Axis]]) -> None:
+    """Refuse one module by two names, which would be searched twice, and a swap for nothing but what stands there already."""
+    for (called, one), (again, other) in combinations(others, 2):
+        if _alike(one, other):
+            raise ParameterError(
+                "with", f"{called}, {again}", f"axes that differ in a value, to take the place of {name}: these two do not"
+            )
+    if not kept:
+        wanted = f"an axis that differs from axis {name} of the machine in a value: in place of its like nothing is lost"
+        raise ParameterError("with", ", ".join(called for called, _ in others), wanted)
 
 
 def _alike(one: Axis, other: Axis) -> bool:

@@ -70,8 +70,9 @@ def test_loss_is_counted_from_the_larger_of_best_and_floor() -> None:
 
 
 def test_a_copy_of_the_axis_loses_nothing() -> None:
-    study = studied([("copy", rigid("other", 1.0))])
-    assert [variant.name for variant in study.fleet.variants] == ["x = copy", "x = copy again"]
+    fleet = fleet_of([("strong", rigid("other", 2.0))])
+    copy = Variant("x = copy", fleet.variants[0].machine.swapped("x", rigid("other", 1.0)), (("x", "copy"),))
+    study = swap_study(replace(fleet, variants=(fleet.variants[0], copy)), (AHEAD,), SwapSettings(budget=700))
     assert study.full and study.base.loss < 1e-3
     assert study.recommended is not None and study.recommended.effort == 0
     assert "full modularity" in verdict(study)
@@ -271,6 +272,9 @@ def test_a_number_of_another_axis_cannot_be_local() -> None:
         ({"z": [("b", rigid("o", 2.0))]}, "one of x, y"),
         ({"x": []}, "take the place of x"),
         ({"x": [("b", rigid("o", 2.0)), ("b", rigid("o", 3.0))]}, "differ in their names"),
+        ({"x": [("b", rigid("o", 1.0))]}, "b: must be an axis that differs from axis x of the machine in a value"),
+        ({"x": [("b", rigid("o", 2.0)), ("c", rigid("p", 2.0))]}, "b, c: must be axes that differ in a value"),
+        ({"x": [("b", rigid("o", 2.0)), ("c", rigid("p", 1.0)), ("d", rigid("q", 1.0))]}, "c, d: must be axes that differ"),
         ({"x": [("b", Axis("o", MassDamper(mass=1.0, damping=1.0, force_constant=1.0)))]}, "takes its command in full_scale"),
     ],
 )
