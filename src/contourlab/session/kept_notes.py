@@ -13,7 +13,7 @@ if TYPE_CHECKING:
 __all__ = ["kept_notes", "taken_up_again"]
 
 
-def kept_notes(kept: KeptFolder, found: int, pieces: str, decides: str) -> list[str]:
+def kept_notes(kept: KeptFolder, found: int, pieces: str, piece: str, decides: str) -> list[str]:
     """Return what was taken from an earlier time, and what was not, in words.
 
     Parameters
@@ -22,19 +22,23 @@ def kept_notes(kept: KeptFolder, found: int, pieces: str, decides: str) -> list[
     found : int
         Pieces that were taken.
     pieces : str
-        What they are called: ``"runs"``.
+        What many of them are called: ``"runs"``.
+    piece : str
+        What one is called.
     decides : str
         What those of others may differ in.
     """
     notes = []
     if found:
-        notes.append(f"{found} {pieces} were kept from an earlier time in {kept.home} and not made again")
+        kept_ones = f"{found} {pieces} were" if found > 1 else f"1 {piece} was"
+        notes.append(f"{kept_ones} kept from an earlier time in {kept.home} and not made again")
     if kept.others:
         notes.append(
             f"{kept.folder} also keeps {pieces} of another {decides}: they were left alone and not used; the folder may be deleted"
         )
     if kept.damaged:
-        notes.append(f"{kept.damaged} files of kept {pieces} could not be read; their {pieces} were made again")
+        files, its = (f"{kept.damaged} files", "their") if kept.damaged > 1 else ("1 file", "its")
+        notes.append(f"{files} of kept {pieces} could not be read: {its} {pieces} were made again")
     return notes
 
 

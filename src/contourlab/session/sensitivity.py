@@ -224,7 +224,7 @@ def _model(case: Case, reference: Reference) -> str:
 def _kept_notes(runs: Runs) -> list[str]:
     if runs.kept is None:
         return []
-    return kept_notes(runs.kept, runs.found, "runs", "scenario, motion, seed, plugin or version of contourlab")
+    return kept_notes(runs.kept, runs.found, "runs", "run", "scenario, motion, seed, plugin or version of contourlab")
 
 
 def _command(file: str | Path, request: Request, plugins: Sequence[str | Path]) -> str:

@@ -158,7 +158,7 @@ def swap_scenario(
         ended = final(fleet, (study.recommended or study.base).design.points)
         networks = _networks(study, options.network, asked, stages)
         stages.begin("writing")
-        told = kept_notes(kept, kept.found, "searches", "scenario, axis, options or version of contourlab")
+        told = kept_notes(kept, kept.found, "searches", "search", "scenario, axis, options or version of contourlab")
         report = SwapReport(study, ended, networks, over, linear, options.origins, (*ready.notes, *told))
         return written(report, folder, Path(out), plots)
 
