@@ -139,6 +139,17 @@ def _linear(found: LinearSwap) -> Iterator[str]:
         local = ", ".join(design.local) or "nothing"
         ratios = ", ".join(f"{ratio:.4g}" for ratio in design.ratio)
         yield f"  {design.method}, {local} local: J/J* {ratios}"
+    yield from (f"  note: {words}" for words in linear_remarks(found))
+
+
+def linear_remarks(found: LinearSwap) -> Iterator[str]:
+    """Yield which designs lose more than one that they contain, and why that is no contradiction."""
+    for design, fewer in found.not_optimal:
+        more, less = (", ".join(one.local) or "nothing" for one in (design, fewer))
+        yield (
+            f"{design.method} is not optimal: with {more} local it loses more than with {less} local, whose gains it could have; its steps "
+            "are taken in sequence, and fit gains to the optimal ones over frequency, not to the least J/J* as direct does"
+        )
 
 
 def _columns(rows: Sequence[tuple[str, ...]]) -> list[str]:
@@ -230,6 +241,7 @@ def _linear_summary(one: LinearSwap) -> dict[str, Any]:
         "models": {name: {"a": m.gain, "b": m.damping} for name, m in zip(one.modules, one.models, strict=True)},
         "blind": one.blind.tolist(),
         "designs": [{"method": d.method, "local": list(d.local), "ratio": d.ratio.tolist()} for d in one.designs],
+        "remarks": list(linear_remarks(one)),
     }
 
 

@@ -20,6 +20,8 @@ __all__ = ["METHODS", "LinearSwap", "first_order", "linear_swap"]
 
 Array = NDArray[np.float64]
 METHODS = ("direct", "three-step", "lmi")
+SEEN = 5e-4
+"""So much of the sum of J/J* is seen in what is printed."""
 SLOWEST, FASTEST = 2.0, 60.0
 """Frequencies [rad/s] between which a module is taken for a/(s (s + b)): where the loops of such axes live."""
 
@@ -47,6 +49,17 @@ class LinearSwap:
     models: tuple[LinearAxis, ...]
     blind: Array
     designs: tuple[ModularDesign, ...]
+
+    @property
+    def not_optimal(self) -> tuple[tuple[ModularDesign, ModularDesign], ...]:
+        """Designs that lose more than one of the same method with fewer local gains, each with that one: they contain it."""
+        found = []
+        for design in self.designs:
+            fewer = [one for one in self.designs if one.method == design.method and set(one.local) < set(design.local)]
+            best = min(fewer, key=lambda one: float(one.ratio.sum()), default=design)
+            if design.ratio.sum() > best.ratio.sum() + SEEN:
+                found.append((design, best))
+        return tuple(found)
 
 
 def first_order(variant: Variant, controller: Controller, name: str, observer: bool) -> LinearAxis:
