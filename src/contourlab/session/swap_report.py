@@ -51,6 +51,11 @@ class SwapReport:
         """What J is shown in."""
         return UNITS[OBJECTIVES[self.study.fleet.objective][0]]
 
+    def apart(self, cost: NetworkCost) -> str:
+        """Return the numbers that are local and stand in the base under a division, as people say them; empty for none."""
+        short = {number.name: number.short for number in self.study.fleet.space.numbers}
+        return ", ".join(short[name] for name in cost.apart)
+
     @property
     def passed(self) -> bool:
         """Whether a design is modular for sure, keeps its exact margins, and holds over a network in one of the ways asked for."""
@@ -65,21 +70,14 @@ class SwapReport:
             words.append("but the exact margins are not kept, see below")
         if self.networks and self.study.recommended is None:
             words.append("the shared design over a network")
-        for ways in WORDS:
-            costs = [cost for cost in self.networks if cost.ways == ways]
-            if costs:
-                words.append(_network_words(min(costs, key=_demand)))
+        words += [_network_words(cost, self.apart(cost)) for ways in WORDS for cost in self.networks if cost.ways == ways]
         return "; ".join(words)
 
 
-def _demand(cost: NetworkCost) -> tuple[bool, float]:
-    """Return what orders divisions: those that hold first, then those for which fewer messages are enough."""
-    return not cost.holds, cost.rate if math.isfinite(cost.rate) else math.inf
-
-
-def _network_words(cost: NetworkCost) -> str:
-    """Return in words how little network is enough."""
-    how = f"with the {cost.division} in the axis and messages {WORDS[cost.ways]}"
+def _network_words(cost: NetworkCost, apart: str) -> str:
+    """Return in words how little network is enough, and what is local though it stands in the base."""
+    aside = f" ({apart} set in the base for each axis)" if apart else ""
+    how = f"with the {cost.division} in the axis{aside} and messages {WORDS[cost.ways]}"
     if not math.isfinite(cost.rate):
         return f"{how} no message rate holds on all variants"
     fewest = f"{how} {cost.rate:.4g} a second are the fewest that hold on all variants"

@@ -21,7 +21,7 @@ from contourlab.studies.swap.linear import LinearSwap
 from contourlab.studies.swap.loss import losses
 from contourlab.studies.swap.network import NetworkCost
 from contourlab.studies.swap.study import SwapStudy
-from contourlab.studies.swap.verdict import on_bounds, search_words
+from contourlab.studies.swap.verdict import at_least, on_bounds, search_words
 
 __all__ = ["matrices", "summary_of", "text_of"]
 
@@ -88,10 +88,9 @@ def _networks(report: SwapReport, which: str) -> Iterator[str]:
             last = f"{at_limit * _MICRO:.4g}" if math.isfinite(at_limit) else "-"
             rows.append((f"  {cost.division}, {WORDS[cost.ways]}", variant.name, *shown, most, last))
     yield from _columns(rows)
+    apart = {cost.division: report.apart(cost) for cost in report.networks if cost.apart}
+    yield from (f"  {division}: {names} would have to be set in the base for each axis" for division, names in apart.items())
     for cost in report.networks:
-        if cost.apart:
-            short = {number.name: number.short for number in report.study.fleet.space.numbers}
-            yield f"  {cost.division}: {', '.join(short[name] for name in cost.apart)} would have to be set in the base for each axis"
         if not all(cost.stable):
             yield f"  {cost.division}, {WORDS[cost.ways]}: the linear model with the network as given is unstable"
 
@@ -171,7 +170,7 @@ def _percent(loss: float) -> str:
 
 def _at_least(study: SwapStudy, loss: float) -> str:
     """Return a loss, which is no more than a lower bound where J* was still falling."""
-    return f"{'at least ' if study.fell_short and math.isfinite(loss) else ''}{_percent(loss)}"
+    return f"{at_least(study, loss)}{_percent(loss)}"
 
 
 def _unit(study: SwapStudy) -> str:

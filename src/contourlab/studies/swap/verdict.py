@@ -11,7 +11,7 @@ from contourlab.studies.swap.design import Choice
 from contourlab.studies.swap.fleet import OBJECTIVES
 from contourlab.studies.swap.study import SwapStudy
 
-__all__ = ["on_bounds", "search_words", "verdict"]
+__all__ = ["at_least", "on_bounds", "search_words", "verdict"]
 
 
 def verdict(study: SwapStudy) -> str:
@@ -27,7 +27,8 @@ def verdict(study: SwapStudy) -> str:
         return f"full modularity: one controller serves all variants, swap loss {_percent(base.loss)} with nothing local (limit {limit})"
     if best is None:
         least = min(study.choices, key=lambda choice: choice.loss)
-        found = f"the least is {_percent(least.loss)}, with {least.name} local" if least.effort else _percent(least.loss)
+        which = f"with {least.name} local" if least.effort else "with nothing local"
+        found = f"the least is {at_least(study, least.loss)}{_percent(least.loss)}, {which}"
         return f"not modular: no choice of local numbers that was tried brings the swap loss under {limit}; {found}"
     how = "found by dropping one number after another, not by trying all sets"
     if study.settings.exhaustive:
@@ -39,6 +40,11 @@ def verdict(study: SwapStudy) -> str:
         f"modular with {best.effort} local number{several}: {_listed(study, best)}; swap loss {_percent(best.loss)} in place of "
         f"{_percent(base.loss)} with nothing local (limit {limit}; {how})"
     )
+
+
+def at_least(study: SwapStudy, loss: float) -> str:
+    """Return what stands before a loss: it is no more than a lower bound where J* was still falling."""
+    return "at least " if study.fell_short and math.isfinite(loss) else ""
 
 
 def _listed(study: SwapStudy, choice: Choice) -> str:
@@ -73,7 +79,7 @@ def search_words(study: SwapStudy) -> Iterator[str]:
     came = ", ".join(f"{100.0 * loss:.3g} %" for loss in each if math.isfinite(loss)) or "nothing that keeps the guards"
     lost = int(np.count_nonzero(~np.isfinite(each)))
     also = f" ({lost} of {len(each)} to nothing that does)" if 0 < lost < len(each) else ""
-    last = _percent(study.base.loss)
+    last = at_least(study, study.base.loss) + _percent(study.base.loss)
     yield f"nothing local: the starts of its search came to {came}{also} against J* as it stood then; in the end {last}"
 
 

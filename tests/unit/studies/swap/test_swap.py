@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from dataclasses import replace
 from pathlib import Path
 
@@ -17,7 +18,8 @@ from contourlab.feed import uniform
 from contourlab.geometry import contour
 from contourlab.loop import Axis, AxisController, Controller, Limits, Machine
 from contourlab.report.swap_picture import _drawing
-from contourlab.session.swap_text import matrices
+from contourlab.session.swap_report import SwapReport
+from contourlab.session.swap_text import matrices, text_of
 from contourlab.studies.space import Space
 from contourlab.studies.space.bounds import Bounds
 from contourlab.studies.space.values import machine_with
@@ -26,9 +28,11 @@ from contourlab.studies.swap.course import made_one
 from contourlab.studies.swap.coverage import coverage
 from contourlab.studies.swap.design import evaluated
 from contourlab.studies.swap.division import Division
+from contourlab.studies.swap.final import final
 from contourlab.studies.swap.fleet import Fleet
 from contourlab.studies.swap.kept import Kept
 from contourlab.studies.swap.loss import losses, swap_loss
+from contourlab.studies.swap.network import network_cost
 from contourlab.studies.swap.numbers import divided_controller
 from contourlab.studies.swap.own import Own
 from contourlab.studies.swap.settings import SwapSettings
@@ -144,6 +148,7 @@ def test_a_search_that_fell_short_makes_no_verdict(unequal: SwapStudy) -> None:
     for late in (above[1], shown, falling, replace(shown, afresh=np.inf)):
         short = replace(unequal, owns=(unequal.owns[0], late))
         assert short.fell_short == ("x = strong",) and short.recommended is not None
+        assert re.search(r"the least is at least [\d.e+]+ %, with nothing local", verdict(replace(short, choices=short.choices[:1])))
         assert verdict(short).startswith("not told: the searches for x = strong alone did not come within 3 % of what others")
     # One that came there by itself the second time is told.
     assert replace(unequal, owns=(unequal.owns[0], replace(shown, afresh=value + 0.01 * floor))).fell_short == ()
@@ -243,6 +248,20 @@ def test_a_plant_that_no_design_keeps_is_not_covered_and_is_counted() -> None:
     assert np.isinf(over.best).tolist() == np.isinf(over.values).tolist() == strong.tolist()
     assert over.without == strong.sum() > 0 and over.covered <= over.judged - over.without
     assert over.judged == 4
+
+
+def test_each_division_that_was_asked_for_is_in_the_verdict(unequal: SwapStudy) -> None:
+    """What one of them leaves in the base is said with it, and once, whichever ways messages go."""
+    best = unequal.recommended
+    assert best is not None
+    costs = [(division, ways) for division in ("drive", "controller") for ways in ("both", "one")]
+    given = unequal.fleet, best.design.points, best.design.local
+    networks = tuple(network_cost(*given, *one, longest=1e-3) for one in costs)
+    report = SwapReport(unequal, final(unequal.fleet, best.design.points), networks)
+    for ways in ("both ways", "one way"):
+        assert f"with the drive in the axis (x.model_gain set in the base for each axis) and messages {ways} " in report.verdict
+        assert f"with the controller in the axis and messages {ways} " in report.verdict
+    assert text_of(report).count("drive: x.model_gain would have to be set in the base for each axis") == 1
 
 
 def test_modules_keep_their_local_numbers_in_any_company() -> None:
