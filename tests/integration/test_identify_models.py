@@ -2,38 +2,17 @@
 
 from __future__ import annotations
 
-import json
-import math
-import re
-from collections.abc import Callable
 from pathlib import Path
 
 import numpy as np
 import pytest
+from identified_logs import PERIOD, PLANT, SCENARIO, TIME, UBC, driven, found_by, jogged, stepped, steps, written
 
 from contourlab.analysis.closed_first_order import closed_loop_position
 from contourlab.analysis.first_order_motion import first_order_motion
 from contourlab.cli.main import main
 from contourlab.loop import Machine
 from contourlab.scenario.load import load_axis
-
-PERIOD = 1e-3
-TIME = PERIOD * np.arange(6000)
-UBC = ["--column", "position.x=CH1out [mm]", "--column", "command.x=CH1sig [V]"]
-
-
-def written(file: Path, heads: str, *columns: np.ndarray) -> str:
-    np.savetxt(file, np.column_stack(columns), delimiter=",", header=heads, comments="", fmt="%.10g")
-    return str(file)
-
-
-def found_by(words: list[str], capsys: pytest.CaptureFixture[str], code: int = 0) -> dict:  # type: ignore[type-arg]
-    assert main(["identify", *words, "--json"]) == code
-    return json.loads(capsys.readouterr().out)  # type: ignore[no-any-return]
-
-
-def steps(seed: int = 0, size: float = 0.6, hold: int = 100) -> np.ndarray:
-    return np.repeat(np.random.default_rng(seed).uniform(-size, size, TIME.size // hold), hold)
 
 
 def test_first_order_makes_an_axis(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
@@ -68,128 +47,6 @@ def test_closed_loop_takes_the_gains_of_the_loop(tmp_path: Path, capsys: pytest.
         assert said in capsys.readouterr().err
 
 
-def test_stiction_over_ramps(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    ramp = np.r_[np.linspace(0.0, 0.2, 2000), np.zeros(500)]
-    u = np.r_[np.zeros(50), ramp, -ramp, ramp, -ramp]
-    place = np.round(1.695e3 * first_order_motion(u, PERIOD, 10.1, 0.06, 0.05)[1] / 0.125e-3) * 0.125e-3
-    log = written(tmp_path / "ramp.csv", "time [s],cmd [full_scale],pos x [mm]", PERIOD * np.arange(u.size), u, place)
-    out = tmp_path / "friction.toml"
-    found = found_by([log, "--column", "command.x=cmd", "--model", "stiction", "--out", str(out)], capsys)
-    assert found["parameters"]["breakaway+"]["value"] == pytest.approx(0.06, rel=0.02)
-    assert found["parameters"]["breakaway-"]["value"] == pytest.approx(0.05, rel=0.02)
-    assert len(found["ramps"]) == 4 and "spread over 4 slow ramps" in out.read_text()
-
-
-def shaken(tmp_path: Path, side: str) -> tuple[str, dict[str, float]]:
-    """Write the log of motor 4, load 3 kg and a shaft at 60 Hz, built from its lines: a multisine of ten periods."""
-    from contourlab.analysis.drive_models import held_response, two_inertia
-
-    period, lap = PERIOD, 2000
-    true = {"motor_mass": 4.0, "load_mass": 3.0, "stiffness": 2.4e5, "shaft_damping": 60.0, "damping": 40.0, "delay": 0.0}
-    lines = np.arange(1, 601)
-    spectrum = np.zeros(lap // 2 + 1, dtype=complex)
-    spectrum[lines] = np.exp(2j * np.pi * np.random.default_rng(0).random(lines.size))
-    answer = np.zeros_like(spectrum)
-    answer[lines] = spectrum[lines] * held_response(lambda s: two_inertia(true, s, side), lines / (lap * period), period)
-    force, place = (np.tile(np.fft.irfft(part, lap) * 400.0, 10) for part in (spectrum, answer))
-    time = period * np.arange(force.size)
-    return written(tmp_path / "multisine.csv", "time [s],push [N],pos x [mm]", time, force, 1e3 * place), true
-
-
-def test_the_load_s_side_makes_an_axis_with_the_motor_s_inertia(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    log, true = shaken(tmp_path, "load")
-    out, turn = tmp_path / "drive.toml", 0.01 / (2.0 * math.pi)
-    words = [log, "--column", "force.x=push", "--model", "two-inertia", "--side", "load", "--lead", "10 mm", "--out", str(out)]
-    found = found_by(words, capsys, code=1)
-    assert any("takes --motor-inertia, of motor and screw" in said for said in found["remarks"]) and not out.exists()
-    inertia = f"{1e4 * 4.0 * turn**2:.8g} kg*cm^2"
-    found = found_by([*words, "--motor-inertia", inertia], capsys)
-    plant = load_axis(out).plant
-    for name, key in (("load_inertia", "load_mass"), ("stiffness", "stiffness"), ("shaft_damping", "shaft_damping")):
-        assert plant.values()[name] == pytest.approx(true[key] * turn**2, rel=0.02), name
-    assert plant.origins["motor_inertia"].source == "assumed" and plant.origins["motor_inertia"].deviation is None
-    deviation = found["parameters"]["load_mass"]["robust_deviation"] * turn**2
-    assert plant.origins["load_inertia"].deviation == pytest.approx(deviation, rel=0.02)
-    for more, said in ((["--motor-inertia", "1 kg*m^2"], "below the whole inertia"), (["--motor-inertia", "2 kg"], "2 kg*cm^2")):
-        assert main(["identify", *words, *more]) == 2
-        assert said in capsys.readouterr().err
-    assert main(["identify", *words, "--motor-inertia", inertia, "--side", "motor"]) == 2
-    assert "at the motor it is measured" in capsys.readouterr().err
-
-
-def turning_drive(tmp_path: Path, damping: float) -> tuple[list[str], dict[str, float]]:
-    """Write the log of motor 2, load 1.013 kg cm^2 and a shaft at 74 Hz, driven by a torque in a multisine; the load's position."""
-    from scipy.linalg import expm
-
-    x = {"motor": 2e-4, "load": 1.013e-4, "stiffness": 14.4, "shaft": 4.58e-4, "damping": damping}
-    lines = np.arange(4, 400, 3)
-    time = 5e-4 * np.arange(4000)
-    phase = np.pi * np.arange(lines.size) * (np.arange(lines.size) - 1) / lines.size
-    torque = np.cos(np.pi * lines * time[:, None] - phase).sum(axis=1)
-    torque = np.tile(0.6 * torque / np.abs(torque).max(), 6)
-    spring, loss = np.array([1.0, 0.0, -1.0, 0.0]) * x["stiffness"], np.array([0.0, 1.0, 0.0, -1.0]) * x["shaft"]
-    rates = np.zeros((5, 5))
-    rates[0, 1] = rates[2, 3] = 1.0
-    rates[1, :4] = -(spring + loss + np.array([0.0, damping, 0.0, 0.0])) / x["motor"]
-    rates[3, :4] = (spring + loss) / x["load"]
-    rates[1, 4] = 1.0 / x["motor"]
-    flow = expm(rates * 5e-4)
-    state, place = np.zeros(4), []
-    for held in torque:
-        place.append(state[2])
-        state = flow[:4, :4] @ state + flow[:4, 4] * held
-    noise = 1e-5 * np.random.default_rng(3).standard_normal(torque.size)
-    file = written(
-        tmp_path / "turns.csv",
-        "time [s],T [N*m],pos [mm]",
-        5e-4 * np.arange(torque.size),
-        torque,
-        np.array(place) * 10.0 / math.tau + noise,
-    )
-    return [file, "--column", "position.x=pos", "--column", "torque.x=T", "--model", "two-inertia", "--side", "load"], x
-
-
-@pytest.mark.parametrize("damping", [1e-3, 5e-3])
-def test_the_shaft_is_told_from_what_the_motor_damps_at_the_load(
-    tmp_path: Path, capsys: pytest.CaptureFixture[str], damping: float
-) -> None:
-    """A motor that is damped damps the resonance by its share: what is given of the motor tells that from the shaft's part."""
-    words, x = turning_drive(tmp_path, damping)
-    out = tmp_path / "drive.toml"
-    found_by([*words, "--lead", "10 mm", "--motor-inertia", "2 kg*cm^2", "--out", str(out)], capsys)
-    plant = load_axis(out).plant
-    for name, key in (("load_inertia", "load"), ("stiffness", "stiffness"), ("shaft_damping", "shaft"), ("motor_damping", "damping")):
-        assert plant.values()[name] == pytest.approx(x[key], rel=0.01), name
-        assert abs(plant.values()[name] - x[key]) < 5.0 * plant.origins[name].deviation + 1e-3 * x[key], name
-    # Without the share the damping ratio is that of the resonance itself, whoever damps it.
-    reduced = x["motor"] * x["load"] / (x["motor"] + x["load"])
-    w = math.sqrt(x["stiffness"] / reduced)
-    ratio = x["shaft"] / (2.0 * w * reduced) + damping * x["load"] / (2.0 * w * x["motor"] * (x["motor"] + x["load"]))
-    figures = found_by([*words, "--lead", "10 mm"], capsys)["parameters"]
-    assert figures["damping_ratio"]["value"] == pytest.approx(ratio, rel=0.02)
-    assert figures["resonance"]["value"] == pytest.approx(w / math.tau, rel=2e-3)
-
-
-def test_an_inertia_says_nothing_of_masses_in_volts(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    words, _ = turning_drive(tmp_path, 1e-3)
-    words[words.index("torque.x=T")] = "command.x=T [V]"
-    found = found_by([*words, "--lead", "10 mm", "--motor-inertia", "2 kg*cm^2"], capsys)
-    assert "mass" in found["parameters"] and 'an axis file of two inertias takes --gain, as "35.15 N/V"' in found["remarks"]
-
-
-def test_a_number_at_its_bound_is_not_written_as_fitted(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    """A motor said to be three times too light leaves less damping to its resonance than the motor's own: none is told of the shaft."""
-    words, _ = turning_drive(tmp_path, 5e-3)
-    out = tmp_path / "drive.toml"
-    words += ["--lead", "10 mm", "--motor-inertia", "0.6 kg*cm^2", "--out", str(out)]
-    found = found_by(words, capsys)
-    assert found["parameters"]["shaft_damping"] == {"value": 0.0, "unit": "N*s/m", "deviation": None, "robust_deviation": None}
-    assert any("shaft_damping = 0 is at the bound of what is looked for" in said for said in found["remarks"])
-    origin = load_axis(out).plant.origins["shaft_damping"]
-    assert (origin.source, origin.deviation) == ("assumed", None) and "at the bound" in origin.note
-    assert not any("plant.shaft_damping" in pair for pair in load_axis(out).correlations)
-
-
 def test_a_log_given_twice_is_refused_and_one_of_the_same_samples_remarked_on(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
@@ -203,54 +60,6 @@ def test_a_log_given_twice_is_refused_and_one_of_the_same_samples_remarked_on(
     (tmp_path / "copy.csv").write_bytes(log.read_bytes())
     told = "copy.csv has the samples of jog.csv: they count twice"
     assert told in found_by([log.name, "copy.csv", *words], capsys)["remarks"]
-
-
-def test_an_axis_that_slows_down_without_stopping_has_no_friction_of_its_own_there(
-    tmp_path: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
-    """From a fast run into a slow one: what brakes in between is mass, not friction, without a reference too."""
-    levels = np.array([0.04, 0.12, 0.04, -0.04, -0.12, -0.04, 0.04, 0.08, -0.08])
-    v = np.convolve(np.repeat(levels, 600), np.ones(150) / 150.0, mode="same")
-    u = 10.0 * np.sign(v) + 100.0 * v + 90.0 * np.gradient(v, PERIOD) + 0.2 * np.random.default_rng(2).standard_normal(v.size)
-    log = written(tmp_path / "jog.csv", "time [s],push [N],pos x [mm]", PERIOD * np.arange(v.size), u, 1e3 * PERIOD * np.cumsum(v))
-    found = found_by([log, "--column", "force.x=push", "--model", "friction"], capsys)
-    assert len(found["points"]) >= 6 and max(point["scatter"] for point in found["points"]) < 3.0
-    assert found["fit_percent"] > 97.0 and any("constant speed is told from the position" in said for said in found["remarks"])
-
-
-def test_two_inertias_make_an_axis(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    log, true = shaken(tmp_path, "motor")
-    out = tmp_path / "drive.toml"
-    words = [log, "--column", "force.x=push", "--model", "two-inertia", "--lead", "10 mm"]
-    figures = found_by([*words, "--out", str(out)], capsys)["parameters"]
-    for name in ("motor_mass", "load_mass", "stiffness", "shaft_damping"):
-        assert figures[name]["value"] == pytest.approx(true[name], rel=5e-3), name
-    axis = load_axis(out)
-    turn = 0.01 / (2.0 * math.pi)
-    assert axis.plant.values()["load_inertia"] == pytest.approx(3.0 * turn**2, rel=5e-3)
-    assert axis.plant.values()["stiffness"] == pytest.approx(2.4e5 * turn**2, rel=5e-3)
-    assert axis.limits.acceleration > 0.0
-    points = found_by([*words[:-2], "--model", "frequency-response"], capsys)["points"]
-    assert len(points) > 400 and min(point["coherence"] for point in points[:300]) > 0.99
-
-
-def test_friction_of_the_measured_table(
-    shared: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
-) -> None:
-    monkeypatch.chdir(tmp_path)
-    logs = sorted(str(file) for file in (shared / "data" / "ubc-xy-table").glob("friction_*_mmps.mat"))
-    assert len(logs) == 8
-    words = [*logs, "--column", "reference.x=CH1in [mm]", *UBC, "--full-scale", "10 V"]
-    words += ["--model", "friction", "--plots", "png", "--out", "friction.toml"]
-    found = found_by(words, capsys)
-    assert len(found["points"]) == 16 and found["fit_percent"] > 97.0
-    assert [round(1e3 * point["speed"]) for point in found["points"][:4]] == [10, -10, 120, -121]
-    line = next(curve for curve in found["tried"] if curve["model"] == "Coulomb and viscous")["parameters"]
-    # The table's own fit: 0.335 V and 5.3 V s/m forwards, 0.340 and 5.2 backwards.
-    assert 10.0 * line["Fc"] == pytest.approx(0.34, abs=0.02) and 10.0 * line["Fv"] == pytest.approx(5.2, rel=0.12)
-    assert any(said.startswith("concave") for said in found["remarks"])
-    assert Path("results/plots/friction.png").stat().st_size > 10_000
-    assert "[friction]" in Path("friction.toml").read_text()
 
 
 def test_sines_of_the_measured_table(shared: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
@@ -278,64 +87,6 @@ def test_a_log_of_an_axis_at_rest_is_refused(tmp_path: Path, capsys: pytest.Capt
     said = capsys.readouterr().err
     assert "Traceback" not in said and len(said) > 40
     assert not (tmp_path / "axis.toml").exists()
-
-
-SCENARIO = """
-program = "way.ngc"
-[machine]
-name = "found"
-servo_period = "1 ms"
-axes = ["x"]
-[axes.x]
-file = "axis.toml"
-limits = {velocity = "50 mm/s", acceleration = "0.5 m/s^2", jerk = "10 m/s^3"}
-[controller.axes.x]
-velocity = {kind = "filtered-difference", bandwidth = "600 rad/s"}
-controller = {kind = "position", gains = {natural_frequency = "30 rad/s", damping = 0.8, pole = "30 rad/s"}}
-[controller.axes.x.observer]
-kind = "disturbance-observer"
-bandwidth = "50 rad/s"
-filter_bandwidth = "500 rad/s"
-model_gain = "GAIN"
-model_damping = "RATE 1/s"
-"""
-PLANT = """
-[plant]
-kind = "rigid-axis"
-gain = "1.695 m/s^2/full_scale"
-damping = "10.1 1/s"
-[drive]
-kind = "saturation"
-limit = "1 full_scale"
-"""
-
-
-def stepped(tmp_path: Path, unit: str, size: float, noise: float = 0.0, seed: int = 0) -> str:
-    """Return the log of axis 1 of Ghaffari & Ulsoy, full scale `size` of a unit, an offset of 1 % and an encoder of 0.125 um."""
-    u = steps()
-    place = 1.695 * first_order_motion(u + 0.01, PERIOD, 10.1, 0.055, 0.055)[1]
-    place = np.round((place + noise * np.random.default_rng(seed).standard_normal(place.size)) / 0.125e-6) * 0.125e-6
-    return written(tmp_path / "open.csv", f"time [s],cmd [{unit}],pos x [mm]", TIME, size * u, 1e3 * place)
-
-
-def ramped(tmp_path: Path, size: float) -> str:
-    ramp = np.r_[np.linspace(0.0, 0.2, 2000), np.zeros(500)]
-    u = np.r_[np.zeros(50), ramp, -ramp, ramp, -ramp]
-    place = np.round(1.695e3 * first_order_motion(u, PERIOD, 10.1, 0.06, 0.05)[1] / 0.125e-3) * 0.125e-3
-    return written(tmp_path / "ramp.csv", "time [s],cmd [V],pos x [mm]", PERIOD * np.arange(u.size), size * u, place)
-
-
-def driven(tmp_path: Path, gain: str = "1.695 m/s^2/full_scale", rate: float = 10.1) -> float:
-    """Run the axis file there and back; return the rms of its tracking error [m]."""
-    from contourlab.loop import simulate
-    from contourlab.scenario import load_scenario
-
-    (tmp_path / "way.ngc").write_text("G21 G90\nG1 X20 F1800\nX0\nM2\n")
-    (tmp_path / "run.toml").write_text(SCENARIO.replace("GAIN", gain).replace("RATE", str(rate)))
-    scenario = load_scenario(tmp_path / "run.toml")
-    result = simulate(scenario.machine, scenario.controller, scenario.base.reference())
-    error = result["reference"] - result["position"]
-    return float(np.sqrt(np.mean(error**2)))
 
 
 @pytest.mark.parametrize(
@@ -371,30 +122,6 @@ def test_the_file_of_an_axis_runs(
         assert axis.plant.origins["mass"].deviation / axis.plant.values()["mass"] == pytest.approx(
             a["robust_deviation"] / a["value"], rel=0.01
         )
-
-
-@pytest.mark.parametrize("kind", ["friction", "stiction"])
-def test_the_file_of_a_friction_runs_beside_a_plant(tmp_path: Path, capsys: pytest.CaptureFixture[str], kind: str) -> None:
-    out = tmp_path / "axis.toml"
-    if kind == "friction":
-        speeds = np.array([0.01, -0.01, 0.03, -0.03, 0.06, -0.06, 0.1, -0.1])
-        v = np.repeat(speeds, 1500)
-        u = 0.5 * np.sign(v) + 5.0 * v + 0.02 + 0.01 * np.random.default_rng(1).standard_normal(v.size)
-        log = written(tmp_path / "jog.csv", "time [s],cmd [V],pos x [mm]", PERIOD * np.arange(v.size), u, 1e3 * PERIOD * np.cumsum(v))
-    else:
-        log = ramped(tmp_path, 10.0)
-    words = [log, "--column", "command.x=cmd", "--model", kind, "--out", str(out)]
-    nothing = found_by(words, capsys, code=1)
-    assert any("--full-scale" in said for said in nothing["remarks"]) and nothing["axis_file"] is None and not out.exists()
-    found_by([*words, "--full-scale", "10 V"], capsys)
-    text = out.read_text()
-    assert " V" not in text.split("[friction]")[1] and text.count("deviation") >= 2
-    assert ("damping of the plant beside it is to be 0" in text) == (kind == "friction")
-    out.write_text(text + PLANT.replace("10.1", "0" if kind == "friction" else "10.1"))
-    assert driven(tmp_path) < 0.2e-3
-    if kind == "friction":
-        force = load_axis(out).disturbance
-        assert force.values()["force"] == pytest.approx(-0.002, abs=3.0 * force.origins["force"].deviation)
 
 
 @pytest.mark.parametrize(
@@ -530,80 +257,6 @@ def test_logs_of_one_name_are_told_apart_by_their_folders(tmp_path: Path, capsys
     (tmp_path / "fast" / "jog.csv").write_text("\n".join([*rows[:700], *rows[703:]]) + "\n")
     notes = found_by(words, capsys)["notes"]
     assert any(note.startswith("fast/jog.csv: ") and "missing" in note for note in notes)
-
-
-def jogged(tmp_path: Path, law: Callable[[np.ndarray], np.ndarray]) -> str:
-    """Return the log of jogs both ways, from 5 to 200 mm/s, under a friction in volts."""
-    speeds = np.array([5, 10, 20, 50, 80, 120, 160, 200]) * 1e-3
-    v = np.repeat(np.ravel(np.column_stack([speeds, -speeds])), 600)
-    u = law(v) + 0.01 * np.random.default_rng(1).standard_normal(v.size)
-    return written(tmp_path / "jog.csv", "time [s],cmd [V],pos x [mm]", PERIOD * np.arange(v.size), u, 1e3 * PERIOD * np.cumsum(v))
-
-
-@pytest.mark.parametrize(("seed", "said"), [(3, "the speeds are not constant"), (4, "% of the command: more than friction is at work")])
-def test_levels_of_force_at_random_tell_no_friction(tmp_path: Path, capsys: pytest.CaptureFixture[str], seed: int, said: str) -> None:
-    """What looks straight on the whole is no constant speed where a mass follows steps of force."""
-    u = np.repeat(np.random.default_rng(seed).uniform(-200.0, 200.0, 60), 300)
-    v = np.zeros(u.size)
-    for k in range(1, u.size):
-        v[k] = v[k - 1] + PERIOD * (u[k - 1] - 100.0 * v[k - 1]) / 20.0
-    log = written(tmp_path / "levels.csv", "time [s],push [N],pos x [mm]", PERIOD * np.arange(v.size), u, 1e3 * PERIOD * np.cumsum(v))
-    out = tmp_path / "axis.toml"
-    found = found_by([log, "--column", "force.x=push", "--model", "friction", "--out", str(out)], capsys, code=1)
-    assert any(said in remark for remark in found["remarks"]) and not out.exists()
-
-
-def test_friction_that_rises_is_not_called_stribeck(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    log = jogged(tmp_path, lambda v: np.sign(v) * (0.6 - 0.3 * np.exp(-((v / 0.06) ** 2))) + 3.0 * v)
-    found = found_by([log, "--column", "command.x=cmd", "--model", "friction"], capsys)
-    assert found["friction_model"] == "Coulomb, viscous and a rise"
-    assert not any("Stribeck is what" in said or "and Stribeck" in said for said in found["remarks"])
-    log = jogged(tmp_path, lambda v: np.sign(v) * (0.3 + 0.3 * np.exp(-((v / 0.03) ** 2))) + 3.0 * v)
-    assert found_by([log, "--column", "command.x=cmd", "--model", "friction"], capsys)["friction_model"] == "Coulomb, viscous and Stribeck"
-
-
-def test_friction_that_rises_from_rest_keeps_its_rise_in_the_file(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    log = jogged(tmp_path, lambda v: np.sign(v) * (0.6 - 0.3 * np.exp(-((v / 0.06) ** 2))) + 3.0 * v)
-    out = tmp_path / "axis.toml"
-    words = [log, "--column", "command.x=cmd", "--model", "friction", "--full-scale", "10 V", "--out", str(out)]
-    found = found_by(words, capsys)
-    figures = {name: one["value"] for name, one in found["parameters"].items()}
-    assert figures["drop"] == pytest.approx(-0.03, rel=0.1) and any(said.startswith("concave") for said in found["remarks"])
-    out.write_text(out.read_text() + PLANT.replace("10.1", "0"))
-    axis = load_axis(out)
-    friction, origins = axis.friction.values(), axis.friction.origins
-    assert axis.friction.kind == "rising" and "mm/s" in out.read_text()
-    assert (friction["coulomb"], friction["viscous"]) == pytest.approx((figures["Fc"], figures["Fv"]), rel=1e-4)
-    assert friction["breakaway"] == pytest.approx(figures["Fc"] + figures["drop"], rel=1e-4)
-    assert friction["rise_velocity"] == pytest.approx(figures["vs"], rel=1e-4)
-    # At rest the curve is better known than its level at speed and the rise from there, which go together.
-    assert origins["breakaway"].deviation < found["parameters"]["drop"]["deviation"]
-    assert {frozenset(pair[:2]) for pair in axis.correlations} >= {frozenset(("friction.breakaway", "friction.rise_velocity"))}
-    assert driven(tmp_path) < 0.2e-3
-
-
-def test_a_curve_below_zero_at_rest_is_no_component(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    log = jogged(tmp_path, lambda v: np.sign(v) * (0.5 - 0.7 * np.exp(-((v / 0.06) ** 2))) + 3.0 * v)
-    out = tmp_path / "friction.toml"
-    words = [log, "--column", "command.x=cmd", "--model", "friction", "--full-scale", "10 V", "--out", str(out)]
-    assert any("the curve is below zero at rest" in said for said in found_by(words, capsys)["remarks"])
-    assert 'kind = "coulomb"' in out.read_text()
-
-
-@pytest.mark.parametrize("model", ["rigid-by-direction", "friction"])
-def test_friction_that_is_averaged_over_directions_is_told(tmp_path: Path, capsys: pytest.CaptureFixture[str], model: str) -> None:
-    out = tmp_path / "axis.toml"
-    if model == "friction":
-        words = [jogged(tmp_path, lambda v: np.where(v > 0.0, 0.5 + 4.0 * v, -0.7 + 8.0 * v)), "--column", "command.x=cmd"]
-    else:
-        v = 0.05 * np.cos(2.0 * np.pi * 0.7 * TIME) + 0.04 * np.cos(2.0 * np.pi * 2.9 * TIME)
-        force = 40.0 * np.gradient(v, PERIOD) + np.where(v > 0.0, 5.0 + 40.0 * v, -7.0 + 80.0 * v)
-        place = 1e3 * PERIOD * np.cumsum(v)
-        words = [written(tmp_path / "log.csv", "time [s],cmd [V],pos x [mm]", TIME, 0.1 * force, place), "--column", "command.x=cmd"]
-    assert main(["identify", *words, "--model", model, "--gain", "10 N/V", "--out", str(out)]) == 0
-    said = next(line for line in capsys.readouterr().out.splitlines() if "one friction for both directions" in line)
-    assert said.removeprefix("note: ") in out.read_text()
-    assert re.search(r"Fv [\d.]+ N\*s/m of [\d.]+ forwards and [\d.]+ backwards, 6\d % apart", said)
 
 
 @pytest.mark.parametrize(
