@@ -11,6 +11,9 @@ from typing import Any
 import pytest
 from typed_commands import CIRCLE, ON_XYZ, PART, Run, contents
 
+from contourlab.session.folder import staged
+from contourlab.session.written_files import LIST
+
 RUBBISH = bytes(range(128, 256)) * 8
 
 SCENARIOS = {
@@ -199,8 +202,8 @@ controller.axes.3.controller.position_gain = "4000 full_scale/mm"
 def test_a_loop_that_runs_away_is_3_and_leaves_the_old_results(contourlab: Run, tmp_path: Path, words: list[str]) -> None:
     (tmp_path / "wild.toml").write_text(CIRCLE + WILD, encoding="utf-8")
     old = tmp_path / "results" / "summary.json"
-    old.parent.mkdir()
-    old.write_text("an older run", encoding="utf-8")
+    with staged(old.parent, "summary.json") as stage:
+        (stage / "summary.json").write_text("an older run", encoding="utf-8")
     said = contourlab("run", "wild.toml", "--out", "results", *words)
     assert (said.code, said.out) == (3, "")
     found = re.search(r"following error ([\d.]+) mm passes the limit of 5 mm \(axis 3, sample (\d+), t = ([\d.]+) s\)", one_line(said.err))
@@ -209,5 +212,5 @@ def test_a_loop_that_runs_away_is_3_and_leaves_the_old_results(contourlab: Run, 
     assert gap > 5.0
     assert time == pytest.approx(sample * 1e-3)
     assert 0 < sample < 100  # it runs away at once
-    assert contents(old.parent).keys() == {"summary.json"}
+    assert contents(old.parent).keys() == {LIST, "summary.json"}
     assert old.read_text(encoding="utf-8") == "an older run"

@@ -69,6 +69,10 @@ def test_learning_goes_on_where_it_ended(contourlab: Run, tmp_path: Path) -> Non
     more = json.loads(again.out)["schemes"]["ilc"]["learning"]["trials"]
     assert more[0]["contour_rms"] == pytest.approx(trials[-1]["contour_rms"], rel=1e-3)
     assert len(more) == 3
+    table = (tmp_path / "results" / "learned" / "ilc.nc").read_bytes()
+    own = contourlab("learn", file, "--schemes", "ilc", "--table", "results/learned/ilc.nc")
+    assert own.code == 2 and "results/learned/ilc.nc is read, and would be replaced" in own.err
+    assert (tmp_path / "results" / "learned" / "ilc.nc").read_bytes() == table
     # Another feed is another motion.
     write(tmp_path, frequency="0.625 Hz")
     refused = contourlab("learn", file, "--schemes", "ilc", "--table", "results/learned/ilc.nc", "--out", "no")

@@ -9,6 +9,7 @@ import pytest
 from typed_commands import contents
 
 from contourlab.cli.main import main
+from contourlab.session.written_files import LIST
 
 CIRCLE = """
 name = "circle"
@@ -135,10 +136,10 @@ def test_a_scenario_with_links_is_taken_as_it_stands(tmp_path: Path, capsys: pyt
 def test_plots_are_written_where_they_are_asked_for(circle: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     words = (circle, "--division", "observer", "--vary", "delay,loss", "--longest", "4 ms", "--seeds", "1")
     said = told(capsys, *words, "--plots", "svg", "--out", str(tmp_path / "out"))
-    assert sorted(contents(tmp_path / "out")) == ["plots/link-delay.svg", "plots/link-loss.svg", "summary.json"]
+    assert sorted(contents(tmp_path / "out")) == [LIST, "plots/link-delay.svg", "plots/link-loss.svg", "summary.json"]
     assert said.count("plot: ") == 2
     told(capsys, *words, "--out", str(tmp_path / "out"))  # results replace older ones together
-    assert sorted(contents(tmp_path / "out")) == ["summary.json"]
+    assert sorted(contents(tmp_path / "out")) == [LIST, "summary.json"]
 
 
 def test_the_results_are_kept_as_they_are_printed(circle: str, capsys: pytest.CaptureFixture[str]) -> None:

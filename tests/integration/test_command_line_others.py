@@ -138,6 +138,15 @@ def test_a_new_machine_overwrites_nothing_unasked(contourlab: Run, tmp_path: Pat
     assert len(contents(tmp_path / "mill")) == 5
 
 
+def test_a_new_machine_does_not_write_over_its_answers(contourlab: Run, tmp_path: Path) -> None:
+    (tmp_path / "controller.toml").write_text(ANSWERS, encoding="utf-8")
+    said = contourlab("new", "machine", "--out", ".", "--answers", "controller.toml", "--force")
+    assert (said.code, said.out) == (2, "")
+    assert "must be another file than controller.toml, which is read" in said.err
+    assert (tmp_path / "controller.toml").read_text(encoding="utf-8") == ANSWERS
+    assert len(contents(tmp_path)) == 1
+
+
 SLOW = pytest.mark.slow
 
 

@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 import json
+import shutil
 from pathlib import Path
 
 import numpy as np
 import pytest
+from typed_commands import contents
 
 from contourlab.cli.main import main
 from contourlab.scenario import load_machine, load_scenario
@@ -284,3 +286,20 @@ def test_what_cannot_be_written_is_told_before_it_is_refined(
     assert main(words(scene, "--plots", "png", option, str(tmp_path / {"--out": "taken", "--folder": "file"}[option]))) == 2
     assert option in capsys.readouterr().err
     assert sorted(file.name for file in tmp_path.iterdir()) == ["file", "taken"]
+
+
+@pytest.mark.parametrize("name", ["guess-circle.toml", "guess.toml", "log.csv", "columns.toml", "second.csv"])
+def test_what_is_read_is_not_written_over(
+    scene: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str], name: str
+) -> None:
+    from contourlab.session import refine
+
+    copy = tmp_path / "scene"
+    shutil.copytree(scene, copy)
+    shutil.copy(copy / "log.csv", copy / "second.csv")
+    before = contents(copy)
+    assert name in before
+    monkeypatch.setattr(refine, "refine", lambda *args, **more: pytest.fail("refined"))
+    assert main(words(copy, "--validation", str(copy / "second.csv"), "--out", str(copy / name))) == 2
+    assert f"must be another file than {copy / name}, which is read" in capsys.readouterr().err
+    assert contents(copy) == before

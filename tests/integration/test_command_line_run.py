@@ -13,6 +13,7 @@ from typed_commands import CIRCLE, ON_XYZ, PART, Finished, Run, contents
 
 import contourlab as package
 from contourlab.result import Result
+from contourlab.session.written_files import LIST
 
 SCHEMA = Path(__file__).parents[2] / "docs" / "summary-schema.md"
 RADIUS = 0.02
@@ -49,7 +50,7 @@ def test_json_is_alone_on_standard_output_and_is_the_summary(circle: Finished) -
 
 
 def test_a_run_leaves_report_summary_and_the_signals_of_each_scheme(circle: Finished) -> None:
-    assert set(contents(circle.folder)) == {"report.html", "summary.json", "signals/position-loop.nc", "signals/all-of-it.nc"}
+    assert set(contents(circle.folder)) == {LIST, "report.html", "summary.json", "signals/position-loop.nc", "signals/all-of-it.nc"}
     page = (circle.folder / "report.html").read_text(encoding="utf-8")
     assert page.lower().startswith("<!doctype html>")
     assert page.rstrip().endswith("</html>")
@@ -115,7 +116,7 @@ def test_the_reference_is_the_circle_that_was_asked_for(circle: Finished) -> Non
 
 def test_a_part_program_leaves_its_files(part: Finished) -> None:
     assert (part.said.code, part.said.err) == (0, "")
-    assert set(contents(part.folder)) == {"report.html", "summary.json", "signals/base.nc"}
+    assert set(contents(part.folder)) == {LIST, "report.html", "summary.json", "signals/base.nc"}
     assert f"report: {Path('results') / 'report.html'}" in part.said.out
 
 

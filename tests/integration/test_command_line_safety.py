@@ -15,6 +15,8 @@ from pathlib import Path
 import pytest
 from typed_commands import CIRCLE, COMMAND, ON_XYZ, PART, Finished, Run, contents, environment
 
+from contourlab.session.written_files import LIST
+
 POSIX = pytest.mark.skipif(os.name == "nt", reason="signals, pipes and limits of a POSIX system")
 
 
@@ -73,10 +75,10 @@ def test_an_interrupt_while_results_are_written_keeps_the_old_ones(used: Path, t
 def test_older_results_are_replaced_whole_and_other_files_are_left_alone(contourlab: Run, used: Path, tmp_path: Path) -> None:
     (tmp_path / "other.toml").write_text(CIRCLE.replace("20 mm", "19 mm"), encoding="utf-8")
     (used / "notes.txt").write_text("of the user", encoding="utf-8")
-    (used / "plots").mkdir()
-    (used / "plots" / "path-0.svg").write_text("of the older run", encoding="utf-8")
+    (used / "signals" / "bench.nc").write_text("of the user", encoding="utf-8")
+    assert (used / "signals" / "all-of-it.nc").exists()
     assert contourlab("run", "other.toml", "--out", "results").code == 0
-    assert set(contents(used)) == {"report.html", "summary.json", "signals/base.nc", "notes.txt"}
+    assert set(contents(used)) == {LIST, "report.html", "summary.json", "signals/base.nc", "signals/bench.nc", "notes.txt"}
 
 
 def test_a_scheme_that_runs_away_takes_nothing_from_the_others(contourlab: Run, tmp_path: Path) -> None:

@@ -158,7 +158,7 @@ def test_an_interrupted_study_is_taken_up_by_the_same_command(
     assert main(words) == 0
     assert "2 searches were kept from an earlier time" in capsys.readouterr().out
     files = [file.relative_to("whole") for file in Path("whole").rglob("*") if file.suffix in (".json", ".toml")]
-    assert len(files) == 6 and all((Path("whole") / file).read_bytes() == (Path("results") / file).read_bytes() for file in files)
+    assert len(files) == 7 and all((Path("whole") / file).read_bytes() == (Path("results") / file).read_bytes() for file in files)
     # Another seed is another study.
     assert main([*words, "--seed", "1"]) == 0
     said = capsys.readouterr().out

@@ -7,7 +7,7 @@ import math
 from pathlib import Path
 
 import pytest
-from typed_commands import Run
+from typed_commands import Run, contents
 
 from contourlab.cli.main import main
 from contourlab.scenario import load_scenario
@@ -219,12 +219,13 @@ def test_a_start_beyond_its_bounds_is_begun_within_and_says_so(tmp_path: Path, c
     assert "x.integral_gain = 5 1/s lies beyond its bounds 8 to 12 1/s: begun at the nearer one" in found["notes"]
 
 
-def test_the_scenario_itself_is_not_written_over(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+@pytest.mark.parametrize("name", ["circle.toml", "control.toml", "stage.toml"])
+def test_the_scenario_and_its_files_are_not_written_over(name: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     file = written(tmp_path)
-    before = file.read_text()
-    assert main(["tune", str(file), "--out", str(file)]) == 2
-    assert file.read_text() == before
-    assert "another file" in capsys.readouterr().err
+    before = contents(tmp_path)
+    assert main(["tune", str(file), "--out", str(tmp_path / name)]) == 2
+    assert contents(tmp_path) == before
+    assert f"must be another file than {tmp_path / name}, which is read" in capsys.readouterr().err
 
 
 def test_placing_is_refused_where_a_kind_places_nothing(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:

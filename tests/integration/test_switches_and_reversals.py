@@ -5,6 +5,7 @@ from __future__ import annotations
 import csv
 import json
 import re
+import shutil
 from pathlib import Path
 from typing import Any
 
@@ -154,8 +155,8 @@ def test_the_linear_loop_of_a_supervised_axis_is_called_what_it_is(found: Finish
 
 def test_a_later_run_takes_the_tables_of_an_older_one_away(found: Finished, tmp_path: Path) -> None:
     results = tmp_path / "results"
-    (results / "switches").mkdir(parents=True)
-    (results / "switches" / "older.csv").write_text("time_s\n", encoding="utf-8")
+    shutil.copytree(found.folder, results)
+    assert (results / "switches").exists()
     plain = SCENARIO.partition('[schemes."by the gap"')[0]
     (tmp_path / "plain.toml").write_text(plain, encoding="utf-8")
     said = invoke(tmp_path, "run", "plain.toml", "--out", "results")

@@ -20,6 +20,7 @@ from contourlab.result import write_text_atomic
 from contourlab.scenario.dump import quantity
 from contourlab.scenario.quantities import read_number
 from contourlab.scenario.toml_text import Noted, toml
+from contourlab.session.folder import spared
 from contourlab.units import from_si
 
 __all__ = ["Question", "build_machine", "explain", "questions", "write_machine"]
@@ -361,7 +362,7 @@ def explain(answers: Mapping[str, str]) -> str:
     return "\n".join(lines)
 
 
-def write_machine(files: Mapping[str, str], folder: str | Path, *, force: bool = False) -> list[Path]:
+def write_machine(files: Mapping[str, str], folder: str | Path, *, force: bool = False, inputs: Sequence[str | Path] = ()) -> list[Path]:
     """Write files into a folder, made if it is not there.
 
     Parameters
@@ -371,9 +372,13 @@ def write_machine(files: Mapping[str, str], folder: str | Path, *, force: bool =
     folder : str or Path
     force : bool
         Whether files that are there already may be overwritten.
+    inputs : sequence of str or Path
+        Files that were read, which are never overwritten.
 
     Raises
     ------
+    ParameterError
+        If one is among `inputs`.
     OutputError
         If one is there already, before anything is written; or if one cannot be written.
     """
@@ -382,6 +387,8 @@ def write_machine(files: Mapping[str, str], folder: str | Path, *, force: bool =
     if there and not force:
         listed = f"{', '.join(there)} {'is' if len(there) == 1 else 'are'}"
         raise OutputError(f"{folder}: {listed} there already: choose another folder, or use --force")
+    for target in targets:
+        spared(target, inputs)
     for target, text in targets.items():
         write_text_atomic(target, text)
     return list(targets)

@@ -183,7 +183,7 @@ class Scenario:
     all_cases : tuple of Case
         One for each scheme; the base alone where there is none.
     files : tuple of Path
-        Every file that was read.
+        The scenario's own, and every one of a machine, an axis or a controller that was read for it.
     """
 
     name: str
@@ -217,6 +217,14 @@ class Scenario:
     def run(self) -> RunSettings:
         """The base's run settings."""
         return self.base.run
+
+    @property
+    def inputs(self) -> tuple[File, ...]:
+        """All that is read: `files`, the drawing or the part program with its tools, learned tables."""
+        motion = self.motion
+        tools = motion.reading.tools if isinstance(motion, PartProgram) else None
+        tables = [case.learning.table for case in self.cases() if case.learning is not None]
+        return (*self.files, *(File(file) for file in (motion.file, tools, *tables) if file is not None))
 
     def cases(self) -> list[Case]:
         """Return one case for each scheme, in the order of the file; the base alone where there is none."""

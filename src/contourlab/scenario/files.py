@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from functools import cache
 from pathlib import Path
 
@@ -66,13 +66,17 @@ class Reader:
         Axes of the machine, where known: what ``"*"`` stands for.
     open_files : tuple of Path
         Files that are being read, outermost first, to find cycles.
+    seen : list of Path
+        Every file that was read, by this reader and by those made from it.
     """
 
     names: tuple[str, ...] = ()
     open_files: tuple[Path, ...] = ()
+    seen: list[Path] = field(default_factory=list)
 
     def file(self, path: Path) -> Table:
         """Read a file."""
+        self.seen.append(path)
         return read_tree(path)
 
     def include(self, leaf: Leaf, part: Callable[[Reader, Table], Table]) -> Table:

@@ -292,7 +292,7 @@ def _scenario(reader: Reader, content: Table, path: Path) -> Scenario:
     schemes = content.table("schemes")
     cases = tuple(_case(name, _over(reader, layers, schemes.table(name)), motion, schemes.table(name), reader) for name in schemes.entries)
     overrides = {name: dict(_flat(schemes.table(name))) for name in schemes.entries}
-    return Scenario(plain.name or _title(path), path, base, overrides, cases)
+    return Scenario(plain.name or _title(path), path, base, overrides, cases, tuple(dict.fromkeys(reader.seen)))
 
 
 def _flat(table: Table, key: str = "") -> list[tuple[str, Any]]:

@@ -20,7 +20,9 @@ from contourlab.analysis import (
 )
 from contourlab.analysis.divided_loop import link_growth
 from contourlab.errors import ComponentError
+from contourlab.session.folder import staged
 from contourlab.session.margin_words import gain_words, phase_words
+from contourlab.session.run import file_names
 
 if TYPE_CHECKING:
     from contourlab.report.charts import Chart
@@ -105,8 +107,9 @@ def analyse_scenario(
     if plots:
         from contourlab.report.plots import write_charts
 
-        files = write_charts(_charts(found), Path(out) / "plots", tuple(plots))
-        text += "".join(f"\n{file}" for file in files)
+        with staged(out, inputs=scenario.inputs) as stage:
+            files = write_charts(_charts(found), stage / "plots", tuple(plots))
+        text += "".join(f"\n{Path(out) / file.relative_to(stage)}" for file in files)
     summary = {"name": scenario.name, "schemes": {one.name: _summary(one) for one in found}}
     return Analysed(all(one.good for one in found), summary, text)
 
@@ -212,10 +215,11 @@ def _charts(found: Sequence[_Found]) -> list[Chart]:
     from contourlab.report.learning_pictures import learning_charts, singular_value_chart
 
     charts: list[Chart] = []
+    names = file_names([one.name for one in found])
     for one in found:
         if one.transfer is not None:
             named = contour_transfer_charts(one.transfer)
-            charts += [replace(c, key=f"{c.key}-{one.name}", title=f"{c.title}, {one.name}") for c in named]
+            charts += [replace(c, key=f"{c.key}-{names[one.name]}", title=f"{c.title}, {one.name}") for c in named]
     learning = {one.name: one.learning for one in found if one.learning is not None}
     lifted = {name: analysis.lifted.singular_values for name, analysis in learning.items() if analysis.lifted is not None}
     short = {name: values for name, values in lifted.items() if values is not None}

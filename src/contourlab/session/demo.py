@@ -10,6 +10,7 @@ from typing import Any
 
 from contourlab.result import write_text_atomic
 from contourlab.scenario import builtin_file, load_scenario
+from contourlab.session.folder import staged
 from contourlab.session.run import RunOutcome, interval_words, run_session
 
 __all__ = ["DEMOS", "run_demo"]
@@ -41,15 +42,16 @@ def run_demo(out: str | Path, *, progress: bool = False, interval: bool | None =
     """
     folder = Path(out)
     titles, tables, summaries = {}, {}, {}
-    for name, shipped in DEMOS.items():
-        scenario = load_scenario(builtin_file(shipped))
-        words = " ".join(["contourlab", "run", f"builtin:{shipped}", *interval_words(interval)])
-        found = run_session(scenario, folder / name, command=words, progress=progress, interval=interval)
-        titles[name], tables[name], summaries[name] = scenario.name, found.table, found.summary
-    passed = all(_last(summary)["verdict"]["passed"] for summary in summaries.values())
-    summary: dict[str, Any] = {"schema": "contourlab-demo/1", "passed": passed, "parts": summaries}
-    write_text_atomic(folder / "summary.json", json.dumps(summary, indent=2, allow_nan=False) + "\n")
-    write_text_atomic(folder / "report.html", _index(titles, tables))
+    with staged(folder, "summary.json", "report.html") as stage:
+        for name, shipped in DEMOS.items():
+            scenario = load_scenario(builtin_file(shipped))
+            words = " ".join(["contourlab", "run", f"builtin:{shipped}", *interval_words(interval)])
+            found = run_session(scenario, folder / name, command=words, progress=progress, interval=interval)
+            titles[name], tables[name], summaries[name] = scenario.name, found.table, found.summary
+        passed = all(_last(summary)["verdict"]["passed"] for summary in summaries.values())
+        summary: dict[str, Any] = {"schema": "contourlab-demo/1", "passed": passed, "parts": summaries}
+        write_text_atomic(stage / "summary.json", json.dumps(summary, indent=2, allow_nan=False) + "\n")
+        write_text_atomic(stage / "report.html", _index(titles, tables))
     words = f"{'PASS' if passed else 'FAIL'}: the last scheme of each run against its tolerance. Reports: {folder / 'report.html'}"
     return RunOutcome(passed, summary, f"{_table(titles, summaries)}\n\n{words}")
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import shutil
 import signal
 import tempfile
@@ -11,52 +12,83 @@ from contextlib import contextmanager, suppress
 from pathlib import Path
 from typing import Any
 
-from contourlab.errors import OutputError
+from contourlab.errors import OutputError, ParameterError
+from contourlab.session.written_files import LIST, OURS, SINGLE, WrittenFiles
 
-__all__ = ["check_file", "staged"]
-
-KEPT = "learned/*.nc"
-"""What is no report but a product: each replaces an older one of its own name only."""
-_PLOTS = ("plots/*.png", "plots/*.svg", "plots/*.pdf")
-OURS = ("report.html", "signals/*.nc", "switches/*.csv", KEPT, "controllers/*.toml", *_PLOTS, "swap.json", "summary.json")
-"""What a run writes; the summary comes last, so that where it is the rest is complete."""
+__all__ = ["check_file", "spared", "staged"]
 
 
-def check_file(file: str | Path, option: str = "--out") -> None:
+def check_file(file: str | Path, inputs: Iterable[str | Path] = (), option: str = "--out") -> None:
     """See that a file can be written, ahead of the work that it is to hold; nothing is left behind, and an older one stays as it is.
 
     Parameters
     ----------
     file : str or Path
         Folders above it that are not there yet are no fault: they are made when it is written.
+    inputs : iterable of str or Path
+        What the command reads, which it must not write over.
     option : str
         What named it.
 
     Raises
     ------
+    ParameterError
+        If it is one of `inputs`, by whatever name.
     OutputError
         If it is a folder, or cannot be made or replaced.
     """
     target = Path(file)
     if target.is_dir():
         raise OutputError(f"{target}: is a folder; name a file with {option}")
+    spared(target, inputs, option)
     with _made(target.parent, option):
         pass
 
 
+def spared(file: str | Path, inputs: Iterable[str | Path], option: str = "--out") -> None:
+    """Refuse a file to write that is one to read, by whatever name: a link, another spelling.
+
+    Parameters
+    ----------
+    file : str or Path
+    inputs : iterable of str or Path
+        Names of files that are not there, such as those of shipped ones, are passed over.
+    option : str
+        What named the file.
+
+    Raises
+    ------
+    ParameterError
+        If it is.
+    """
+    for given in inputs:
+        if _is_same(file, given):
+            raise ParameterError(option, repr(str(file)), f"another file than {given}, which is read")
+
+
+def _is_same(one: str | Path, other: str | Path) -> bool:
+    try:
+        return Path(one).samefile(other)
+    except (OSError, ValueError):  # one of them is not there, or is no name of a file
+        return False
+
+
 @contextmanager
-def staged(out: str | Path, *, alone: bool = True, option: str = "--out") -> Iterator[Path]:
+def staged(out: str | Path, *names: str, inputs: Iterable[str | Path] = (), option: str = "--out") -> Iterator[Path]:
     """Give a folder to write results into; when the block ends well they take the place of older ones in `out`.
 
-    Files that no run writes are left alone, and all of them where the block has written nothing. After an error or an interrupt `out` is as
-    it was.
+    Older ones are those that contourlab itself wrote into `out` together with the same summary, as a list there says. Whatever else is
+    there stays, and all of it where the block has written nothing. After an error or an interrupt `out` is as it was.
 
     Parameters
     ----------
     out : str or Path
         Made if it is not there.
-    alone : bool
-        Whether the results are all that is to be in `out`, so that older ones of other names go; else they replace their namesakes only.
+    names : str
+        What is sure to be written, the summary first, so that what stands in its way is told ahead of the work. Without any the results go
+        with no summary, as pictures by themselves, and replace their namesakes only.
+    inputs : iterable of str or Path
+        What the command reads, which must not be replaced.
     option : str
         What named the folder.
 
@@ -66,14 +98,33 @@ def staged(out: str | Path, *, alone: bool = True, option: str = "--out") -> Ite
 
     Raises
     ------
+    ParameterError
+        If something in `out` that is to be replaced is one of `inputs`.
     OutputError
-        If the folder cannot be made or written to; found before the block begins.
+        If the folder cannot be made or written to, or a file is in the way that contourlab did not write.
     """
-    folder = Path(out)
+    folder, summary, given = Path(out), names[0] if names else "", tuple(inputs)
+    _check(folder, summary, names, given, option)
     with _made(folder, option) as stage:
         yield stage
-        with _undisturbed():
-            _exchange(stage, folder, alone)
+        new = [path.relative_to(stage).as_posix() for pattern in OURS for path in sorted(stage.glob(pattern))]
+        if new:
+            _check(folder, summary, new, given, option)
+            with _undisturbed():
+                _exchange(stage, folder, summary, new)
+
+
+def _check(folder: Path, summary: str, names: Iterable[str], inputs: Iterable[str | Path], option: str) -> None:
+    """Refuse to replace what is read, and what contourlab did not write."""
+    written = WrittenFiles.of(folder)
+    for name in (*names, *written.beside(summary)):
+        for given in inputs:
+            if _is_same(folder / name, given):
+                raise ParameterError(option, repr(str(folder)), f"another folder: {given} is read, and would be replaced")
+    for name in names:
+        if name not in written.names and os.path.lexists(folder / name):
+            cure = f"choose another folder with {option}, or move it away"
+            raise OutputError(f"{folder / name}: would be replaced, and is not known to be contourlab's: {cure}")
 
 
 @contextmanager
@@ -99,27 +150,53 @@ def _remove(folders: Iterable[Path]) -> None:
             path.rmdir()  # goes only where it is empty
 
 
-def _exchange(stage: Path, folder: Path, alone: bool) -> None:
+def _exchange(stage: Path, folder: Path, summary: str, new: Iterable[str]) -> None:
     """Move older results into the stage, which is thrown away, and newer ones out of it: renames on one disk, a matter of milliseconds."""
-    new = [path for pattern in OURS for path in sorted(stage.glob(pattern))]
-    if not new:
-        return
-    old = [path for pattern in OURS if alone and pattern != KEPT for path in sorted(folder.glob(pattern))]
+    before = WrittenFiles.of(folder)
+    old, after = before.beside(summary), before.after(summary, new)
     moved: list[tuple[Path, Path]] = []
+
+    def move(path: Path, target: Path) -> None:
+        moved.append((path, path.replace(target)))
+
+    def put_away(path: Path) -> None:
+        if os.path.lexists(path):
+            move(path, stage / f"old-{len(moved)}")
+
     try:
-        for number, path in enumerate(old):
-            moved.append((path, path.replace(stage / f"old-{number}")))
-        for path in new:
-            target = folder / path.relative_to(stage)
-            target.parent.mkdir(exist_ok=True)
-            moved.append((path, path.replace(target)))
+        after.save(stage / "list")
+        # Whenever it all ends, be it in the middle, whatever is there of the older and the newer results is listed.
+        with _relisted(stage, folder, after.with_more(summary or SINGLE, old)):
+            for name in old:
+                put_away(folder / name)
+            for name in new:
+                (folder / name).parent.mkdir(exist_ok=True)
+                put_away(folder / name)
+                move(stage / name, folder / name)
+            (stage / "list").replace(folder / LIST)
     except OSError as error:
         for path, target in reversed(moved):
             with suppress(OSError):
                 target.replace(path)
         raise OutputError(f"{folder}: cannot be written: {error.strerror or error}") from error
     finally:
-        _remove(folder / name for name in ("signals", "switches", "learned", "controllers", "plots"))
+        _remove(folder / name for name in {pattern.partition("/")[0] for pattern in OURS if "/" in pattern})
+
+
+@contextmanager
+def _relisted(stage: Path, folder: Path, files: WrittenFiles) -> Iterator[None]:
+    """Put a list into a folder while the block runs; where that fails the former one is put back."""
+    had = (folder / LIST).exists()
+    if had:
+        shutil.copyfile(folder / LIST, stage / "list-before")
+    files.save(stage / "list-meanwhile")
+    (stage / "list-meanwhile").replace(folder / LIST)
+    try:
+        yield
+    except OSError:
+        with suppress(OSError):
+            (stage / "list-before").replace(folder / LIST) if had else (folder / LIST).unlink()
+        raise
 
 
 @contextmanager

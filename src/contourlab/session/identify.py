@@ -54,15 +54,15 @@ def identify_log(
     LogError, ResultError
         If a log cannot be read or lacks a signal, or the axis cannot be identified from the logs; says which.
     ParameterError
-        If an option is out of range.
+        If an option is out of range, or `out` is a file that is read.
     OutputError
         If `out` or `folder` cannot be written; found before a log is read.
     """
     check_plots(plots)
     study = study_of(request)
     if out is not None:
-        check_file(out)
-    with staged(folder, alone=False, option="--folder") if plots else nullcontext() as stage:
+        check_file(out, request.inputs)
+    with staged(folder, inputs=request.inputs, option="--folder") if plots else nullcontext() as stage:
         with request.about():
             found = study(request)
         found = replace(found, remarks=(*found.remarks, *request.doubts))

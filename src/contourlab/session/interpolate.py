@@ -13,6 +13,7 @@ from contourlab.analysis.quadrature import QuadratureConstants, fit_ellipse
 from contourlab.analysis.quadrature_tracking import track_ellipse
 from contourlab.errors import ParameterError, UnitError
 from contourlab.logs.naming import about
+from contourlab.session.folder import spared
 from contourlab.session.interpolate_text import counts_csv, summary_json, summary_text
 from contourlab.session.interpolated_record import InterpolatedRecord
 from contourlab.session.quadrature_record import read_quadrature
@@ -20,6 +21,8 @@ from contourlab.units import to_si
 
 __all__ = ["Interpolated", "interpolate_file"]
 
+PLACES = {"counts": "interpolated.csv", "picture": "interpolation.png", "summary": "interpolation.json"}
+"""What is written, in the folder."""
 MICRO, MU = "\u00b5", "\u03bc"
 
 
@@ -82,6 +85,9 @@ def interpolate_file(
     """
     period, count = _length("--pitch", pitch, "20 um"), _length("--resolution", resolution, "25 nm")
     order = interpolation_order(period, count)
+    if out is not None:
+        for name in PLACES.values():
+            spared(Path(out) / name, [file])
     record = read_quadrature(file, columns, reference)
     with about(record.source.file, options=("forgetting",)):
         fit = fit_ellipse(record.u1, record.u2)
@@ -109,8 +115,7 @@ def _write(folder: Path, judged: InterpolatedRecord, summary: dict[str, Any]) ->
     from contourlab.report.lissajous import LissajousData, lissajous_png
     from contourlab.result.atomic import replacing
 
-    places = {"counts": "interpolated.csv", "picture": "interpolation.png", "summary": "interpolation.json"}
-    files = {key: str(folder / name) for key, name in places.items()}
+    files = {key: str(folder / name) for key, name in PLACES.items()}
     title, after = judged.record.source.file.name, judged.after[:, judged.settled :].T
     names = _legend(summary["subdivisional_error"])
     picture = lissajous_png(LissajousData(title, judged.before.T, after, *judged.over_phase(), names))

@@ -125,7 +125,7 @@ def link_scenario(
     found: dict[str, Any] = {"name": scenario.name, "schemes": {}}
     texts: list[str] = []
     charts: list[Chart] = []
-    with staged(folder) as stage:
+    with staged(folder, "summary.json", inputs=scenario.inputs) as stage:
         with shown(progress) as stages:
             for case in scenario.cases():
                 stages.begin(f"planning {case.name}")

@@ -46,6 +46,11 @@ class LogChoice:
     period: str | None = None
     axes: Sequence[str] = ()
 
+    @property
+    def files(self) -> tuple[str | Path, ...]:
+        """The files that are read."""
+        return (self.file,) if self.mapping is None else (self.file, self.mapping)
+
 
 def open_log(choice: LogChoice, more: Sequence[Column] = ()) -> Log:
     """Read a log as its user says.

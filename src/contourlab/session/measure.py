@@ -41,6 +41,7 @@ class _Judged:
     name: str
     log: Log
     found: Measured
+    inputs: tuple[str | Path, ...]
 
 
 def measure_log(
@@ -101,7 +102,7 @@ def compare_runs(files: Sequence[str | Path], out: str | Path, *, plots: Sequenc
     check_plots(plots)
     opened = [_judged(LogChoice(_signals_of(Path(file)))) for file in files]
     names = _names([Path(file) for file in files])
-    runs = [_Judged(name, run.log, run.found) for name, run in zip(names, opened, strict=True)]
+    runs = [replace(run, name=name) for name, run in zip(names, opened, strict=True)]
     for run in runs[1:]:
         if run.found.result.axes != runs[0].found.result.axes:
             axes = ", ".join(runs[0].found.result.axes)
@@ -121,7 +122,8 @@ def _judged(choice: LogChoice, reference: str | None = None, shift: str | None =
         except ResultError as error:
             raise ResultError("; ".join([str(error), *log.doubtful])) from error
     found = replace(found, notes=(*found.notes, *gap_words(log, found, of_samples=path is None)))
-    return _Judged(log.result.scheme, log, found)
+    inputs = (*choice.files, *([program] if program else []))
+    return _Judged(log.result.scheme, log, found, inputs)
 
 
 def _shift(text: str | None, axes: tuple[str, ...]) -> NDArray[np.float64] | Literal["fit"] | None:
@@ -160,7 +162,8 @@ def _names(files: Sequence[Path]) -> list[str]:
 
 def _written(runs: Sequence[_Judged], title: str, out: str | Path, limit: float | None, command: str, plots: Sequence[str]) -> RunOutcome:
     files = file_names([run.name for run in runs])
-    with staged(out) as folder:
+    sure = ("summary.json", "report.html", *(f"signals/{name}.nc" for name in files.values()))
+    with staged(out, *sure, inputs=[file for run in runs for file in run.inputs]) as folder:
         for run in runs:
             run.found.result.save(folder / "signals" / f"{files[run.name]}.nc")
         summary = _summary(runs, title, limit, command)

@@ -13,7 +13,7 @@ import numpy as np
 from contourlab.errors import ParameterError, UnitError
 from contourlab.logs.naming import about
 from contourlab.result import write_text_atomic
-from contourlab.session.folder import check_file, staged
+from contourlab.session.folder import check_file, spared, staged
 from contourlab.session.log_choice import LogChoice, open_log, told_apart
 from contourlab.session.run import check_plots
 from contourlab.studies.log_run import Agreement, LogRun, log_run
@@ -93,9 +93,13 @@ def refine_logs(
         runs = [replace(run, label=f"{run.label} {i + 1}") for i, run in enumerate(runs)]
     spans = _windows(windows, len(runs))
     held_out = None if validation is None else _run(read[0], validation, several=False)  # a log that cannot be read is told ahead
+    inputs = [file for one in read for file in one.inputs] + [file for choice in choices for file in choice.files]
+    inputs += [*(() if validation is None else validation.files), *map(Path, plugins)]
     if out is not None:
-        check_file(out)
-    with staged(folder, alone=False, option="--folder") if plots else nullcontext() as stage:
+        check_file(out, inputs)
+        for run in runs:
+            spared(_beside(Path(out), run), inputs)
+    with staged(folder, inputs=inputs, option="--folder") if plots else nullcontext() as stage:
         found = refine(runs, parameters, windows=spans, settings=RefineSettings(starts=starts), progress=progress)
         checked = _Validation((), ()) if held_out is None else _held_out(found, runs, held_out)
         on_second = worse_than_before("on the log for validation", checked.before, checked.after)
@@ -223,6 +227,11 @@ def _summary(found: Refined, checked: _Validation, sources: Sequence[str]) -> di
     }
 
 
+def _beside(machine: Path, run: LogRun) -> Path:
+    """Return the file of a run's controller."""
+    return machine.with_name(f"{machine.stem}-{run.label}-controller.toml".replace(" ", "-"))
+
+
 def _write(found: Refined, sources: Sequence[str], out: Path) -> list[str]:
     """Write the machine, and the controllers of which something was refined; return what is to be said."""
     from contourlab.session.refined_files import controller_text, machine_text
@@ -232,8 +241,7 @@ def _write(found: Refined, sources: Sequence[str], out: Path) -> list[str]:
     files = [("machine", out, machine_text(found, sources))]
     for i, run in enumerate(found.runs):
         if any(one.name.startswith("controller.") and i in one.runs for one in found.sought):
-            file = out.with_name(f"{out.stem}-{run.label}-controller.toml".replace(" ", "-"))
-            files.append(("controller", file, controller_text(found, i, sources)))
+            files.append(("controller", _beside(out, run), controller_text(found, i, sources)))
     for _, file, text in files:
         write_text_atomic(file, text)
     return [f"{kind}: {file}" for kind, file, _ in files]

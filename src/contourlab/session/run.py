@@ -228,7 +228,9 @@ def run_session(
     _check_choices(plots, signals)
     cases: Sequence[Case] = scenario.cases()
     names = file_names([case.name for case in cases])
-    with staged(out) as folder:
+    sure = ["summary.json", "report.html", *(f"signals/{name}.nc" for name in names.values())]
+    sure += [f"learned/{names[case.name]}.nc" for case in cases if case.learning is not None]
+    with staged(out, *sure, inputs=scenario.inputs) as folder:
         outcomes: list[Outcome] = []
         runaways: dict[str, DivergenceError] = {}
         with shown(progress) as stages:

@@ -121,8 +121,8 @@ def sensitivity_of(
     from contourlab.session.run import check_plots
 
     check_plots(plots)
-    case, notes = _case(file, request, plugins)
-    with taken_up_again(Path(out) / KEPT, "runs"), staged(out) as stage:
+    case, notes, inputs = _case(file, request, plugins)
+    with taken_up_again(Path(out) / KEPT, "runs"), staged(out, "summary.json", inputs=inputs) as stage:
         with shown(progress) as stages:
             study, runs = _studied(case, request, Path(out) / KEPT, stages)
         notes += _kept_notes(runs)
@@ -137,8 +137,8 @@ def sensitivity_of(
     return SensitivityOutcome(summary, text_of(study, runs, case, notes))
 
 
-def _case(file: str | Path, request: Request, plugins: Sequence[str | Path]) -> tuple[Case, list[str]]:
-    """Return what is studied, and what is to be known of it."""
+def _case(file: str | Path, request: Request, plugins: Sequence[str | Path]) -> tuple[Case, list[str], tuple[Path, ...]]:
+    """Return what is studied, what is to be known of it, and the files that were read."""
     from contourlab.session.log_choice import positive
     from contourlab.session.schemes import loaded
 
@@ -158,7 +158,7 @@ def _case(file: str | Path, request: Request, plugins: Sequence[str | Path]) -> 
         notes.append("the runs are those before anything is learned")
     if case.machine.squareness or any(axis.error.position.size or axis.error.repeatability for axis in case.machine.axes):
         notes.append("the machine's lead errors and squareness are no part of these runs: they are the same under any controller")
-    return case, notes
+    return case, notes, scenario.inputs
 
 
 def _studied(case: Case, request: Request, folder: Path, stages: Stages) -> tuple[Study, Runs]:

@@ -99,6 +99,7 @@ class _Prepared:
     region: Space | None
     tolerance: float | None
     notes: tuple[str, ...]
+    inputs: tuple[str | Path, ...]
 
 
 def swap_scenario(
@@ -141,7 +142,7 @@ def swap_scenario(
     period = fleet.variants[0].machine.servo_period
     if asked.longest < period:
         raise ParameterError("--longest", options.network.longest or "100 ms", f"the servo period, {period * 1e3:g} ms, or longer")
-    with taken_up_again(Path(out) / KEPT, "searches"), shown(progress) as stages, staged(out) as folder:
+    with taken_up_again(Path(out) / KEPT, "searches"), shown(progress) as stages, staged(out, "swap.json", inputs=ready.inputs) as folder:
         kept = kept_searches(Path(out) / KEPT, fleet, ready.candidates, settings)
         study = swap_study(fleet, ready.candidates, settings, _told(stages, fleet), kept)
         over = None
@@ -217,7 +218,8 @@ def _prepared(file: str | Path, swaps: Sequence[tuple[str, Sequence[str]]], opti
         region = Space.chosen(machine, controller, options.region, options.width, called="--region", machine_only=True)
     tolerance = None if options.tolerance is None else _quantity("--tolerance", options.tolerance, unit, 0.0)
     _methods(options.linear)
-    return _Prepared(fleet, candidates, settings, region, tolerance, origins.notes)
+    inputs: tuple[str | Path, ...] = (*scenario.inputs, *(other for _, others in swaps for other in others), *origins.files)
+    return _Prepared(fleet, candidates, settings, region, tolerance, origins.notes, inputs)
 
 
 def _may_move(controller: Controller, name: str) -> bool:

@@ -33,10 +33,13 @@ class Origins:
     known : tuple of Known
     notes : tuple of str
         What the files have that the study does not take from them.
+    files : tuple of str
+        As they were named.
     """
 
     known: tuple[Known, ...] = ()
     notes: tuple[str, ...] = ()
+    files: tuple[str, ...] = ()
 
 
 def known_designs(fleet: Fleet, texts: Sequence[str], plugins: Sequence[str | Path] = ()) -> Origins:
@@ -58,6 +61,7 @@ def known_designs(fleet: Fleet, texts: Sequence[str], plugins: Sequence[str | Pa
     """
     known: list[Known] = []
     notes: list[str] = []
+    named: list[str] = []
     for text in texts:
         files, n = [word.strip() for word in text.split(",")], fleet.n_variant
         if len(files) not in (1, n) or not all(files):
@@ -70,7 +74,8 @@ def known_designs(fleet: Fleet, texts: Sequence[str], plugins: Sequence[str | Pa
             design.append(_numbers(fleet, variant, file, made))
             notes += _left_out(fleet, variant, file, made)
         known.append(tuple(design))
-    return Origins(tuple(known), tuple(dict.fromkeys(notes)))
+        named += files
+    return Origins(tuple(known), tuple(dict.fromkeys(notes)), tuple(named))
 
 
 def _loaded(file: str, variant: Variant, plugins: Sequence[str | Path]) -> Controller:

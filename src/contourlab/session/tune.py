@@ -77,9 +77,12 @@ def tune_scenario(
     from contourlab.session.run import check_plots
 
     check_plots(plots)
-    _check_out(out, file)
-    name, case = _case(file, scheme, machine, controller, tolerance, plugins)
-    with staged(folder, alone=False, option="--folder") if plots else nullcontext() as stage:
+    if out is not None and Path(out).suffix.lower() != ".toml":
+        raise ParameterError("--out", repr(str(out)), "a controller file, which ends in .toml")
+    name, case, inputs = _case(file, scheme, machine, controller, tolerance, plugins)
+    if out is not None:
+        check_file(out, inputs)
+    with staged(folder, inputs=inputs, option="--folder") if plots else nullcontext() as stage:
         found = _calibrated(case, settings, progress)
         passed = not found.after.broken and not _beyond(case, found)
         summary = summary_of(name, case, settings, found, passed)
@@ -104,16 +107,6 @@ def _calibrated(case: Case, settings: TuneSettings, progress: bool) -> Tuned:
     return replace(found, notes=(*found.notes, "what it learns from trial to trial is left out: gains are calibrated for one run"))
 
 
-def _check_out(out: str | Path | None, file: str | Path) -> None:
-    if out is None:
-        return
-    if Path(out).suffix.lower() != ".toml":
-        raise ParameterError("--out", repr(str(out)), "a controller file, which ends in .toml")
-    if Path(out).exists() and Path(file).exists() and Path(out).samefile(file):
-        raise ParameterError("--out", repr(str(out)), "another file than the scenario itself")
-    check_file(out)
-
-
 def _case(
     file: str | Path,
     scheme: str | None,
@@ -121,8 +114,8 @@ def _case(
     controller: str | Path | None,
     tolerance: str | None,
     plugins: Sequence[str | Path],
-) -> tuple[str, Case]:
-    """Return the name of a scenario and the case that is calibrated."""
+) -> tuple[str, Case, tuple[Path, ...]]:
+    """Return the name of a scenario, the case that is calibrated, and the files that were read."""
     from contourlab.scenario import BUILTIN, load_scenario, scenario_from_parts
     from contourlab.session.run import refuse_drawing
 
@@ -141,7 +134,7 @@ def _case(
     case = scenario.base if scheme is None else scenario.case(scheme)
     if case.changes:
         raise ScenarioError("controllers take over on the way: calibrate each in a scenario of its own", file=file)
-    return scenario.name, case
+    return scenario.name, case, scenario.inputs
 
 
 def _beyond(case: Case, found: Tuned) -> bool:

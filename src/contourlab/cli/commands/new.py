@@ -42,7 +42,7 @@ def machine(
     except ScenarioError as error:
         # The answers were checked one by one as they were asked; here their file has a name to be told.
         raise ScenarioError(error.message, file=answers or error.file, key=error.key) from None
-    written = write_machine(files, out, force=force)
+    written = write_machine(files, out, force=force, inputs=() if answers is None else (answers,))
     say("\n".join([text, *(f"wrote {file}" for file in written)]))
     if "scenario.toml" in files:
         say(f"next: contourlab run {out / 'scenario.toml'}")

@@ -70,6 +70,12 @@ class Request:
     doubts: list[str] = field(default_factory=list)
 
     @property
+    def inputs(self) -> tuple[str | Path, ...]:
+        """The files that are read."""
+        second = () if self.validation is None else (self.validation,)
+        return (*(file for choice in self.choices for file in choice.files), *second)
+
+    @property
     def notes(self) -> list[str]:
         """What reading the logs had to say: of which of them, where it is not of all."""
         count = len(self.choices) + (self.validation is not None)
