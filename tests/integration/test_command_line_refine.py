@@ -274,6 +274,22 @@ def test_samples_that_are_missing_are_told(scene: Path, tmp_path: Path, capsys: 
     assert any(f"thin: 4 of {len(lines) - 1} samples are missing" in remark for remark in remarks)
 
 
+def test_logs_of_one_name_go_by_their_folders_and_equal_columns_are_asked_about(
+    scene: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    for folder in ("first", "second"):
+        (tmp_path / folder).mkdir()
+        shutil.copyfile(scene / "log.csv", tmp_path / folder / "log.csv")
+    typed = [str(tmp_path / "first" / "log.csv") if word == str(scene / "log.csv") else word for word in words(scene, "--json")]
+    assert main([*typed, "--log", str(tmp_path / "second" / "log.csv")]) == 0
+    assert {row["run"] for row in json.loads(capsys.readouterr().out)["fitted"]} == {"first-log", "second-log"}
+    columns = (scene / "columns.toml").read_text().replace('"y pos"', '"y ref"')
+    (tmp_path / "same.toml").write_text(columns)
+    main([str(tmp_path / "same.toml") if word == str(scene / "columns.toml") else word for word in words(scene, "--json")])
+    found = json.loads(capsys.readouterr().out)
+    assert any("reference of y in log are equal in all samples" in said for said in found["remarks"])
+
+
 @pytest.mark.parametrize("option", ["--out", "--folder"])
 def test_what_cannot_be_written_is_told_before_it_is_refined(
     scene: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str], option: str

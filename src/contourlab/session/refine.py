@@ -16,6 +16,7 @@ from contourlab.result import write_text_atomic
 from contourlab.session.folder import check_file, spared, staged
 from contourlab.session.log_choice import LogChoice, open_log, told_apart
 from contourlab.session.run import check_plots
+from contourlab.studies.likely import same_column, unlikely_motion
 from contourlab.studies.log_run import Agreement, LogRun, log_run
 from contourlab.studies.refine import Refined, RefineSettings, Window, refine
 from contourlab.studies.refine_remarks import shown, size_left, worse_than_before
@@ -88,11 +89,12 @@ def refine_logs(
         raise ParameterError("--also", f"{len(scenarios)} scenarios for {len(choices)} logs", "one scenario, or one for each log")
     read = _read(scenarios, plugins)
     several = len(scenarios) > 1
-    runs = [_run(read[i if several else 0], choice, several) for i, choice in enumerate(choices)]
-    if len({run.label for run in runs}) < len(runs):
-        runs = [replace(run, label=f"{run.label} {i + 1}") for i, run in enumerate(runs)]
+    labels = _labels(scenarios if several else [choice.file for choice in choices])
+    runs = [_run(read[i if several else 0], choice, label) for i, (choice, label) in enumerate(zip(choices, labels, strict=True))]
     spans = _windows(windows, len(runs))
-    held_out = None if validation is None else _run(read[0], validation, several=False)  # a log that cannot be read is told ahead
+    held_out = (
+        None if validation is None else _run(read[0], validation, Path(validation.file).stem)
+    )  # a log that cannot be read is told ahead
     inputs = [file for one in read for file in one.inputs] + [file for choice in choices for file in choice.files]
     inputs += [*(() if validation is None else validation.files), *map(Path, plugins)]
     if out is not None:
@@ -121,12 +123,20 @@ def _read(files: Sequence[str | Path], plugins: Sequence[str | Path]) -> list[Sc
     return [load_scenario(file, plugins=plugins) for file in files]
 
 
-def _run(scenario: Scenario, choice: LogChoice, several: bool) -> LogRun:
-    label = scenario.file.stem if several else Path(choice.file).stem
+def _labels(files: Sequence[str | Path]) -> list[str]:
+    """Return what runs are called: the files' names, with the folders that tell those of one name apart; files of theirs have it too."""
+    names = [Path(name).with_suffix("").as_posix().replace("/", "-") for name in told_apart(files)]
+    return names if len(set(names)) == len(names) else [f"{name} {i + 1}" for i, name in enumerate(names)]
+
+
+def _run(scenario: Scenario, choice: LogChoice, label: str) -> LogRun:
     log = open_log(choice)
     with about(choice.file):
         run = log_run(scenario.machine, scenario.controller, log.result, label)
-    return replace(run, notes=(*run.notes, *(f"{label}: {line}" for line in log.clock_notes())))
+    notes = [f"{label}: {line}" for line in log.clock_notes()]
+    notes += unlikely_motion(run.position, run.machine.servo_period, f"an axis in {label}")
+    notes += same_column(run.machine.axis_names, run.asked, run.position, f" in {label}")
+    return replace(run, notes=(*run.notes, *notes))
 
 
 def _windows(texts: Sequence[str], count: int) -> list[Window | None]:
