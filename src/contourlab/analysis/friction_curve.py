@@ -1,8 +1,8 @@
 """A friction curve through points of constant speed: Coulomb, viscous, Stribeck, alike or by direction, as far as the points ask for it.
 
 Each point has a deviation of its own, and all share a scatter between runs that is found along with the curve by maximum likelihood. Among
-the models the one with the least corrected Akaike criterion is taken, or a simpler one within 2 of it; a curve with friction below zero is
-none.
+the models the one with the least corrected Akaike criterion is taken (the plain one where three or four points are too few to correct
+it), or a simpler one within 2 of it; a curve with friction below zero is none.
 
 References
 ----------
@@ -81,7 +81,9 @@ class FrictionCurve:
         Between runs, beyond the deviations of the points.
     fit : float [percent]
     criterion : float
-        AICc.
+        AICc; infinite where the points are too few for it.
+    plain_criterion : float
+        AIC.
     predicted : ndarray (n,)
     """
 
@@ -93,6 +95,7 @@ class FrictionCurve:
     scatter: float
     fit: float
     criterion: float
+    plain_criterion: float
     predicted: Array
 
     def __getitem__(self, name: str) -> float:
@@ -171,10 +174,16 @@ def fit_friction(speed: ArrayLike, command: ArrayLike, deviation: ArrayLike) -> 
     sound = [curve for curve in tried if _is_friction(curve)]
     if not sound:
         raise ParameterError("command", "points", "against the motion: it helps it, so one of the two is counted the other way round")
-    least = min(curve.criterion for curve in sound)
-    chosen = next(curve for curve in sound if curve.criterion <= least + WITHIN)
+    name, criteria = "AICc", [curve.criterion for curve in sound]
+    if not all(map(math.isfinite, criteria)):
+        name, criteria = "AIC", [curve.plain_criterion for curve in sound]
+    at = next(i for i, value in enumerate(criteria) if value <= min(criteria) + WITHIN)
+    chosen = sound[at]
+    others = [f"{curve.name} {value - criteria[at]:+.1f}" for curve, value in zip(sound, criteria, strict=True) if curve is not chosen]
+    beside = f"; {name} of the others above it: {', '.join(others)}" if others else ""
     remarks, usable = _remarks(chosen, tried, sound, v, both)
-    return FrictionFit(chosen, tuple(tried), tuple(remarks), usable)
+    asked = f"{chosen.name} is what the {v.size} points ask for{beside}"
+    return FrictionFit(chosen, tuple(tried), (asked, *remarks), usable)
 
 
 def _columns(model: FrictionModel, v: Array, vs: float, offset: bool) -> tuple[list[str], Array]:
@@ -232,14 +241,15 @@ def _fitted(model: FrictionModel, v: Array, u: Array, s: Array, both: bool) -> F
     covariance = np.linalg.pinv(slopes.T @ (slopes / (s**2 + tau**2)[:, None]))
     k = count + 1  # the scatter counts
     slack = v.size - k - 1
-    criterion = likelihood + 2.0 * k + (2.0 * k * (k + 1) / slack if slack > 0 else math.inf)
+    plain = likelihood + 2.0 * k
+    criterion = plain + (2.0 * k * (k + 1) / slack if slack > 0 else math.inf)
     predicted = columns @ x[: columns.shape[1]]
     # Maximum likelihood tells the scatter too small by the parameters that were fitted.
     lost = math.sqrt(v.size / max(v.size - count, 1)) if tau > 0.0 else 1.0
     deviations = lost * np.sqrt(np.maximum(np.diag(covariance), 0.0))
     size = np.sqrt(np.where(np.diag(covariance) > 0.0, np.diag(covariance), 1.0))
     correlation = covariance / np.outer(size, size)
-    return FrictionCurve(model, tuple(names), x, deviations, correlation, tau, fit_percent(u, predicted), criterion, predicted)
+    return FrictionCurve(model, tuple(names), x, deviations, correlation, tau, fit_percent(u, predicted), criterion, plain, predicted)
 
 
 def _stribeck_velocity(model: FrictionModel, v: Array, u: Array, s: Array, both: bool) -> float:
@@ -283,9 +293,6 @@ def _remarks(
 ) -> tuple[list[str], bool]:
     said, usable = [], True
     w = np.abs(v)
-    others = [f"{curve.name} {curve.criterion - chosen.criterion:+.1f}" for curve in sound if curve is not chosen]
-    beside = f"; AICc of the others above it: {', '.join(others)}" if others else ""
-    said.append(f"{chosen.name} is what the {v.size} points ask for{beside}")
     for curve in tried:
         if not any(curve is other for other in sound):
             said.append(f"{curve.name} would need a friction below zero")
@@ -300,9 +307,7 @@ def _remarks(
             said.append(f"vs is below the slowest run, {1e3 * w.min():.3g} mm/s: the level at rest is a guess from one speed")
             usable = False
     else:
-        said.append(
-            f"no Stribeck effect is told: the slowest run is at {1e3 * w.min():.3g} mm/s, what friction does below is not in these logs"
-        )
+        said.append(f"no Stribeck effect is told: the slowest run is at {1e3 * w.min():.3g} mm/s, friction below is not in these stretches")
     level, deviation = _level(chosen)
     if both and chosen.fit < EXPLAINED:
         said.append(f"the curve explains {chosen.fit:.3g} % of the command: more than friction is at work, or it is that of another axis")

@@ -82,6 +82,15 @@ def test_where_friction_is_viscous_no_coulomb_friction_is_told() -> None:
         assert abs(fit.chosen["Fv"] - 4.0) < 4.0 * fit.chosen.deviation("Fv") and fit.chosen["Fc"] == 0.0
 
 
+@pytest.mark.parametrize("speeds", [[50, 100, 200], [50, 100, 150, 200], [-50, -100, -200]])
+def test_three_speeds_one_way_tell_a_line(speeds: list[float]) -> None:
+    v = 1e-3 * np.array(speeds)
+    fit = fit_friction(v, noisy(0.3 * np.sign(v) + 2.0 * v), np.full(v.size, SPREAD))
+    assert fit.chosen.model.name == "Coulomb and viscous" and fit.usable and fit.chosen.fit > 90.0
+    assert abs(fit.chosen["Fv"] - 2.0) < 5.0 * fit.chosen.deviation("Fv")
+    assert not any("nan" in said or "inf" in said for said in fit.remarks)
+
+
 def test_no_slow_run_no_stribeck() -> None:
     """The dip lies below 20 mm/s; of runs above 60 mm/s nothing of it is claimed, and it is said how far down the runs go."""
     fast = BOTH[np.abs(BOTH) >= 0.06]

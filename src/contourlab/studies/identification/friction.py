@@ -103,7 +103,9 @@ def _points(stretches: Sequence[Stretch]) -> tuple[list[float], list[float], lis
 
 def _by_log(records: Sequence[AxisRecord]) -> list[str]:
     bare = sources_of([record for record in records if record.reference is None])
-    told = "constant speed is told from the position, and less well; where there is a reference, give its column"
+    told = (
+        "constant speed is told from the position, where it lasts over 8 % of the way or more; where there is a reference, give its column"
+    )
     return [f"no reference in {', '.join(bare)}: {told}"] if bare else []
 
 
