@@ -28,6 +28,7 @@ from contourlab.logs.reading import name_and_unit
         ("Axes.Axis Z.ToPlc.SetPos", ("reference", "z")),
         ("MAIN.fbAxis2.NcToPlc.ActPos", ("position", "y")),
         ("MAIN.fbAxis2.NcToPlc.SetPos", ("reference", "y")),
+        ("GVL.stAxis1.NcToPlc.ActPos", ("position", "x")),
         ("Axis 1 SetPos", ("reference", "x")),
         # Aerotech, Heidenhain, and logs of milling machines
         ("PosCmd (X)", ("reference", "x")),
@@ -43,6 +44,15 @@ from contourlab.logs.reading import name_and_unit
         ("DES_POS X", ("reference", "x")),
         ("Lagesollwert X", ("reference", "x")),
         ("current position X", ("position", "x")),
+        ("Position of the X axis", ("position", "x")),
+        ("x_pos_mm", ("position", "x")),
+        ("ActPos X (mm)", ("position", "x")),
+        ("output.x_act", ("position", "x")),
+        ("x vel mm/min", ("velocity", "x")),
+        ("Position setpoint (64 bit) X", ("reference", "x")),
+        ("x pos #2", ("position", "x")),
+        ("axis.x.pos-cmd", ("reference", "x")),
+        ("datax ref", ("reference", "x")),
     ],
 )
 def test_names_that_leave_no_doubt(name: str, meaning: tuple[str, str]) -> None:
@@ -59,7 +69,18 @@ def test_names_that_leave_no_doubt(name: str, meaning: tuple[str, str]) -> None:
         # Acceleration, velocity and voltage rather than axes of these letters
         *("a actual", "V ACTUAL", "V (NOM RPM)", "U nominal"),
         # Which axis is not sure
-        *("ENC1_POS|1", "DES_POS|1", "G.axis[1].NcToPlc.ActPos", "Axis0 SetPos", "ActPos"),
+        *("ENC1_POS|1", "DES_POS|1", "G.axis[1].NcToPlc.ActPos", "Axis0 SetPos", "ActPos", "axis[1].pos", "Axis 3 X ActPos"),
+        # Errors, currents and torques in German
+        *("Schleppfehler x ist", "Strom ist X", "Strom soll X", "Drehmoment ist X", "Lageistwert X Abweichung", "Soll Moment X", "i_act_x"),
+        # A word that is not known may change what the others say
+        *("MAIN.fbAxis1.NcToPlc.CmdNo", "X1_CommandPositionDelta", "joint.0.free-pos-cmd", "joint.0.in-position", "in position X"),
+        *("X axis position reached", "X pos act valid", "Actual pos X status", "joint.0.home-pos", "X position latch"),
+        *("x trigger position", "x position window", "x position gain", "x act distance to go", "x compensation act", "d/dt x act"),
+        *("x_act_std", "min x act", "x_act_old", "x_act model", "Position X g\u00fcltig", "\u0394x pos"),
+        # The second of its kind, a formula, the other sign, a number or unit beside
+        *("X2_ActualPosition", "encoder 2 x", "x act^2", "x pos'", "-x act", "1 pos x", "t mm"),
+        # Of a motor, a program or a feed, not said what
+        *("motor cmd X", "MAIN.fbAxis1.Cmd", "encoder current X", "feed act X"),
     ],
 )
 def test_names_in_doubt_say_nothing(name: str) -> None:
