@@ -12,7 +12,7 @@ from typed_commands import Run, drag
 
 from contourlab.cli.main import main
 from contourlab.scenario import load_scenario
-from contourlab.scenario.load import load_controller, load_machine
+from contourlab.scenario.load import load_controller, load_machine, load_module
 from contourlab.studies.space import Evaluator
 from contourlab.studies.swap import course
 
@@ -241,6 +241,51 @@ def test_plants_that_no_design_keeps_are_told(contourlab: Run, typed: Path) -> N
     lost = [best is None for best in found["best"]]
     assert len(lost) == 4 and 0 < sum(lost) == found["without_design"] < 4
     assert f"at {sum(lost)} of them no search found a design that keeps the guards, so that there is no J*" in said.out
+
+
+MASS = """\
+[plant]
+kind = "mass-damper"
+mass = "1 kg"
+damping = "1 N*s/m"
+force_constant = "1 N/A"
+"""
+PLACED = """y.file = "mass.toml"
+[axes.x]
+file = "mass.toml"
+mounted_on = "y"
+stage_mass = "20 kg"
+limits.travel = ["-50 mm", "50 mm"]
+substeps = 2
+"""
+
+
+def test_what_a_machine_says_beside_the_file_of_an_axis_stays_with_the_place(typed: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    (typed / "stage.toml").write_text(STAGE[: STAGE.index("x.file")] + PLACED)
+    ampere = SCENARIO.replace("full_scale", "A").replace('"1050 mm', '"50 mm').replace('"3 A', '"60 A').replace("0.06", "1.2")
+    (typed / "circle.toml").write_text(ampere)
+    files = {"mass": MASS, "same": MASS, "other": MASS.replace('"1 kg"', '"2 kg"'), "own": 'stage_mass = "22 kg"\n' + MASS}
+    for name, text in files.items():
+        (typed / f"{name}.toml").write_text(text)
+    assert main(["swap", "circle.toml", "--axis", "x", "--with", "same.toml"]) == 2
+    assert "an axis that differs from axis x" in capsys.readouterr().err
+    place = load_machine(typed / "stage.toml").axis("x")
+    for name, carried, words in (
+        ("other", 20.0, "stage_mass, 20 kg; substeps, 2; limits.travel"),
+        ("own", 22.0, "substeps, 2; limits.travel"),
+    ):
+        module, left_out = load_module(typed / f"{name}.toml", place)
+        assert load_machine(typed / "stage.toml").swapped("x", module).carried_mass("y") == carried
+        assert (module.limits.travel, module.substeps) == ((-0.05, 0.05), 2)
+        assert left_out == f"{words} (kept from the axis there)"
+    assert main(["swap", "circle.toml", "--axis", "x", "--with", "other.toml", *BRIEF]) in (0, 1)
+    assert "note: x = other: its file leaves out stage_mass, 20 kg" in capsys.readouterr().out
+
+
+def test_parts_that_a_module_leaves_out_are_named(typed: Path) -> None:
+    place = load_machine(typed / "stage.toml").axis("x")
+    (typed / "bare.toml").write_text(PLAIN[: PLAIN.index("[drive]")])
+    assert load_module(typed / "bare.toml", place)[1] == "drive (taken without, unlike the axis there)"
 
 
 @pytest.mark.parametrize(

@@ -1,8 +1,8 @@
 """Scenarios: TOML files to typed values and back, strictly.
 
 Inside: `tree` (raw content that remembers where it stands), `files` (parts in files of their own), `quantities` (values with units),
-`tables` (tables of fixed shape), `components` (tables of components), `build` (machines and controllers), `motion` (contour, program, feed,
-run), `values` (what comes out), `load` (the doors), `dump` and `toml_text` (the way back).
+`tables` (tables of fixed shape), `components` (tables of components), `build` (machines and controllers), `place` (a module in place of an
+axis), `motion` (contour, program, feed, run), `values` (what comes out), `load` (the doors), `dump` and `toml_text` (the way back).
 """
 
 from contourlab.scenario.case import Case, Overrides, Scenario

@@ -16,6 +16,7 @@ from contourlab.scenario.changes import read_changes
 from contourlab.scenario.files import BUILTIN, EVERY, Reader, builtin_file, join, listed
 from contourlab.scenario.learning import read_learning
 from contourlab.scenario.motion import read_feed, read_motion, read_run
+from contourlab.scenario.place import in_place
 from contourlab.scenario.tables import ScenarioTable, read_table
 from contourlab.scenario.tree import Leaf, Node, Table, from_mapping, hint, merge, parse_tree, settle
 from contourlab.scenario.values import Contour, Motion
@@ -25,6 +26,7 @@ __all__ = [
     "load_axis",
     "load_controller",
     "load_machine",
+    "load_module",
     "load_scenario",
     "named_file",
     "parse_scenario",
@@ -97,6 +99,26 @@ def load_axis(file: str | Path, name: str = "x", plugins: Sequence[str | Path] =
     """
     path, reader = _open(file, plugins)
     return build_axis(settle(reader.axis_file(reader.file(path))), name)
+
+
+def load_module(file: str | Path, place: Axis, plugins: Sequence[str | Path] = ()) -> tuple[Axis, str]:
+    """Read the file of an axis that is to stand in the place of another; return it, and in words what of that axis its file leaves out.
+
+    Parameters
+    ----------
+    file, plugins
+        As of `load_axis`.
+    place : Axis
+        Its stage mass, limits and substeps hold where the file has none.
+
+    Raises
+    ------
+    ScenarioError
+        With file and key of what is wrong.
+    """
+    path, reader = _open(file, plugins)
+    table = settle(reader.axis_file(reader.file(path)))
+    return in_place(table, build_axis(table, place.name), place)
 
 
 def load_machine(file: str | Path, plugins: Sequence[str | Path] = ()) -> Machine:

@@ -31,7 +31,7 @@ from contourlab.studies.swap.study import SwapStudy, swap_study
 from contourlab.studies.swap.variants import variants_of
 
 if TYPE_CHECKING:
-    from contourlab.loop import Axis, Controller
+    from contourlab.loop import Axis, Controller, Machine
     from contourlab.scenario import Case
 
 __all__ = ["PLACES", "SwapOptions", "swap_scenario"]
@@ -193,7 +193,7 @@ def _prepared(file: str | Path, swaps: Sequence[tuple[str, Sequence[str]]], opti
     for name, _ in swaps:
         if name not in machine.axis_names:
             raise ParameterError("--axis", repr(name), f"one of {', '.join(machine.axis_names)}, the axes of {machine.name}")
-    loaded = {name: [(_called(other), _axis(other, name, options.plugins)) for other in others] for name, others in swaps}
+    loaded, left_out = _modules(machine, swaps, options.plugins)
     variants = variants_of(machine, loaded)
     unit, default = OBJECTIVES.get(options.objective, ("", 0.0))
     if not unit:
@@ -219,7 +219,7 @@ def _prepared(file: str | Path, swaps: Sequence[tuple[str, Sequence[str]]], opti
     tolerance = None if options.tolerance is None else _quantity("--tolerance", options.tolerance, unit, 0.0)
     _methods(options.linear)
     inputs: tuple[str | Path, ...] = (*scenario.inputs, *(other for _, others in swaps for other in others), *origins.files)
-    return _Prepared(fleet, candidates, settings, region, tolerance, origins.notes, inputs)
+    return _Prepared(fleet, candidates, settings, region, tolerance, (*left_out, *origins.notes), inputs)
 
 
 def _may_move(controller: Controller, name: str) -> bool:
@@ -260,15 +260,30 @@ def _methods(methods: Sequence[str]) -> None:
             raise ParameterError("--linear", repr(method), "one of " + ", ".join(METHODS))
 
 
-def _axis(file: str, name: str, plugins: Sequence[str | Path]) -> Axis:
-    from contourlab.scenario.load import load_axis
+def _modules(
+    machine: Machine, swaps: Sequence[tuple[str, Sequence[str]]], plugins: Sequence[str | Path]
+) -> tuple[dict[str, list[tuple[str, Axis]]], list[str]]:
+    """Return the modules that may come to each axis, by what they are called, and what their files leave out."""
+    loaded: dict[str, list[tuple[str, Axis]]] = {}
+    notes = []
+    for name, others in swaps:
+        for other in others:
+            module, left_out = _module(other, machine.axis(name), plugins)
+            loaded.setdefault(name, []).append((_called(other), module))
+            if left_out:
+                notes.append(f"{name} = {_called(other)}: its file leaves out {left_out}")
+    return loaded, notes
+
+
+def _module(file: str, place: Axis, plugins: Sequence[str | Path]) -> tuple[Axis, str]:
+    from contourlab.scenario.load import load_module
 
     if not file.strip():
         raise ParameterError("--with", repr(file), "names of axis files, with commas between")
     try:
-        return load_axis(file, name, plugins)
+        return load_module(file, place, plugins)
     except ScenarioError as error:
-        error.add_note(f"In the axis that is to take the place of {name}.")
+        error.add_note(f"In the axis that is to take the place of {place.name}.")
         raise
 
 
