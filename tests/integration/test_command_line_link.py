@@ -218,6 +218,10 @@ def test_the_network_is_named_as_a_cause(tmp_path: Path, capsys: pytest.CaptureF
     [
         (("--division", "half"), "drive, observer, controller"),
         (("--ways", "three"), "both, one"),
+        (("--division", "drive,drive"), "drive is given twice"),
+        (("--ways", "both,one,both"), "both is given twice"),
+        (("--vary", "message-period,delay,message-period"), "message-period is given twice"),
+        (("--division", "drive", "--axes", "1,1"), "1 is given twice"),
         (("--vary", "colour"), "message-period"),
         (("--figure", "mood"), "rms"),
         (("--within", "often"), "10 %"),

@@ -322,6 +322,7 @@ def test_parts_that_a_module_leaves_out_are_named(typed: Path) -> None:
         (["--axis", "x", "--with", "strong.toml", "--places", "3"], "a power of 2"),
         (["--axis", "x", "--with", "strong.toml", "--division", "half"], "drive, observer, controller"),
         (["--axis", "x", "--with", "strong.toml", "--ways", "two"], "both, one"),
+        (["--axis", "x", "--with", "strong.toml", "--ways", "one,one"], "one is given twice"),
         (["--axis", "x", "--with", "strong.toml", "--delay", "2 mm"], "2 ms"),
         (["--axis", "x", "--with", "strong.toml", "--within", "-5 %"], ">= 0"),
         (["--axis", "x", "--with", "strong.toml", "--longest", "0.1 ms"], "1 ms, or longer"),

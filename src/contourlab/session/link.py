@@ -173,6 +173,7 @@ def read_options(options: LinkOptions) -> Asked:
 
     if options.figure not in SHOWN:
         raise ParameterError("--figure", repr(options.figure), "one of " + ", ".join(SHOWN))
+    _each_once("--axes", options.axes)
     seeds = SEEDS if options.seeds is None else options.seeds
     if not 1 <= seeds <= MOST_SEEDS:
         raise ParameterError("--seeds", f"{seeds}", f">= 1 and <= {MOST_SEEDS}")
@@ -239,7 +240,14 @@ def _named(option: str, names: tuple[str, ...], known: tuple[str, ...]) -> tuple
     for name in names:
         if name not in known:
             raise ParameterError(option, repr(name), "of " + ", ".join(one.replace("_", "-") for one in known))
+    _each_once(option, tuple(name.replace("_", "-") for name in names))
     return names or known
+
+
+def _each_once(option: str, names: tuple[str, ...]) -> None:
+    twice = next((name for name in names if names.count(name) > 1), None)
+    if twice is not None:
+        raise ParameterError(option, repr(",".join(names)), f"names that differ: {twice} is given twice")
 
 
 def _value(name: str, text: str) -> float:
