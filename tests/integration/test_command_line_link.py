@@ -91,6 +91,11 @@ def test_a_sweep_that_ends_early_says_so(circle: str, capsys: pytest.CaptureFixt
     assert sweep["limited_by"] == "error"
 
 
+def test_a_sweep_of_a_single_value_is_named_too(circle: str, capsys: pytest.CaptureFixture[str]) -> None:
+    words = (circle, "--division", "drive", "--ways", "both", "--vary", "message-period,delay", "--longest", "1 ms")
+    assert "looked at: message period at 1 ms alone; delay every 1 ms up to 1 ms" in told(capsys, *words)
+
+
 def test_where_nothing_holds_the_reason_is_told(circle: str, capsys: pytest.CaptureFixture[str]) -> None:
     words = (circle, "--division", "controller", "--ways", "one", "--vary", "message-period", "--longest", "4 ms")
     said = told(capsys, *words, "--tolerance", "1 um")

@@ -116,18 +116,18 @@ def _looked_at(costs: Costs, heads: Sequence[str]) -> Iterator[str]:
     """Yield the values that were to be looked at."""
     grids: dict[str, list[str]] = {}
     for head in heads:
-        sweep = costs.divisions[0].sweeps[head]
-        if sweep.values.size > 1:
-            least = float(np.diff(sweep.values).min())
-            each, near, to = (_amount(head, value) for value in (least, EACH * least, sweep.asked))
-            grid = f"every {each} up to {to}"
-            if round(sweep.asked / least) > EACH:
-                grid = (
-                    f"every {each} up to {near}, beyond in steps of {100.0 / FARTHER:.2g} % at most up to {to}, and each ahead of a limit"
-                )
-            grids.setdefault(grid, []).append(_words(head))
-    if grids:
-        yield "looked at: " + "; ".join(f"{', '.join(named)} {grid}" for grid, named in grids.items())
+        grids.setdefault(_grid(costs.divisions[0].sweeps[head]), []).append(_words(head))
+    yield "looked at: " + "; ".join(f"{', '.join(named)} {grid}" for grid, named in grids.items())
+
+
+def _grid(sweep: LinkSweep) -> str:
+    if sweep.values.size == 1:
+        return f"at {_amount(sweep.quantity, float(sweep.values[0]))} alone"
+    least = float(np.diff(sweep.values).min())
+    each, near, to = (_amount(sweep.quantity, value) for value in (least, EACH * least, sweep.asked))
+    if round(sweep.asked / least) > EACH:
+        return f"every {each} up to {near}, beyond in steps of {100.0 / FARTHER:.2g} % at most up to {to}, and each ahead of a limit"
+    return f"every {each} up to {to}"
 
 
 def _ended(costs: Costs, heads: Sequence[str]) -> Iterator[str]:
