@@ -230,6 +230,7 @@ def test_the_network_is_named_as_a_cause(tmp_path: Path, capsys: pytest.CaptureF
         (("--vary", "colour"), "message-period"),
         (("--figure", "mood"), "rms"),
         (("--within", "often"), "10 %"),
+        (("--within", "5"), 'in %: "5 %" or "500 %"'),
         (("--tolerance", "15 s"), "15 um"),
         (("--tolerance", "0 um"), "> 0"),
         (("--delay", "5 mm"), "2 ms"),

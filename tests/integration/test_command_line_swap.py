@@ -325,6 +325,7 @@ def test_parts_that_a_module_leaves_out_are_named(typed: Path) -> None:
         (["--axis", "x", "--with", "strong.toml", "--ways", "one,one"], "one is given twice"),
         (["--axis", "x", "--with", "strong.toml", "--delay", "2 mm"], "2 ms"),
         (["--axis", "x", "--with", "strong.toml", "--within", "-5 %"], ">= 0"),
+        (["--axis", "x", "--with", "strong.toml", "--within", "5"], 'in %: "5 %" or "500 %"'),
         (["--axis", "x", "--with", "strong.toml", "--longest", "0.1 ms"], "1 ms, or longer"),
         (["--axis", "x", "--with", "strong.toml", "--longest", "11 s"], "up to 10 s"),
         (["--axis", "x", "--with", "strong.toml", "--parameter", "x.plant.gain"], "a number of the controller"),

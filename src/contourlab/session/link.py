@@ -191,7 +191,7 @@ def read_options(options: LinkOptions) -> Asked:
     if longest > LONGEST:
         raise ParameterError("--longest", text, f"up to {LONGEST:g} s, the most that a link takes")
     return Asked(
-        within=_part("--within", "10 %" if options.within is None else options.within),
+        within=_within("10 %" if options.within is None else options.within),
         allowed=allowed,
         longest=longest,
         seeds=seeds,
@@ -257,6 +257,14 @@ def _value(name: str, text: str) -> float:
 
 def _part(option: str, text: str) -> float:
     return _quantity(option, text, "", '"10 %" or 0.1')
+
+
+def _within(text: str) -> float:
+    """Return a part; a number of 1 or more without a unit may be meant in percent or as a factor, and is asked about."""
+    part = _part("--within", text)
+    if part >= 1.0 and not re.search("%|percent", text):
+        raise ParameterError("--within", text, f'a part below 1, or given in %: "{part:g} %" or "{100.0 * part:g} %"')
+    return part
 
 
 def _quantity(option: str, text: str, unit: str, example: str) -> float:
