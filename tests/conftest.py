@@ -9,11 +9,13 @@ from pathlib import Path
 import pytest
 from hypothesis import settings
 
+from contourlab.__main__ import LINEAR_ALGEBRA
 from once import once
 
 os.environ.setdefault("MPLBACKEND", "Agg")
 # As the command has it; two processes that share two processors would wait for each other's threads.
-os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
+for library in LINEAR_ALGEBRA:
+    os.environ.setdefault(library, "1")
 # A shell starts what runs in its background deaf to Ctrl-C, and whatever is started from there too; tests send it.
 signal.signal(signal.SIGINT, signal.default_int_handler)
 

@@ -55,6 +55,11 @@ class StretchSettings:
             if not 0.0 < value < high:
                 raise ParameterError(name, f"{value:g}", f"> 0 and < {high:g}")
 
+    @property
+    def least_way(self) -> float:
+        """Share of the whole way that a stretch goes at least, where it is told from the position alone."""
+        return 4.0 * self.straightness
+
 
 @dataclass(frozen=True)
 class Stretch:
@@ -168,7 +173,7 @@ def _spans_of_position(position: Array, settings: StretchSettings) -> list[tuple
         worst = int(np.argmax(apart))
         if apart[worst] > settings.straightness * whole:
             waiting += [(first + worst, last), (first, first + worst)]
-        elif abs(places[last] - places[first]) > 4.0 * settings.straightness * whole:
+        elif abs(places[last] - places[first]) > settings.least_way * whole:
             # A corner of the polygon lies on either side of the turn that it stands for.
             spans.append((first * stride, last * stride - round(TURN * (last - first) * stride)))
     return spans
@@ -179,15 +184,20 @@ def _without_turns(position: Array, start: int, stop: int) -> tuple[int, int]:
 
     Where an axis slows down without stopping, the corner of the polygon lies within that, and the halves of what follows hardly show it.
     """
-    edges = np.linspace(start, stop - 1, BATCHES + 1).astype(int)
-    if edges[1] == edges[0]:
+    if stop - 1 - start < BATCHES:
         return start, stop
-    speeds = np.diff(position[edges]) / np.diff(edges)
+    edges, speeds = _part_speeds(position, start, stop)
     middle = float(np.median(speeds))
     apart = np.abs(speeds - middle)
     even = np.flatnonzero(apart <= max(CHANGED * abs(middle), OUTLYING * float(np.median(apart))))
     first = int(even[0]) + (even[0] > 0)  # what follows a change settles
     return int(edges[first]), int(edges[even[-1] + 1]) + 1
+
+
+def _part_speeds(position: Array, start: int, stop: int) -> tuple[NDArray[np.int64], Array]:
+    """Return the samples between which the parts of a span lie, and their speeds [m per sample]."""
+    edges = np.linspace(start, stop - 1, BATCHES + 1).astype(np.int64)
+    return edges, np.diff(position[edges]) / np.diff(edges)
 
 
 def _is_even(position: Array, tolerance: float) -> bool:
@@ -201,7 +211,6 @@ def _stretch(period: float, position: Array, command: Array, start: int, stop: i
     given = command[start:stop]
     parts = np.array([part.mean() for part in np.array_split(given, BATCHES)])
     speed = float(position[stop - 1] - position[start]) / (period * (stop - 1 - start))
-    edges = np.linspace(start, stop - 1, BATCHES + 1).astype(int)
-    unevenness = float(np.std(np.diff(position[edges]) / (period * np.diff(edges)))) / abs(speed)
+    unevenness = float(np.std(_part_speeds(position, start, stop)[1])) / (period * abs(speed))
     deviation = float(parts.std(ddof=1)) / math.sqrt(BATCHES)
     return Stretch(start, stop, speed, float(given.mean()), float(given.std()), deviation, unevenness, stop - start, source)

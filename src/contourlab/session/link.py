@@ -25,10 +25,12 @@ if TYPE_CHECKING:
     from contourlab.report.charts import Chart
     from contourlab.scenario import Case
 
-__all__ = ["Asked", "LinkOptions", "LinkOutcome", "link_scenario", "read_options"]
+__all__ = ["USUAL_LONGEST", "Asked", "LinkOptions", "LinkOutcome", "link_scenario", "read_options"]
 
 LONGEST = 10.0
 """Seconds: the longest message period and delay of a network."""
+USUAL_LONGEST = "100 ms"
+"""Up to where times are varied where nobody says."""
 MOST_SEEDS = 256
 """All seeds of 32 values run at once."""
 
@@ -52,7 +54,7 @@ class LinkOptions:
     extrapolate : bool
         Whether messages are extrapolated instead of held.
     longest : str, optional
-        Up to where times are varied, by default 100 ms.
+        Up to where times are varied, by default `USUAL_LONGEST`.
     seeds : int, optional
         Runs of which the worst counts where chance plays a part, by default `contourlab.studies.link_sweep.SEEDS`.
     """
@@ -186,7 +188,7 @@ def read_options(options: LinkOptions) -> Asked:
     if options.tolerance is not None:
         unit = "m*s" if options.figure == "integral" else "m"
         allowed = _positive("--tolerance", options.tolerance, unit, '"15 um s"' if unit == "m*s" else '"15 um"')
-    text = "100 ms" if options.longest is None else options.longest
+    text = USUAL_LONGEST if options.longest is None else options.longest
     longest = _positive("--longest", text, "s", '"100 ms"')
     if longest > LONGEST:
         raise ParameterError("--longest", text, f"up to {LONGEST:g} s, the most that a link takes")

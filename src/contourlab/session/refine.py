@@ -92,9 +92,8 @@ def refine_logs(
     labels = _labels(scenarios if several else [choice.file for choice in choices])
     runs = [_run(read[i if several else 0], choice, label) for i, (choice, label) in enumerate(zip(choices, labels, strict=True))]
     spans = _windows(windows, len(runs))
-    held_out = (
-        None if validation is None else _run(read[0], validation, Path(validation.file).stem)
-    )  # a log that cannot be read is told ahead
+    # Ahead of the work, so that a log that cannot be read is told at once.
+    held_out = None if validation is None else _run(read[0], validation, *_labels([validation.file]))
     inputs = [file for one in read for file in one.inputs] + [file for choice in choices for file in choice.files]
     inputs += [*(() if validation is None else validation.files), *map(Path, plugins)]
     if out is not None:

@@ -12,7 +12,7 @@ from contourlab.errors import ParameterError, ScenarioError
 from contourlab.scenario.quantities import read_number
 from contourlab.session.folder import staged
 from contourlab.session.kept_notes import kept_notes, taken_up_again
-from contourlab.session.link import Asked, LinkOptions, read_options
+from contourlab.session.link import USUAL_LONGEST, Asked, LinkOptions, read_options
 from contourlab.session.run import RunOutcome, check_plots
 from contourlab.session.stages import Stages, shown
 from contourlab.session.swap_files import written
@@ -141,7 +141,7 @@ def swap_scenario(
     asked = read_options(options.network)
     period = fleet.variants[0].machine.servo_period
     if asked.longest < period:
-        raise ParameterError("--longest", options.network.longest or "100 ms", f"the servo period, {period * 1e3:g} ms, or longer")
+        raise ParameterError("--longest", options.network.longest or USUAL_LONGEST, f"the servo period, {period * 1e3:g} ms, or longer")
     with taken_up_again(Path(out) / KEPT, "searches"), shown(progress) as stages, staged(out, "swap.json", inputs=ready.inputs) as folder:
         kept = kept_searches(Path(out) / KEPT, fleet, ready.candidates, settings)
         study = swap_study(fleet, ready.candidates, settings, _told(stages, fleet), kept)

@@ -63,7 +63,7 @@ def identify_friction(records: Sequence[AxisRecord], settings: StretchSettings |
     fit = fit_friction(*_points(stretches))
     uneven = float(np.median([stretch.unevenness for stretch in stretches]))
     usable = fit.usable and uneven <= UNEVEN
-    remarks = [*fit.remarks, *_by_log(records)]
+    remarks = [*fit.remarks, *_by_log(records, settings or StretchSettings())]
     remarks += [f"no constant speed in {', '.join(silent)}"] if silent else []
     if uneven > UNEVEN:
         remarks.append(
@@ -101,12 +101,10 @@ def _points(stretches: Sequence[Stretch]) -> tuple[list[float], list[float], lis
     return [s.speed for s in stretches], [s.command for s in stretches], [s.deviation for s in stretches]
 
 
-def _by_log(records: Sequence[AxisRecord]) -> list[str]:
+def _by_log(records: Sequence[AxisRecord], settings: StretchSettings) -> list[str]:
     bare = sources_of([record for record in records if record.reference is None])
-    told = (
-        "constant speed is told from the position, where it lasts over 8 % of the way or more; where there is a reference, give its column"
-    )
-    return [f"no reference in {', '.join(bare)}: {told}"] if bare else []
+    how = f"constant speed is told from the position, where it lasts over {100.0 * settings.least_way:g} % of the way or more"
+    return [f"no reference in {', '.join(bare)}: {how}; where there is a reference, give its column"] if bare else []
 
 
 def _units(unit: str) -> dict[str, str]:
