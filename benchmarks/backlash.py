@@ -25,13 +25,13 @@ from rich.table import Table
 
 from contourlab.components.registry import component
 from contourlab.engine.runner import make_group
+from contourlab.features.run.compare import run_case
 from contourlab.feed import Reference, uniform
 from contourlab.geometry import contour
 from contourlab.loop import Axis, AxisController, Controller, Limits, Machine
 from contourlab.loop.template import build
 from contourlab.scenario import builtin_file
 from contourlab.scenario.load import parse_scenario
-from contourlab.studies.compare import run_case
 
 PERIOD, SECONDS = 1e-4, 4.0
 TURN = 2.0 * np.pi / 0.016

@@ -26,11 +26,11 @@ from rich.table import Table
 from schemes import TRIALS, compared
 
 from contourlab.components.registry import component
+from contourlab.features.learn import LearningRun, Stopping, learn
+from contourlab.features.run.schemes import learn_schemes
 from contourlab.feed import Reference, uniform
 from contourlab.geometry import contour
 from contourlab.loop import Axis, AxisController, Controller, Limits, Machine
-from contourlab.session.schemes import learn_schemes
-from contourlab.studies.learn import LearningRun, Stopping, learn
 
 HERE = Path(__file__).resolve().parent
 PROGRAMS = HERE.parents[1] / "shared" / "gcode"

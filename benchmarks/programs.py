@@ -24,8 +24,8 @@ from rich.table import Table
 from rich.text import Text
 
 from contourlab.errors import ContourlabError
+from contourlab.features.run.command import run_session
 from contourlab.scenario import Scenario, scenario_from_parts
-from contourlab.session.run import run_session
 
 DEFAULT = Path(__file__).resolve().parents[2] / "shared" / "gcode"
 SUFFIXES = {".ngc", ".nc", ".gcode", ".tap", ".cnc"}

@@ -8,19 +8,20 @@ from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from typing import Any
 
-from contourlab.analysis import sampled_loop, zpetc_design
+from contourlab.analysis.linear.sampled_loop import sampled_loop
+from contourlab.analysis.linear.zpetc import zpetc_design
 from contourlab.components.controller.cascade import Cascade
 from contourlab.components.controller.lead_lag import LeadLag
 from contourlab.components.controller.position import PositionController
 from contourlab.components.controller.state_feedback import StateFeedback
 from contourlab.components.plant.linear_motor import LinearMotor
 from contourlab.components.registry import component
+from contourlab.features.learn import Stopping, learn
+from contourlab.features.run.cost import tick_cost
 from contourlab.feed import Reference, uniform
 from contourlab.geometry import contour
 from contourlab.loop import Axis, AxisController, Controller, Limits, Machine, simulate
 from contourlab.metrics import judge, summarise
-from contourlab.studies.cost import tick_cost
-from contourlab.studies.learn import Stopping, learn
 
 PERIOD, DELAY, LAG, KAPPA, TRIALS = 1e-3, 3e-3, 15e-3, 0.4, 10
 MOTOR = {"resistance": 2.0, "inductance": 2e-3, "back_emf": 20.0, "force_constant": 20.0, "viscous_friction": 10.0, "amplifier_gain": 5.0}

@@ -16,7 +16,9 @@ from typing import Any
 __version__ = "0.1.0"
 
 _HOMES = {
-    "contourlab.analysis": ("contour_margins", "internal_stability", "learning_analysis"),
+    "contourlab.analysis.learning.learning_analysis": ("learning_analysis",),
+    "contourlab.analysis.linear.contour_transfer": ("contour_margins",),
+    "contourlab.analysis.linear.internal_stability": ("internal_stability",),
     "contourlab.components.conformance": ("check_component",),
     "contourlab.components.contract": ("Component", "Port", "param", "text_param"),
     "contourlab.components.registry": ("component", "load_plugin"),
@@ -62,10 +64,10 @@ _HOMES = {
     "contourlab.program": ("Program", "parse_program", "read_program"),
     "contourlab.result": ("Result", "Signal", "Status"),
     "contourlab.scenario": ("load_scenario",),
-    "contourlab.studies.division": ("message_rate",),
-    "contourlab.studies.learn": ("LearnedTable", "learn"),
-    "contourlab.studies.record": ("simulate_to_file",),
-    "contourlab.studies.verdict": ("verdict",),
+    "contourlab.features.link.division": ("message_rate",),
+    "contourlab.features.learn": ("LearnedTable", "learn"),
+    "contourlab.features.run.record": ("simulate_to_file",),
+    "contourlab.features.run.verdict": ("verdict",),
 }
 _WHERE = {name: home for home, names in _HOMES.items() for name in names}
 

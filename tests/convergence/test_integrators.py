@@ -13,7 +13,7 @@ from contourlab.components.friction.coulomb import Coulomb
 from contourlab.components.friction.lugre import LuGre
 from contourlab.components.friction.none import NoFriction
 from contourlab.components.friction.smooth_coulomb import SmoothCoulomb
-from contourlab.components.mechanics import link
+from contourlab.components.mechanics.core import link
 from contourlab.components.plant.mass_damper import MassDamper
 from contourlab.engine.step import record
 from contourlab.primitives import Clock

@@ -19,9 +19,9 @@ from contourlab.components.friction.coulomb import Coulomb
 from contourlab.components.friction.lugre import LuGre
 from contourlab.components.friction.none import NoFriction
 from contourlab.components.friction.smooth_coulomb import SmoothCoulomb
-from contourlab.components.mechanics import link
+from contourlab.components.mechanics.core import link
+from contourlab.components.mechanics.propagator import STIFFEST, propagator
 from contourlab.components.plant.linear_motor import LinearMotor
-from contourlab.components.propagator import STIFFEST, propagator
 from contourlab.engine.step import record
 from contourlab.primitives import Clock
 

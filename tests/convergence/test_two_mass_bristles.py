@@ -16,7 +16,7 @@ from scipy.integrate import solve_ivp
 from contourlab.components.friction.coulomb import Coulomb
 from contourlab.components.friction.lugre import LuGre
 from contourlab.components.friction.smooth_coulomb import SmoothCoulomb
-from contourlab.components.mechanics import link
+from contourlab.components.mechanics.core import link
 from contourlab.components.plant.ball_screw import BallScrew
 from contourlab.components.plant.two_inertia import TwoInertia
 from contourlab.errors import ComponentError

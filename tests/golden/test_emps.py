@@ -10,9 +10,9 @@ import numpy as np
 import pytest
 
 from contourlab.cli.main import main
-from contourlab.studies.reproduce.emps import identified, reproduce
-from contourlab.studies.reproduce.emps_engine import simulate_in_engine
-from contourlab.studies.reproduce.emps_simulation import axis_of, simulate_emps
+from contourlab.papers.emps.engine import simulate_in_engine
+from contourlab.papers.emps.simulation import axis_of, simulate_emps
+from contourlab.papers.emps.study import identified, reproduce
 
 Table = dict[tuple[str, str], dict[str, Any]]
 ALIKE, DIRECTED = "friction alike in both directions", "friction by direction"

@@ -12,12 +12,10 @@ import pytest
 from numpy.typing import NDArray
 
 from contourlab.cli.main import main
-from contourlab.scenario import BUILTIN, builtin_file, load_scenario
-from contourlab.scenario.features import chosen
-from contourlab.studies.reproduce.gecer_ulu_axis import tracking
-from contourlab.studies.reproduce.gecer_ulu_learning import delay_rows, forecast, order_turns, side_lobe_rows
-from contourlab.studies.reproduce.gecer_ulu_pictures import convergence, turn
-from contourlab.studies.reproduce.gecer_ulu_setup import (
+from contourlab.papers.gecer_ulu.axis import tracking
+from contourlab.papers.gecer_ulu.learning import delay_rows, forecast, order_turns, side_lobe_rows
+from contourlab.papers.gecer_ulu.pictures import convergence, turn
+from contourlab.papers.gecer_ulu.setup import (
     EXPERIMENT,
     KAPPA,
     PERIOD_30MS,
@@ -29,6 +27,8 @@ from contourlab.studies.reproduce.gecer_ulu_setup import (
     rms,
     turning_points,
 )
+from contourlab.scenario import BUILTIN, builtin_file, load_scenario
+from contourlab.scenario.features import chosen
 
 Array = NDArray[np.float64]
 T_X, T_Y = 10e-3, 10e-3 / 0.2651

@@ -7,7 +7,7 @@ from typing import Any
 import pytest
 from ghaffari_loop import TABLE_2, Line, Open, ellipse, run
 
-from contourlab.studies.reproduce.ghaffari_calibration import calibrate
+from contourlab.papers.ghaffari.calibration import calibrate
 
 Rows = dict[tuple[str, str], dict[str, Any]]
 CIRCLE = ellipse(20.0, 20.0)

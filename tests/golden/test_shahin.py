@@ -8,13 +8,13 @@ import math
 import numpy as np
 import pytest
 
-from contourlab.analysis.common_lyapunov import common_quadratic
-from contourlab.analysis.two_inertia_loop import two_inertia_loop
 from contourlab.cli.main import main
-from contourlab.studies.reproduce import shahin_setup as setup
-from contourlab.studies.reproduce.shahin_runs import circular, measured
-from contourlab.studies.reproduce.shahin_setup import Setting
-from contourlab.studies.reproduce.shahin_theory import DRIVE, SCHEME_II, theory_rows
+from contourlab.papers.shahin import setup as setup
+from contourlab.papers.shahin.common_lyapunov import common_quadratic
+from contourlab.papers.shahin.runs import circular, measured
+from contourlab.papers.shahin.setup import Setting
+from contourlab.papers.shahin.theory import DRIVE, SCHEME_II, theory_rows
+from contourlab.papers.shahin.two_inertia_loop import two_inertia_loop
 
 UM = 1e6
 

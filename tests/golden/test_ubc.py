@@ -10,7 +10,7 @@ import pytest
 
 from contourlab.cli.main import main
 from contourlab.errors import LogError
-from contourlab.studies.reproduce.ubc import MEASURED, reproduce
+from contourlab.papers.ubc.study import MEASURED, reproduce
 
 Table = dict[tuple[str, str], dict[str, Any]]
 

@@ -11,8 +11,8 @@ from typing import Any
 import pytest
 from typed_commands import CIRCLE, ON_XYZ, PART, Run, contents
 
-from contourlab.session.folder import staged
-from contourlab.session.written_files import LIST
+from contourlab.app.folder import staged
+from contourlab.app.written_files import LIST
 
 RUBBISH = bytes(range(128, 256)) * 8
 

@@ -8,8 +8,8 @@ from pathlib import Path
 import pytest
 from typed_commands import contents
 
+from contourlab.app.written_files import LIST
 from contourlab.cli.main import main
-from contourlab.session.written_files import LIST
 
 CIRCLE = """
 name = "circle"
@@ -158,7 +158,7 @@ def test_a_folder_that_cannot_be_is_told_before_anything_runs(
     circle: str, place: str, tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
 ) -> None:
     (tmp_path / "file").write_text("of the user")
-    monkeypatch.setattr("contourlab.studies.division.undivided_error", lambda *_, **__: pytest.fail("it ran"))
+    monkeypatch.setattr("contourlab.features.link.division.undivided_error", lambda *_, **__: pytest.fail("it ran"))
     assert "cannot be written" in told(capsys, circle, "--out", place, code=2)
     assert (tmp_path / "file").read_text() == "of the user"
 

@@ -12,7 +12,7 @@ from typed_commands import Run, contents
 import contourlab as package
 from contourlab.cli.main import main
 from contourlab.components.contract import FAMILIES
-from contourlab.studies.reproduce import ghaffari
+from contourlab.papers.ghaffari import study as ghaffari
 
 ANSWERS = """\
 name = "Bench mill"

@@ -10,9 +10,9 @@ import numpy as np
 import pytest
 from typed_commands import contents
 
+from contourlab.app.folder import staged
 from contourlab.cli.main import main
 from contourlab.scenario import load_machine, load_scenario
-from contourlab.session.folder import staged
 
 MACHINE = """
 [machine]
@@ -294,7 +294,7 @@ def test_logs_of_one_name_go_by_their_folders_and_equal_columns_are_asked_about(
 def test_what_cannot_be_written_is_told_before_it_is_refined(
     scene: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str], option: str
 ) -> None:
-    from contourlab.session import refine
+    from contourlab.features.refine import command as refine
 
     (tmp_path / "taken").mkdir()
     (tmp_path / "file").write_text("")
@@ -308,7 +308,7 @@ def test_what_cannot_be_written_is_told_before_it_is_refined(
 def test_what_is_read_is_not_written_over(
     scene: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str], name: str
 ) -> None:
-    from contourlab.session import refine
+    from contourlab.features.refine import command as refine
 
     copy = tmp_path / "scene"
     shutil.copytree(scene, copy)

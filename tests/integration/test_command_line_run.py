@@ -12,8 +12,8 @@ import pytest
 from typed_commands import CIRCLE, ON_XYZ, PART, Finished, Run, contents
 
 import contourlab as package
+from contourlab.app.written_files import LIST
 from contourlab.result import Result
-from contourlab.session.written_files import LIST
 
 SCHEMA = Path(__file__).parents[2] / "docs" / "summary-schema.md"
 RADIUS = 0.02

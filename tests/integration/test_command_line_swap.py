@@ -11,10 +11,10 @@ import pytest
 from typed_commands import Run, drag
 
 from contourlab.cli.main import main
+from contourlab.design import Evaluator
+from contourlab.features.swap import course
 from contourlab.scenario import load_scenario
 from contourlab.scenario.load import load_controller, load_machine, load_module
-from contourlab.studies.space import Evaluator
-from contourlab.studies.swap import course
 
 SCENARIO = """\
 name = "circle"
@@ -175,7 +175,7 @@ def test_an_interrupt_behind_the_searches_says_that_they_are_kept(
         raise KeyboardInterrupt
 
     with monkeypatch.context() as patch:
-        patch.setattr(f"contourlab.session.swap.{late}", interrupted)
+        patch.setattr(f"contourlab.features.swap.command.{late}", interrupted)
         assert main(words) == 130
     searches = Path("results") / "searches"
     kept = len(list(searches.glob("*/*.npz")))

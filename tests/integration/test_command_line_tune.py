@@ -194,7 +194,7 @@ def test_a_place_that_cannot_be_written_is_told_before_anything_runs(
     words: list[str], said: str, tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.chdir(tmp_path)
-    monkeypatch.setattr("contourlab.session.tune.tune", lambda *_, **__: pytest.fail("it ran"))
+    monkeypatch.setattr("contourlab.features.tune.command.tune", lambda *_, **__: pytest.fail("it ran"))
     (tmp_path / "folder.toml").mkdir()
     (tmp_path / "file").write_text("of the user")
     assert main(["tune", str(written(tmp_path)), *words]) == 2

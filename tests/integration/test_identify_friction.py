@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 from identified_logs import PERIOD, PLANT, TIME, UBC, driven, found_by, jogged, ramped, written
 
-from contourlab.analysis.first_order_motion import first_order_motion
+from contourlab.analysis.identification.first_order_motion import first_order_motion
 from contourlab.cli.main import main
 from contourlab.scenario.load import load_axis
 

@@ -8,8 +8,8 @@ import numpy as np
 import pytest
 from identified_logs import PERIOD, PLANT, SCENARIO, TIME, UBC, driven, found_by, jogged, stepped, steps, written
 
-from contourlab.analysis.closed_first_order import closed_loop_position
-from contourlab.analysis.first_order_motion import first_order_motion
+from contourlab.analysis.identification.closed_first_order import closed_loop_position
+from contourlab.analysis.identification.first_order_motion import first_order_motion
 from contourlab.cli.main import main
 from contourlab.loop import Machine
 from contourlab.scenario.load import load_axis
@@ -144,10 +144,10 @@ def test_a_gain_per_another_unit_is_refused(tmp_path: Path, capsys: pytest.Captu
 @pytest.mark.slow
 def test_deviations_are_the_spread_over_many_logs() -> None:
     """Thirty noisy logs of one axis in open loop, and thirty frequency responses of one drive by five sines."""
-    from contourlab.analysis.drive_models import held_response, linear_motor
-    from contourlab.analysis.first_order import identify_first_order
-    from contourlab.studies.identification.drives import identify_linear_motor
-    from contourlab.studies.identification.signals import AxisRecord
+    from contourlab.analysis.identification.drive_models import held_response, linear_motor
+    from contourlab.analysis.identification.first_order import identify_first_order
+    from contourlab.features.identify.drives import identify_linear_motor
+    from contourlab.features.identify.signals import AxisRecord
 
     u, true = steps()[:4000], {"M": 0.347, "B": 3.56, "delay": 5e-4}
     place, time = 1.695 * first_order_motion(u, PERIOD, 10.1, 0.055, 0.055)[1], TIME[:3000]

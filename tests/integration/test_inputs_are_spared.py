@@ -8,9 +8,9 @@ from pathlib import Path
 import pytest
 from typed_commands import CIRCLE, Finished, contents
 
+from contourlab.app.folder import staged
+from contourlab.app.written_files import LIST
 from contourlab.cli.main import main
-from contourlab.session.folder import staged
-from contourlab.session.written_files import LIST
 
 IDENTIFY = ("identify", "log.csv", "--validation", "second.csv", "--columns", "columns.toml", "--out")
 

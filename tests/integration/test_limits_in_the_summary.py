@@ -9,9 +9,9 @@ from typing import Any
 import pytest
 from typed_commands import PART, Finished
 
+from contourlab.features.run import compare
 from contourlab.feed import verify
 from contourlab.scenario import load_scenario
-from contourlab.studies import compare
 
 FEED, RADIUS, JERK, ACCELERATION = 1.0 / 60.0, 5e-3, 40.0, 1.5  # F1000 in m/s, the arc, and the limits of the machine
 

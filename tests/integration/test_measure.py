@@ -12,13 +12,13 @@ import pytest
 
 from contourlab.cli.main import main
 from contourlab.errors import ResultError
+from contourlab.features.measure.sample_path import path_of_samples
+from contourlab.features.measure.shift import fitted_shift
+from contourlab.features.measure.study import measure
 from contourlab.geometry import Line
 from contourlab.geometry import Path as Path_
 from contourlab.logs import load_log, read_record
 from contourlab.result import Result, Signal
-from contourlab.studies.measure import measure
-from contourlab.studies.sample_path import path_of_samples
-from contourlab.studies.shift import fitted_shift
 
 
 def circle(n: int = 2000, radius: float = 0.02) -> np.ndarray:
@@ -188,7 +188,7 @@ def test_a_part_program_as_the_reference(tmp_path: Path, capsys: pytest.CaptureF
 def test_runs_of_a_part_program_are_compared_from_their_folders(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     """What was judged against a program has no reference of the drives: no tracking error, neither alone nor beside another."""
     (tmp_path / "part.ngc").write_text("G21 G90 G64\nG1 X0 Y0 F3000\nG1 X40\nG1 Y30\nG1 X0\nG1 Y0\nM2\n")
-    from contourlab.session.log_choice import program_path
+    from contourlab.features.measure.log_choice import program_path
 
     path = program_path(str(tmp_path / "part.ngc"), ("x", "y"))
     along = np.linspace(0.0, path.length, 3000)
@@ -209,7 +209,7 @@ def test_a_part_program_in_other_coordinates(tmp_path: Path, capsys: pytest.Capt
     """The same with the part anywhere on the table: fitted, the error is the same as with the shift given."""
     program = tmp_path / "part.ngc"
     program.write_text("G21 G90 G64 P0.01\nG0 X0 Y0\nG1 X40 F3000\nG3 X40 Y30 J15\nG1 X10\nG1 X0 Y0\nM2\n")
-    from contourlab.session.log_choice import program_path
+    from contourlab.features.measure.log_choice import program_path
 
     path = program_path(str(program), ("x", "y"))
     along = np.linspace(0.0, path.length, 4000)

@@ -2,15 +2,14 @@
 
 from __future__ import annotations
 
-import importlib.util
 import re
 import shutil
 import subprocess
-import sys
 import time
 from pathlib import Path
 
 import pytest
+import synthetic
 
 from contourlab.report import comparison_markdown, write_html
 from contourlab.result import Result
@@ -30,19 +29,6 @@ QUIET = (
     "--virtual-time-budget=20000",
     "--window-size=1440,12000",
 )
-
-
-def _synthetic():
-    """Return the runs with known errors that the unit tests of the report use."""
-    file = Path(__file__).parents[1] / "unit" / "report" / "synthetic.py"
-    spec = importlib.util.spec_from_file_location("report_synthetic", file)
-    module = importlib.util.module_from_spec(spec)
-    sys.modules[spec.name] = module
-    spec.loader.exec_module(module)
-    return module
-
-
-synthetic = _synthetic()
 
 
 @pytest.fixture(scope="module")

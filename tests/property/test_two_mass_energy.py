@@ -149,7 +149,7 @@ def test_only_the_dead_zone_model_pulls_at_a_flank_that_it_leaves() -> None:
 
 def test_a_step_with_more_events_than_are_located_is_sound_and_of_second_order(monkeypatch: pytest.MonkeyPatch) -> None:
     """With a single stretch each contact is left to the rest of the step, which looks the gap up at every stage."""
-    monkeypatch.setattr("contourlab.components.two_mass_mechanics.STRETCHES", 1)
+    monkeypatch.setattr("contourlab.components.mechanics.two_mass_mechanics.STRETCHES", 1)
     command = sampled(3, 80, 3.0)
     exact = Drive(TwoInertia(**DRIVE), substeps=200).run(command)["position"]
     errors = []

@@ -7,12 +7,12 @@ import os
 import sys
 from typing import TYPE_CHECKING, Any
 
-from contourlab.session.plain import plain
+from contourlab.app.plain import plain
 
 if TYPE_CHECKING:
     from rich.console import RenderableType
 
-    from contourlab.session.run import RunOutcome
+    from contourlab.features.run.command import RunOutcome
 
 __all__ = ["conclude", "emit_json", "say", "show", "silence", "wants_progress"]
 

@@ -20,8 +20,8 @@ ToolTable: TypeAlias = Annotated[Path | None, typer.Option(help="LinuxCNC tool t
 
 def reading_of(file: Path, dialect: str, block_delete: bool, tools: Path | None) -> Reading:
     """Return how a program is to be read; a missing end is noted only. A drawing is refused."""
+    from contourlab.features.run.command import refuse_drawing
     from contourlab.program import Reading
-    from contourlab.session.run import refuse_drawing
 
     refuse_drawing(file)
     return Reading(dialect=dialect, require_end=False, block_delete=block_delete, tools=tools)  # type: ignore[arg-type]  # it checks

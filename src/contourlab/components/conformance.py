@@ -173,7 +173,7 @@ def subject(part: Component) -> tuple[Step, dict[str, Any], dict[str, Any]]:
 
 
 def _linked(part: Component) -> tuple[Step, dict[str, Any], dict[str, Any]]:
-    from contourlab.components.mechanics import friction_prefix, link
+    from contourlab.components.mechanics.core import friction_prefix, link
     from contourlab.components.registry import component
 
     plant: Component = part if part.family == "plant" else component("plant", "mass-damper")(mass=2.0, force_constant=3.0)
@@ -293,7 +293,7 @@ def _check_linear(kind: type[Component], part: Component) -> None:
         return
     step = part.make_step(2)
     if kind.family == "plant":
-        from contourlab.components.mechanics import link
+        from contourlab.components.mechanics.core import link
         from contourlab.components.registry import component
 
         part = part.linear()

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from contourlab.components.mechanics import MOTOR_FRICTION, friction_prefix, link
+from contourlab.components.mechanics.core import MOTOR_FRICTION, friction_prefix, link
 from contourlab.components.plant.plant import Plant
 from contourlab.engine.schedule import Late, Node
 from contourlab.engine.step import Port, Step

@@ -16,7 +16,7 @@ from contourlab.report.shapes import Cause, DrawnPath, Verdict, Worst
 from contourlab.result import Result
 
 if TYPE_CHECKING:
-    from contourlab.analysis import LearningAnalysis
+    from contourlab.analysis.learning.learning_analysis import LearningAnalysis
     from contourlab.loop.switches import Switches
     from contourlab.report.feed_picture import FeedRun
     from contourlab.report.trials import TrialCourse

@@ -6,7 +6,7 @@ from collections.abc import Mapping
 
 import numpy as np
 
-from contourlab.analysis.learning_analysis import LearningAnalysis
+from contourlab.analysis.learning.learning_analysis import LearningAnalysis
 from contourlab.report.charts import Chart, Curve, Level, Panel, Tick
 from contourlab.report.style import scheme_style
 

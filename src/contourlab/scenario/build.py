@@ -232,7 +232,8 @@ def _feedforward(table: Table, units: tuple[str, str], parts: Mapping[str, Any],
     if not (isinstance(kind, Leaf) and kind.value == "zpetc" and set(given.entries) == {"kind"}):
         found: Component | None = read_component(node, "feedforward", units, optional=True)
         return found
-    from contourlab.analysis import sampled_loop, zpetc_design
+    from contourlab.analysis.linear.sampled_loop import sampled_loop
+    from contourlab.analysis.linear.zpetc import zpetc_design
 
     radius = read_table(ZeroPhaseTable, node).radius if isinstance(node, Table) else ZeroPhaseTable(kind="zpetc").radius
     with located(table, "feedforward"):

@@ -9,8 +9,8 @@ import numpy as np
 import pytest
 
 import contourlab as cl
-from contourlab.analysis import axis_backlash_loop, find_orbits, p_pi_cascade, two_inertia_loop
-from contourlab.analysis.limit_cycle_cases import CASES, DRIVE, LimitCycleCase
+from contourlab.analysis.backlash.axis_backlash import axis_backlash_loop
+from contourlab.analysis.backlash.orbit_search import find_orbits
 from contourlab.components.controller.cascade import Cascade
 from contourlab.components.controller.contact_zone_2 import ContactZone2
 from contourlab.components.controller.gap_zone_2 import GapZone2
@@ -21,6 +21,8 @@ from contourlab.components.supervisor.performance import Performance
 from contourlab.components.velocity.filtered_difference import FilteredDifference
 from contourlab.errors import ComponentError
 from contourlab.geometry import Line, Path
+from contourlab.papers.shahin.limit_cycle_cases import CASES, DRIVE, LimitCycleCase
+from contourlab.papers.shahin.two_inertia_loop import p_pi_cascade, two_inertia_loop
 
 LEAD = 2.0 * math.pi  # a metre at the table is a radian of the motor
 

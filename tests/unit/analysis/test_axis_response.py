@@ -11,7 +11,8 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from contourlab.analysis import AxisResponse, axis_response, margins
+from contourlab.analysis.linear.margins import margins
+from contourlab.analysis.linear.response import AxisResponse
 from contourlab.components.contract import Component, LinearModel
 from contourlab.components.controller.position import PositionController
 from contourlab.components.drive.delayed_saturation import DelayedSaturation
@@ -24,6 +25,7 @@ from contourlab.components.velocity.filtered_difference import FilteredDifferenc
 from contourlab.components.velocity.true import TrueVelocity
 from contourlab.errors import ComponentError, ParameterError
 from contourlab.loop.machine import Axis, AxisController
+from contourlab.papers.ghaffari.axis_response import axis_response
 
 W = np.logspace(-1, 3.5, 120)
 S = 1j * W

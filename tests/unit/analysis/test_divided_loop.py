@@ -11,9 +11,9 @@ import pytest
 from scipy.linalg import expm
 
 import contourlab as cl
-from contourlab.analysis import sampled_loop
-from contourlab.analysis.divided_loop import LinkTiming, axis_delay_margin, divided_loop, timing_of
-from contourlab.analysis.margins import delay_margin
+from contourlab.analysis.linear.divided_loop import LinkTiming, axis_delay_margin, divided_loop, timing_of
+from contourlab.analysis.linear.margins import delay_margin
+from contourlab.analysis.linear.sampled_loop import sampled_loop
 from contourlab.components.link.ideal import IdealLink
 from contourlab.components.link.network import Network
 from contourlab.components.registry import component

@@ -11,11 +11,11 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from scipy.linalg import expm
 
-from contourlab.analysis.exact_simulation import simulate_exact
-from contourlab.analysis.mode_flow import Motion
-from contourlab.analysis.small_exponential import exponentials
-from contourlab.analysis.two_inertia_loop import TwoInertias, motor_pid, p_pi_cascade, two_inertia_loop
+from contourlab.analysis.backlash.exact_simulation import simulate_exact
+from contourlab.analysis.backlash.mode_flow import Motion
+from contourlab.analysis.linear.small_exponential import exponentials
 from contourlab.errors import ParameterError
+from contourlab.papers.shahin.two_inertia_loop import TwoInertias, motor_pid, p_pi_cascade, two_inertia_loop
 
 
 def test_bounce_of_two_free_inertias() -> None:

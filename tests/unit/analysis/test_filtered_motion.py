@@ -7,7 +7,7 @@ import math
 import numpy as np
 import pytest
 
-from contourlab.analysis.filtered_motion import central_difference, decimate, filtered_motion
+from contourlab.analysis.identification.filtered_motion import central_difference, decimate, filtered_motion
 from contourlab.errors import ParameterError
 
 PERIOD = 1e-3

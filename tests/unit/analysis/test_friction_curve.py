@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from contourlab.analysis.constant_speed import StretchSettings, constant_speed_stretches
-from contourlab.analysis.friction_curve import fit_friction
+from contourlab.analysis.identification.constant_speed import StretchSettings, constant_speed_stretches
+from contourlab.analysis.identification.friction_curve import fit_friction
 from contourlab.errors import ParameterError
 
 Array = NDArray[np.float64]

@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 from scipy.signal import lfilter
 
-from contourlab.analysis.fit_covariance import fit_covariance
-from contourlab.analysis.gauss_newton import DescentSettings, descend, jacobian, spread_starts
+from contourlab.analysis.identification.fit_covariance import fit_covariance
+from contourlab.analysis.identification.gauss_newton import DescentSettings, descend, jacobian, spread_starts
 from contourlab.errors import ParameterError
 
 RNG = np.random.default_rng(5)

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from contourlab.analysis.inverse_dynamics import (
+from contourlab.analysis.identification.inverse_dynamics import (
     InverseDynamicsFit,
     InverseDynamicsSettings,
     cross_validate,

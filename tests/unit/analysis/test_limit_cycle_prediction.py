@@ -10,10 +10,10 @@ from backlash_loops import HALF_GAP, J_L, K_S, PAPER, SCHEME_II, drive
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from contourlab.analysis.describing_function import dead_zone_gain, harmonic
-from contourlab.analysis.limit_cycle_prediction import predict_limit_cycles, real_frequencies
-from contourlab.analysis.lure import BacklashLoop
-from contourlab.analysis.two_inertia_loop import p_pi_cascade, two_inertia_loop
+from contourlab.analysis.backlash.describing_function import dead_zone_gain, harmonic
+from contourlab.analysis.backlash.limit_cycle_prediction import predict_limit_cycles, real_frequencies
+from contourlab.analysis.backlash.lure import BacklashLoop
+from contourlab.papers.shahin.two_inertia_loop import p_pi_cascade, two_inertia_loop
 
 
 @settings(max_examples=25, deadline=None)

@@ -8,14 +8,14 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from contourlab.analysis.loop_lanes import lane_loops, margin_factors, unstable_by
-from contourlab.analysis.sampled_loop import sampled_loop
+from contourlab.analysis.linear.loop_lanes import lane_loops, margin_factors, unstable_by
+from contourlab.analysis.linear.sampled_loop import sampled_loop
 from contourlab.components.drive.delayed_saturation import DelayedSaturation
-from contourlab.studies.reproduce.ghaffari_setup import TABLE_3, Reading, controller, machine
-from contourlab.studies.space import Space
-from contourlab.studies.space.bounds import Bounds
-from contourlab.studies.swap.guard import Guard
-from contourlab.studies.swap.numbers import divided_controller
+from contourlab.design import Space
+from contourlab.design.bounds import Bounds
+from contourlab.features.swap.guard import Guard
+from contourlab.features.swap.numbers import divided_controller
+from contourlab.papers.ghaffari.setup import TABLE_3, Reading, controller, machine
 
 N = 40
 GAIN = 20.0 * math.log10(1.5)

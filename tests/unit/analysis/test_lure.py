@@ -6,9 +6,9 @@ import numpy as np
 import pytest
 from backlash_loops import HALF_GAP, J_L, J_M, K_S, PAPER, SCHEME_III, drive, paper_loop
 
-from contourlab.analysis.lure import BacklashLoop, dead_zone
-from contourlab.analysis.two_inertia_loop import Feedback, motor_pid, p_pi_cascade, two_inertia_loop
+from contourlab.analysis.backlash.lure import BacklashLoop, dead_zone
 from contourlab.errors import ParameterError
+from contourlab.papers.shahin.two_inertia_loop import Feedback, motor_pid, p_pi_cascade, two_inertia_loop
 
 
 def test_the_papers_modes() -> None:

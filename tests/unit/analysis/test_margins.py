@@ -10,8 +10,9 @@ import control
 import numpy as np
 import pytest
 
-from contourlab.analysis import margins, transfer
+from contourlab.analysis.linear.margins import margins
 from contourlab.components.contract import LinearModel
+from contourlab.papers.ghaffari.axis_response import transfer
 
 W = np.logspace(-3, 3, 601)
 # Crossings are found to rounding, wherever they lie between the points of the grid.

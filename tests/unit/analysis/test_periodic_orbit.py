@@ -8,12 +8,12 @@ import numpy as np
 import pytest
 from backlash_loops import FREE, HALF_GAP, J_L, J_M, K_S, PAPER, SCHEME_II, drive, integrated
 
-from contourlab.analysis.exact_simulation import simulate_exact
-from contourlab.analysis.mode_flow import Motion
-from contourlab.analysis.orbit_search import find_forced_orbits, find_orbits
-from contourlab.analysis.periodic_orbit import Shooter, close_orbit
-from contourlab.analysis.two_inertia_loop import motor_pid, p_pi_cascade, two_inertia_loop
+from contourlab.analysis.backlash.exact_simulation import simulate_exact
+from contourlab.analysis.backlash.mode_flow import Motion
+from contourlab.analysis.backlash.orbit_search import find_forced_orbits, find_orbits
+from contourlab.analysis.backlash.periodic_orbit import Shooter, close_orbit
 from contourlab.errors import ParameterError
+from contourlab.papers.shahin.two_inertia_loop import motor_pid, p_pi_cascade, two_inertia_loop
 
 
 def test_the_orbit_of_two_free_inertias() -> None:

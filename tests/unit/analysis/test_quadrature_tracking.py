@@ -10,8 +10,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from contourlab.analysis.quadrature import QuadratureConstants, fit_ellipse
-from contourlab.analysis.quadrature_tracking import track_ellipse
+from contourlab.analysis.encoder.quadrature import QuadratureConstants, fit_ellipse
+from contourlab.analysis.encoder.quadrature_tracking import track_ellipse
 from contourlab.errors import ParameterError
 
 TURN = 2.0 * math.pi

@@ -13,8 +13,9 @@ from hypothesis import strategies as st
 from one_axis import A_HAT, B_HAT, KI, KP, KV, W_D, W_V, W_Z, A, B, T, axis, controller, observer
 from scipy.signal import cont2discrete
 
-from contourlab.analysis import margins, sampled_loop
-from contourlab.analysis.tick_map import spectral_radius
+from contourlab.analysis.linear.margins import margins
+from contourlab.analysis.linear.sampled_loop import sampled_loop
+from contourlab.analysis.linear.tick_map import spectral_radius
 from contourlab.components.contract import Component, Port, param
 from contourlab.components.disturbance.sine import SineLoad
 from contourlab.components.drive.delayed_saturation import DelayedSaturation

@@ -11,7 +11,7 @@ import pytest
 from one_axis import W_V, T, axis, controller, observer
 
 import contourlab as cl
-from contourlab.analysis import SampledLoop, axis_response, sampled_loop
+from contourlab.analysis.linear.sampled_loop import SampledLoop, sampled_loop
 from contourlab.components.controller.position import PositionController
 from contourlab.components.disturbance.sine import SineLoad
 from contourlab.components.drive.delayed_saturation import DelayedSaturation
@@ -24,6 +24,7 @@ from contourlab.components.velocity.filtered_difference import FilteredDifferenc
 from contourlab.feed import Reference
 from contourlab.geometry import Line, Path
 from contourlab.loop.machine import Axis, AxisController, Controller, Machine
+from contourlab.papers.ghaffari.axis_response import axis_response
 
 PLANTS = {1: (1.695, 10.1), 2: (0.648, 6.5), 3: (1.116, 5.8)}
 CALIBRATED = {1: (0.6, 20.0, 0.9, 30.0), 2: (0.6, 20.0, 0.9, 30.0), 3: (1.0, 25.0, 0.9, 25.0)}

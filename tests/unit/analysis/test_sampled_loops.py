@@ -8,15 +8,15 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from contourlab.analysis import sampled_loop
-from contourlab.analysis.sampled_loops import rough_margins, sampled_loops
+from contourlab.analysis.linear.sampled_loop import sampled_loop
+from contourlab.analysis.linear.sampled_loops import rough_margins, sampled_loops
 from contourlab.components.drive.delayed_saturation import DelayedSaturation
+from contourlab.design import Space
 from contourlab.errors import ComponentError
+from contourlab.features.tune import with_values
 from contourlab.loop import Controller, Machine
+from contourlab.papers.ghaffari.setup import TABLE_2, Reading, controller, machine
 from contourlab.scenario import load_controller, load_machine
-from contourlab.studies.reproduce.ghaffari_setup import TABLE_2, Reading, controller, machine
-from contourlab.studies.space import Space
-from contourlab.studies.tune import with_values
 
 READING = Reading()
 

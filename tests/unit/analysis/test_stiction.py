@@ -9,7 +9,7 @@ import pytest
 from axis_bench import driven
 from numpy.typing import NDArray
 
-from contourlab.analysis.stiction import breakaways
+from contourlab.analysis.identification.stiction import breakaways
 from contourlab.components.friction.coulomb import Coulomb
 from contourlab.components.friction.lugre import LuGre
 from contourlab.components.plant.mass_damper import MassDamper

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 from scipy.signal import cont2discrete
 
-from contourlab.analysis.tick_map import spectral_radius, tick_map, tick_matrix
+from contourlab.analysis.linear.tick_map import spectral_radius, tick_map, tick_matrix
 from contourlab.components.contract import Component
 from contourlab.components.controller.position import PositionController
 from contourlab.components.drive.delayed_saturation import DelayedSaturation

@@ -9,11 +9,11 @@ from typing import Any
 import pytest
 
 import contourlab as cl
-from contourlab.analysis import Margins
+from contourlab.analysis.linear.margins import Margins
+from contourlab.features.run.compare import Outcome, bode_of, run_case
+from contourlab.features.run.page import report_data
+from contourlab.features.run.summary import summary_of
 from contourlab.report.comparison import compare
-from contourlab.session.page import report_data
-from contourlab.session.summary import summary_of
-from contourlab.studies.compare import Outcome, bode_of, run_case
 
 
 @pytest.fixture(scope="module")

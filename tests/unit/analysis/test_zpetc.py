@@ -11,8 +11,8 @@ from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
 import contourlab as cl
-from contourlab.analysis import sampled_loop
-from contourlab.analysis.zpetc import zpetc_design, zpetc_from_polynomials
+from contourlab.analysis.linear.sampled_loop import sampled_loop
+from contourlab.analysis.linear.zpetc import zpetc_design, zpetc_from_polynomials
 from contourlab.components.controller.cascade import Cascade
 from contourlab.components.controller.lead_lag import LeadLag
 from contourlab.components.controller.pid import PID

@@ -9,10 +9,10 @@ from pathlib import Path
 import pytest
 
 from contourlab import __version__
+from contourlab.app.plain import plain
 from contourlab.cli.main import main
 from contourlab.components import registry
 from contourlab.errors import DivergenceError, OutputError, ParameterError
-from contourlab.session.plain import plain
 
 LAUNCH = [sys.executable, "-c", "from contourlab.__main__ import run; run()"]
 

@@ -6,7 +6,7 @@ import tomllib
 import pytest
 
 from contourlab.cli.main import main
-from contourlab.cli.new_machine import questions
+from contourlab.features.machines.new_machine import questions
 
 ANSWERS = """
 name = "Bench mill"

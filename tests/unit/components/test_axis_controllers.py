@@ -13,7 +13,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from scipy.signal import bilinear, lfilter
 
-from contourlab.analysis import axis_response, sampled_loop
+from contourlab.analysis.linear.sampled_loop import sampled_loop
 from contourlab.components.conformance import check_component
 from contourlab.components.contract import Component
 from contourlab.components.controller.cascade import Cascade
@@ -27,6 +27,7 @@ from contourlab.engine.schedule import Late, Node, Schedule
 from contourlab.engine.step import Port
 from contourlab.errors import ParameterError
 from contourlab.loop.machine import Axis, AxisController
+from contourlab.papers.ghaffari.axis_response import axis_response
 
 W = np.geomspace(0.5, 2000.0, 40)
 G, ZETA, WN, TA = 0.8, 1.1, 150.0, 0.01

@@ -11,7 +11,7 @@ from component_rig import make
 
 import contourlab as cl
 from contourlab.components.friction.lugre import LuGre
-from contourlab.components.mechanics import link
+from contourlab.components.mechanics.core import link
 from contourlab.components.plant.inertia_chain import InertiaChain
 from contourlab.components.plant.reflected import reflected_inertia, reflected_mass
 from contourlab.components.plant.two_inertia import TwoInertia

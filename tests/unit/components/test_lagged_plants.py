@@ -13,7 +13,6 @@ from hypothesis import given
 from hypothesis import strategies as st
 from numpy.typing import NDArray
 
-from contourlab.analysis import transfer
 from contourlab.components.controller.position import PositionController
 from contourlab.components.friction.coulomb import Coulomb
 from contourlab.components.friction.smooth_coulomb import SmoothCoulomb
@@ -25,6 +24,7 @@ from contourlab.errors import ParameterError
 from contourlab.geometry import Line, Path
 from contourlab.loop import Axis, AxisController, Controller, Machine
 from contourlab.loop.template import build
+from contourlab.papers.ghaffari.axis_response import transfer
 from contourlab.scenario import builtin_file, load_machine, parse_scenario
 
 Array = NDArray[np.float64]

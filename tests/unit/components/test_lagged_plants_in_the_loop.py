@@ -8,7 +8,6 @@ import numpy as np
 import pytest
 
 import contourlab as cl
-from contourlab.analysis import axis_response
 from contourlab.components.contract import Component
 from contourlab.components.controller.position import PositionController
 from contourlab.components.friction.coulomb import Coulomb
@@ -19,6 +18,7 @@ from contourlab.components.plant.linear_motor import LinearMotor
 from contourlab.components.plant.second_order_integrator import SecondOrderIntegrator
 from contourlab.feed import uniform
 from contourlab.loop import Axis, AxisController, Controller, Machine
+from contourlab.papers.ghaffari.axis_response import axis_response
 
 MOTOR = LinearMotor(resistance=2.0, inductance=4e-4, back_emf=20.0, force_constant=30.0, mass=2.0, viscous_friction=5.0)
 KNOWN = SecondOrderIntegrator(dc_gain=0.05, damping_ratio=1.1, natural_frequency=150.0, mass=2.0)

@@ -9,9 +9,9 @@ import pytest
 from component_rig import make
 
 import contourlab as cl
+from contourlab.features.learn import learning_problem
+from contourlab.features.learn.trial import record_of
 from contourlab.loop.trials import Trials
-from contourlab.studies.learn import learning_problem
-from contourlab.studies.learn.trial import record_of
 
 PERIOD = 1e-3
 

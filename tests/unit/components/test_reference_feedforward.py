@@ -11,13 +11,13 @@ from component_rig import PERIOD, make, run_alone
 from scipy.signal import lfilter
 
 import contourlab as cl
-from contourlab.analysis import axis_response
 from contourlab.components.controller.cascade import Cascade
 from contourlab.components.controller.pid import PID
 from contourlab.components.feedforward.friction import FrictionFeedforward
 from contourlab.components.feedforward.inverse_dynamics import InverseDynamics
 from contourlab.components.feedforward.zpetc import ZPETC
 from contourlab.errors import ParameterError
+from contourlab.papers.ghaffari.axis_response import axis_response
 
 STRIBECK = {"coulomb": 3.0, "breakaway": 5.0, "stribeck_velocity": 0.01, "viscous": 20.0, "smoothing_velocity": 1e-4}
 

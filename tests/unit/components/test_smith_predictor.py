@@ -12,7 +12,7 @@ from component_rig import make, run_alone
 from scipy.signal import cont2discrete
 
 import contourlab as cl
-from contourlab.analysis import sampled_loop
+from contourlab.analysis.linear.sampled_loop import sampled_loop
 from contourlab.components.contract import Component
 from contourlab.components.controller.pid import PID
 from contourlab.components.controller.speed_pid import SpeedPID

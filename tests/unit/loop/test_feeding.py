@@ -10,7 +10,7 @@ import pytest
 from stages import PERIOD, control, make, stage
 
 import contourlab as cl
-from contourlab.analysis import sampled_loop
+from contourlab.analysis.linear.sampled_loop import sampled_loop
 from contourlab.components.contract import Component, Port, param
 from contourlab.errors import ParameterError
 from contourlab.loop import Learned, simulate_blocks

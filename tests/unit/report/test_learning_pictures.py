@@ -8,14 +8,15 @@ from typing import Any
 import numpy as np
 import pytest
 
-from contourlab.analysis import contour_transfer, learning_analysis
+from contourlab.analysis.learning.learning_analysis import learning_analysis
+from contourlab.analysis.linear.contour_transfer import contour_transfer
 from contourlab.components.controller.position import PositionController
 from contourlab.components.coupling.cross_coupled import CrossCoupled
 from contourlab.components.estimator.tangent import Tangent
 from contourlab.components.learning.zero_phase import ZeroPhase
 from contourlab.components.plant.rigid_axis import RigidAxis
+from contourlab.features.analyse.picture import contour_transfer_charts
 from contourlab.loop.machine import Axis, AxisController, Controller, Machine
-from contourlab.report.contour_transfer_picture import contour_transfer_charts
 from contourlab.report.learning_pictures import learning_charts, singular_value_chart
 from contourlab.report.matplotlib_view import line_drawing
 

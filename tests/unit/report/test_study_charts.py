@@ -7,11 +7,11 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from contourlab.features.sensitivity.pictures import DrawnCurve, curves_chart, indices_chart, interactions_chart
 from contourlab.report.matplotlib_view import line_drawing
 from contourlab.report.plotly_view import line_figure
 from contourlab.report.plots import write_charts
 from contourlab.report.reproduction_pictures import traces_chart
-from contourlab.report.sensitivity_pictures import DrawnCurve, curves_chart, indices_chart, interactions_chart
 from contourlab.report.study_view import bars_drawing, matrix_drawing, multiples_drawing
 
 X = np.geomspace(1.0, 4.0, 9)

@@ -7,7 +7,7 @@ import math
 import numpy as np
 import pytest
 
-from contourlab.analysis import SampledLoop, sampled_loop
+from contourlab.analysis.linear.sampled_loop import SampledLoop, sampled_loop
 from contourlab.components.registry import component, components
 from contourlab.errors import ScenarioError
 from contourlab.scenario import Case, dump, parse_scenario

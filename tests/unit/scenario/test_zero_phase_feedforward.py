@@ -5,7 +5,8 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from contourlab.analysis import sampled_loop, zpetc_design
+from contourlab.analysis.linear.sampled_loop import sampled_loop
+from contourlab.analysis.linear.zpetc import zpetc_design
 from contourlab.errors import ScenarioError
 from contourlab.loop import simulate
 from contourlab.scenario import Scenario, dump, parse_scenario

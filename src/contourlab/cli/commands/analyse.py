@@ -25,7 +25,7 @@ def analyse(
     ] = False,
 ) -> int:
     """Say before anything runs how far each loop and the coupling are from instability, and whether learning converges."""
-    from contourlab.session.analyse import analyse_scenario
+    from contourlab.features.analyse.command import analyse_scenario
 
     found = analyse_scenario(file, schemes=listed(schemes), plugins=tuple(plugin or ()), plots=tuple(plots or ()), out=out, whole=whole)
     if as_json:

@@ -10,7 +10,7 @@ __all__ = ["backlash"]
 
 def backlash(file: ScenarioFile, schemes: Schemes = None, as_json: Json = False, plugin: Plugins = None) -> int:
     """Estimate the backlash of each axis, predict limit cycles, and say what compensation is best."""
-    from contourlab.session.backlash import backlash_scenario
+    from contourlab.features.backlash.command import backlash_scenario
 
     found = backlash_scenario(file, schemes=listed(schemes), plugins=tuple(plugin or ()), progress=wants_progress(as_json))
     if as_json:

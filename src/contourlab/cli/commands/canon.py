@@ -21,7 +21,7 @@ def canon(
     tools: ToolTable = None,
 ) -> None:
     """Print the moves of a part program: positions of the tool's tip in mm, in machine coordinates, feed in mm/min."""
-    from contourlab.session.canon import write_canon
+    from contourlab.features.check.canon import write_canon
 
     reading = reading_of(file, dialect, block_delete, tools)
     try:

@@ -30,7 +30,7 @@ def check(
     tools: ToolTable = None,
 ) -> int:
     """List every fault of a part program with line and column; say its box, feeds and cycle time."""
-    from contourlab.session.program_check import check_program
+    from contourlab.features.check.program_check import check_program
 
     reading = reading_of(file, dialect, block_delete, tools)
     found = check_program(file, machine, reading=reading)

@@ -31,7 +31,7 @@ def compare(
 ) -> int:
     """Run schemes of a scenario side by side, those that learn trial after trial; or tell what changed between runs from files."""
     if others:
-        from contourlab.session.measure import compare_runs
+        from contourlab.features.measure.command import compare_runs
 
         for_scenario = {"--schemes": schemes, "--trials": trials, "--signals": signals, "--interval": interval, "--plugin": plugin}
         for option, value in for_scenario.items():
@@ -40,7 +40,7 @@ def compare(
         runs = [str(file), *others]
         found = compare_runs(runs, out, plots=tuple(plots or ()), command=shlex.join(["contourlab", "compare", *runs]))
         return conclude(found, as_json)
-    from contourlab.session.schemes import compare_schemes
+    from contourlab.features.run.schemes import compare_schemes
 
     outcome = compare_schemes(
         file,

@@ -19,7 +19,7 @@ def demo(
     interval: WithInterval = None,
 ) -> int:
     """Run a shipped part on a shipped machine under several controllers, and compare them."""
-    from contourlab.session.demo import run_demo
+    from contourlab.features.run.demo import run_demo
 
     outcome = run_demo(out, progress=wants_progress(as_json), interval=interval)
     return conclude(outcome, as_json)

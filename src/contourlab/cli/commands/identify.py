@@ -55,8 +55,8 @@ def identify(
     plots: Plots = None,
 ) -> int:
     """Find the model of an axis from logs, each figure with its deviation; write an axis file."""
-    from contourlab.session.identify import Request, identify_log
-    from contourlab.session.log_choice import LogChoice
+    from contourlab.features.identify.command import Request, identify_log
+    from contourlab.features.measure.log_choice import LogChoice
 
     request = Request(
         model=model,

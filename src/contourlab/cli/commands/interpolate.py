@@ -30,7 +30,7 @@ def interpolate(
     as_json: Annotated[bool, typer.Option("--json", help="Print JSON alone on standard output.")] = False,
 ) -> int:
     """Correct quadrature signals of an encoder, interpolate them to counts, and say how good they are."""
-    from contourlab.session.interpolate import interpolate_file
+    from contourlab.features.interpolate.command import interpolate_file
 
     found = interpolate_file(file, out, pitch=pitch, resolution=resolution, columns=columns, reference=reference, forgetting=forgetting)
     if as_json:

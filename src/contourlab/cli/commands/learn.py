@@ -26,7 +26,7 @@ def learn(
     plugin: Plugins = None,
 ) -> int:
     """Repeat the motion of a scenario and learn from trial to trial; say beforehand whether it converges, and keep what was learned."""
-    from contourlab.session.schemes import learn_schemes
+    from contourlab.features.run.schemes import learn_schemes
 
     outcome = learn_schemes(
         file,

@@ -42,7 +42,7 @@ def link(
     plugin: Plugins = None,
 ) -> int:
     """Divide controllers between base and axes: what the network costs, and the smallest message rate that still holds."""
-    from contourlab.session.link import LinkOptions, link_scenario
+    from contourlab.features.link.command import LinkOptions, link_scenario
 
     network = {"message_period": message_period, "delay": delay, "jitter": jitter, "loss": loss}
     options = LinkOptions(

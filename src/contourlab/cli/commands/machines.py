@@ -11,7 +11,7 @@ from contourlab.cli.output import emit_json, say, show
 from contourlab.cli.scheme_options import Json
 
 if TYPE_CHECKING:
-    from contourlab.session.machines import Shipped
+    from contourlab.features.machines.command import Shipped
 
 __all__ = ["machines"]
 
@@ -30,7 +30,7 @@ def machines(
     as_json: Json = False,
 ) -> int:
     """List the shipped machines, axes, controllers and runs with where their numbers are from; show or copy one."""
-    from contourlab.session.machines import copy_shipped, shipped, shipped_one
+    from contourlab.features.machines.command import copy_shipped, shipped, shipped_one
 
     if copy is not None:
         if name is None:
@@ -75,7 +75,7 @@ def _details(one: Shipped) -> None:
     from rich.table import Table
     from rich.text import Text
 
-    from contourlab.session.trust import printed
+    from contourlab.features.run.trust import printed
 
     head = [f"builtin:{one.name}, {one.kind}" + (f" with the axes {', '.join(one.axes)}" if one.axes else ""), f"file: {one.file}"]
     if not one.numbers:

@@ -37,8 +37,8 @@ def measure(
     plots: Plots = None,
 ) -> int:
     """Judge a measured run: contour error, tracking, reversals, as of a simulated one."""
-    from contourlab.session.log_choice import LogChoice
-    from contourlab.session.measure import measure_log
+    from contourlab.features.measure.command import measure_log
+    from contourlab.features.measure.log_choice import LogChoice
 
     words = ["contourlab", "measure", str(log)]
     options = {

@@ -13,7 +13,7 @@ from contourlab.cli.output import say
 from contourlab.errors import ScenarioError
 
 if TYPE_CHECKING:
-    from contourlab.cli.new_machine import Question
+    from contourlab.features.machines.new_machine import Question
 
 __all__ = ["new"]
 
@@ -34,7 +34,7 @@ def machine(
     force: Annotated[bool, typer.Option("--force", help="Overwrite files that are there.")] = False,
 ) -> int:
     """Make a machine and a controller that fits it, out of what a data sheet says; asks for it."""
-    from contourlab.cli.new_machine import build_machine, explain, write_machine
+    from contourlab.features.machines.new_machine import build_machine, explain, write_machine
 
     given = _asked() if answers is None else read_answers(answers)
     try:
@@ -85,7 +85,7 @@ def _flat(content: Mapping[str, Any], prefix: str, file: Path) -> list[tuple[str
 
 def _asked() -> dict[str, str]:
     """Ask on the terminal: about the machine first, then about each of its axes."""
-    from contourlab.cli.new_machine import axis_names, questions
+    from contourlab.features.machines.new_machine import axis_names, questions
 
     print("Enter takes what stands in brackets; a number without a unit has the unit shown.", file=sys.stderr)
     answers: dict[str, str] = {}
@@ -96,7 +96,7 @@ def _asked() -> dict[str, str]:
 
 def _ask_all(asked: Sequence[Question], answers: dict[str, str]) -> None:
     """Ask each question until its answer is one; answers that come through a pipe have one try."""
-    from contourlab.cli.new_machine import axis_names, read_answer
+    from contourlab.features.machines.new_machine import axis_names, read_answer
 
     for question in asked:
         while True:

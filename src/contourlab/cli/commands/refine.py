@@ -44,8 +44,8 @@ def refine(
     plots: Plots = None,
 ) -> int:
     """Refine a machine and its controllers until their simulated run follows a log, with deviations and what stands against them."""
-    from contourlab.session.log_choice import LogChoice
-    from contourlab.session.refine import refine_logs
+    from contourlab.features.measure.log_choice import LogChoice
+    from contourlab.features.refine.command import refine_logs
 
     def choice(file: Path) -> LogChoice:
         return LogChoice(file, tuple(column or ()), columns, format, period)

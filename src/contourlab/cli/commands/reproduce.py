@@ -28,8 +28,8 @@ def ghaffari(
     out: Annotated[Path, typer.Option(help="Folder of the pictures; made if it is not there.")] = Path("results"),
 ) -> int:
     """Ghaffari and Ulsoy: component swapping modularity for distributed precision contouring."""
-    from contourlab.session.reproduce import write_ghaffari
-    from contourlab.studies.reproduce.ghaffari import reproduce as rows_of
+    from contourlab.papers.ghaffari.study import reproduce as rows_of
+    from contourlab.papers.run import write_ghaffari
 
     return _compared(rows_of, lambda _, *where: write_ghaffari(*where), as_json, plots, out)
 
@@ -41,8 +41,8 @@ def gecer_ulu(
     out: Annotated[Path, typer.Option(help="Folder of the pictures; made if it is not there.")] = Path("results"),
 ) -> int:
     """Gecer Ulu, Ulu and Cakmakci: modular learning based cross-coupled control for multi-axis precision positioning systems."""
-    from contourlab.session.reproduce import write_gecer_ulu
-    from contourlab.studies.reproduce.gecer_ulu import reproduce as rows_of
+    from contourlab.papers.gecer_ulu.study import reproduce as rows_of
+    from contourlab.papers.run import write_gecer_ulu
 
     return _compared(rows_of, write_gecer_ulu, as_json, plots, out)
 
@@ -54,8 +54,8 @@ def shahin(
     out: Annotated[Path, typer.Option(help="Folder of the pictures; made if it is not there.")] = Path("results"),
 ) -> int:
     """Shahin, ElMaraghy and ElBeheiry: nonlinearity control of CNC feed drives, backlash and switching controllers."""
-    from contourlab.session.reproduce import write_shahin
-    from contourlab.studies.reproduce.shahin import reproduce as rows_of
+    from contourlab.papers.run import write_shahin
+    from contourlab.papers.shahin.study import reproduce as rows_of
 
     return _compared(rows_of, lambda _, *where: write_shahin(*where), as_json, plots, out)
 
@@ -69,8 +69,8 @@ def emps(
     out: Annotated[Path, typer.Option(help="Folder of the pictures; made if it is not there.")] = Path("results"),
 ) -> int:
     """Janot, Gautier and Brunot: data set and reference models of the EMPS, a linear axis identified from its log."""
-    from contourlab.session.reproduce import write_emps
-    from contourlab.studies.reproduce.emps import reproduce as rows_of
+    from contourlab.papers.emps.study import reproduce as rows_of
+    from contourlab.papers.run import write_emps
 
     return _compared(lambda stage: rows_of(log, validation, stage=stage), lambda _, *where: write_emps(log, *where), as_json, plots, out)
 
@@ -84,8 +84,8 @@ def ubc(
     out: Annotated[Path, typer.Option(help="Folder of the pictures; made if it is not there.")] = Path("results"),
 ) -> int:
     """The XY table of the UBC course MECH 467: two measured line-circle runs, and the machine found from them."""
-    from contourlab.session.reproduce import write_ubc
-    from contourlab.studies.reproduce.ubc import reproduce as rows_of
+    from contourlab.papers.run import write_ubc
+    from contourlab.papers.ubc.study import reproduce as rows_of
 
     def work(stage: Callable[[str], None]) -> Rows:
         return rows_of(log_folder, with_unseen=unseen, stage=stage)
@@ -95,10 +95,10 @@ def ubc(
 
 def _compared(rows_of: Work, draw: Draw, as_json: bool, plots: Sequence[str] | None, out: Path) -> int:
     """Compute the rows, draw them where that is asked for, and print them; return 1 where one fails."""
-    from contourlab.session.stages import shown
+    from contourlab.app.stages import shown
 
     if plots:
-        from contourlab.session.reproduce import check_choice
+        from contourlab.papers.run import check_choice
 
         check_choice(out, tuple(plots))  # ahead of what takes a minute
     with shown(wants_progress(as_json)) as stages:
@@ -123,7 +123,7 @@ def _print_rows(rows: Sequence[Mapping[str, Any]]) -> None:
     from rich.padding import Padding
     from rich.text import Text
 
-    from contourlab.studies.reproduce.rows import tally
+    from contourlab.papers.rows import tally
 
     groups: dict[tuple[str, str], list[Mapping[str, Any]]] = {}
     for row in rows:
@@ -142,7 +142,7 @@ def _print_rows(rows: Sequence[Mapping[str, Any]]) -> None:
 def _group_table(rows: Sequence[Mapping[str, Any]], *, with_notes: bool) -> Any:
     from rich.table import Table
 
-    from contourlab.studies.reproduce.rows import KINDS
+    from contourlab.papers.rows import KINDS
 
     compared = any(row["paper"] is not None for row in rows)
     table = Table(box=None, pad_edge=False, header_style="dim")

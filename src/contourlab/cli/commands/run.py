@@ -36,7 +36,7 @@ def run(
     plugin: Annotated[list[Path] | None, typer.Option(help="Load components from a Python file; may be given again.")] = None,
 ) -> int:
     """Simulate a scenario or a part program, judge the contour, write report and results."""
-    from contourlab.session.run import run_scenario
+    from contourlab.features.run.command import run_scenario
 
     options: dict[str, Any] = {
         "fit": fit or None,

@@ -51,7 +51,7 @@ def sensitivity(
 
     Runs are kept in the folder of the results: after an interrupt the same command goes on where it stopped.
     """
-    from contourlab.session.sensitivity import Request, sensitivity_of
+    from contourlab.features.sensitivity.command import Request, sensitivity_of
 
     request = Request(
         scheme,

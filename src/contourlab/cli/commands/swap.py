@@ -84,8 +84,8 @@ def swap(
 ) -> int:
     """Say whether one controller serves a machine whose axis is swapped, and if not, which numbers have to move with the axis."""
     from contourlab.errors import ParameterError
-    from contourlab.session.link import LinkOptions
-    from contourlab.session.swap import SwapOptions, swap_scenario
+    from contourlab.features.link.command import LinkOptions
+    from contourlab.features.swap.command import SwapOptions, swap_scenario
 
     if len(axis) != len(others):
         raise ParameterError("--axis", f"{len(axis)} of them", f"as many as --with, of which there are {len(others)}")

@@ -46,8 +46,8 @@ def tune(
     """Calibrate gains from the innermost loop to the outermost, within margins and limits; show the way, and write a controller file."""
     import math
 
-    from contourlab.session.tune import tune_scenario
-    from contourlab.studies.tune import Bounds, Goal, LineRule, TuneSettings
+    from contourlab.features.tune import Bounds, Goal, LineRule, TuneSettings
+    from contourlab.features.tune.command import tune_scenario
 
     settings = TuneSettings(
         goal=Goal.parse(objective),

@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 
 from contourlab.components.contract import Component, LinearModel, Port, param, text_param
-from contourlab.components.discretise import low_pass_weight
+from contourlab.components.mechanics.discretise import low_pass_weight
 
 __all__ = ["SpeedPID"]
 

@@ -12,7 +12,7 @@ import numpy as np
 
 from contourlab.components.contract import Component, LinearModel, Port, param, text_param
 from contourlab.components.controller.anti_windup import ANTI_WINDUP, integral_rise, recovery_part
-from contourlab.components.discretise import low_pass_weight
+from contourlab.components.mechanics.discretise import low_pass_weight
 from contourlab.errors import ParameterError
 
 __all__ = ["StateFeedback"]

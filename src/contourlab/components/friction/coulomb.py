@@ -14,7 +14,7 @@ class Coulomb(Component):
     """Friction that holds the axis at rest until its breakaway force is passed, and resists its motion afterwards.
 
     Sliding with speed w = |v|: F = F_c + (F_s - F_c) exp(-(w/v_s)^2) + c w, against the motion. At rest any force up to F_s is held:
-    the velocity is exactly zero, found by locating the reversal within a step (see `contourlab.components.mechanics`).
+    the velocity is exactly zero, found by locating the reversal within a step (see `contourlab.components.mechanics.core`).
 
     References
     ----------

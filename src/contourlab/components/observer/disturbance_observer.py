@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 
 from contourlab.components.contract import Component, LinearModel, Port, param, text_param
-from contourlab.components.discretise import RULES, low_pass_weight
+from contourlab.components.mechanics.discretise import RULES, low_pass_weight
 
 __all__ = ["DisturbanceObserver"]
 

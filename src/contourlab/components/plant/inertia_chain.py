@@ -8,8 +8,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from contourlab.components.chain_mechanics import JOINT, chain_step
 from contourlab.components.contract import LinearModel, Port, param, text_param
+from contourlab.components.mechanics.chain_mechanics import JOINT, chain_step
 from contourlab.components.plant.plant import Plant
 from contourlab.components.plant.two_inertia import COARSEST, TwoInertia
 from contourlab.errors import ComponentError, ParameterError
@@ -28,7 +28,7 @@ class InertiaChain(Plant):
     each joint has backlash of its own, or none. Lists of joints have one value a joint, from the motor on, or a single one for all.
 
     Outputs are those of `two-inertia`: ``shaft_force`` is what is handed on to the load, ``gap_state`` that of the joint with backlash that
-    is nearest the load. The integration is that of `contourlab.components.chain_mechanics`.
+    is nearest the load. The integration is that of `contourlab.components.mechanics.chain_mechanics`.
 
     References
     ----------

@@ -8,8 +8,8 @@ from typing import Any
 import numpy as np
 
 from contourlab.components.contract import LinearModel, Port
+from contourlab.components.mechanics.propagator import NAMES, STIFFEST, doublings_for, propagator
 from contourlab.components.plant.single_mass import SingleMass
-from contourlab.components.propagator import NAMES, STIFFEST, doublings_for, propagator
 
 __all__ = ["LaggedMass"]
 

@@ -16,7 +16,7 @@ class SingleMass(Plant):
     """A mass with viscous damping, pushed by a drive: v' = mobility (drive force + load - friction) - decay v.
 
     A plant of this family gives three functions of its parameters; the integration, together with a friction, is in
-    `contourlab.components.mechanics`. A plant that knows its masses has a parameter `carried_mass`, and gives a fourth: `moved_mass`.
+    `contourlab.components.mechanics.core`. A plant that knows its masses has a parameter `carried_mass`, and gives a fourth: `moved_mass`.
     """
 
     states: ClassVar[tuple[Port, ...]] = (Port("position"), Port("velocity"))

@@ -10,9 +10,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from contourlab.components.contract import LinearModel, Port, param, text_param
+from contourlab.components.mechanics.two_mass_bristle import two_mass_bristle_step
+from contourlab.components.mechanics.two_mass_mechanics import two_mass_step
 from contourlab.components.plant.plant import Plant
-from contourlab.components.two_mass_bristle import two_mass_bristle_step
-from contourlab.components.two_mass_mechanics import two_mass_step
 from contourlab.errors import ComponentError, ParameterError
 from contourlab.primitives import clip, floor, lookup, select
 
@@ -31,7 +31,7 @@ class TwoInertia(Plant):
     the two flanks, is `backlash_gap` + l/(2 pi) `backlash_angle`; it may vary with the table's place by `gap_profile`. Loads and frictions
     act at the table, forces on the motor are counted there too.
 
-    The contact is integrated as `contourlab.components.two_mass_mechanics` says, with bristles as `two_mass_bristle` beside it; in the gap
+    The contact is integrated as `two_mass_mechanics` says, with bristles as `two_mass_bristle` beside it; in the gap
     with a twist that decays in the physical model, and with a damped shaft that also pulls in the dead-zone model. The position that a path
     asks for is the load's; lost motion is the free travel and what guide friction twists the shaft by, 2 F_c/k_s.
 

@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 
 from contourlab.components.contract import Component, Port, param
-from contourlab.components.propagator import doublings_for, propagator
+from contourlab.components.mechanics.propagator import doublings_for, propagator
 from contourlab.primitives import delayed
 
 __all__ = ["SmithPredictor"]

@@ -1,0 +1,1 @@
+"""Loops with backlash: limit cycles, exact simulation and periodic orbits."""

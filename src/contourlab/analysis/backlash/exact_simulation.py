@@ -1,0 +1,164 @@
+"""Simulation of a loop with a gap without an integrator: matrix exponentials between instants that are found to rounding.
+
+It has no tolerance to choose, so that integrators can be judged by it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass, field
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from contourlab.analysis.backlash.lure import BacklashLoop
+from contourlab.analysis.backlash.mode_flow import ABOVE, BELOW, GAP, Flow, Motion
+from contourlab.errors import ParameterError
+
+__all__ = ["ExactRun", "Span", "simulate_exact", "spans"]
+
+Array = NDArray[np.float64]
+
+RUNAWAY = 1e9
+"""How many times its start, or the gap, the state may grow before a run is given up."""
+
+
+@dataclass(frozen=True, eq=False)
+class Span:
+    """A stretch of time in one mode: w' = M w from `start` on, for `duration`."""
+
+    time: float
+    duration: float
+    mode: int
+    start: Array
+    end: Array
+    following: int | None
+    """The mode entered at its end, if it ended by itself."""
+
+
+def spans(flow: Flow, w: Array, mode: int, duration: float, most: int) -> Iterator[Span]:
+    """Yield the stretches of a motion, whole ones, in order; `w` and `mode` are where it starts.
+
+    Raises
+    ------
+    ParameterError
+        If the mode changes more than `most` times.
+    """
+    time, begun, origin, level = 0.0, 0.0, w, 0
+    limit = RUNAWAY * max(float(np.abs(w).max()), flow.loop.half_gap)
+    for _ in range(most):
+        while True:
+            step, w, following, level = flow.advance(w, mode, duration - time, level)
+            time += step
+            # The last step ends at the duration but for the rounding of a sum.
+            done = duration - time <= 1e-15 * duration
+            if following is not None or done or not np.abs(w).max() < limit:
+                break
+        yield Span(begun, time - begun, mode, origin, w, following)
+        if done or following is None:
+            return
+        w, mode, begun = flow.reset(mode, following) @ w, following, time
+        origin = w
+    raise ParameterError("changes of mode", most, f"fewer within {duration:g} s (ask for a shorter time or allow more)")
+
+
+@dataclass(frozen=True, eq=False)
+class ExactRun:
+    """A motion, known at all times.
+
+    Attributes
+    ----------
+    loop : BacklashLoop
+    duration : float [s]
+        How far it goes: less than asked for if it ran away.
+    times, modes : ndarray (n_span,)
+        When each mode begins, and which: -1, 0 (gap), 1.
+    diverged : bool
+        Whether the state ran away.
+    """
+
+    loop: BacklashLoop
+    duration: float
+    times: Array
+    modes: NDArray[np.int64]
+    diverged: bool
+    flow: Flow = field(repr=False)
+    spans: tuple[Span, ...] = field(repr=False)
+
+    def _lengthened(self, time: ArrayLike) -> tuple[Array, NDArray[np.int64]]:
+        t = np.clip(np.atleast_1d(np.asarray(time, dtype=float)), 0.0, self.duration)
+        index = np.searchsorted(self.times, t, side="right") - 1
+        found = np.empty((t.size, self.flow.size))
+        for i in np.unique(index):
+            at = np.flatnonzero(index == i)
+            here = self.spans[i]
+            found[at] = self.flow.exponentials(here.mode, t[at] - here.time) @ here.start
+        return found, self.modes[index]
+
+    def state(self, time: ArrayLike) -> Array:
+        """Return the states (n_time, n) at times (n_time,) [s]."""
+        return self._lengthened(time)[0][:, : self.loop.n]
+
+    def difference(self, time: ArrayLike) -> Array:
+        """Return the motor-load difference (n_time,) at times (n_time,) [s]."""
+        return np.asarray(self.state(time) @ self.loop.c)
+
+    def twist(self, time: ArrayLike) -> Array:
+        """Return the twist of the shaft (n_time,) at times (n_time,) [s]: beyond the gap in contact, what is left of it in the gap."""
+        w, modes = self._lengthened(time)
+        beyond = w[:, : self.loop.n] @ self.loop.c - modes * self.loop.half_gap
+        inside = w[:, self.loop.n] if self.flow.twisted else np.zeros(len(w))
+        return np.asarray(np.where(modes == GAP, inside, beyond))
+
+    def torque(self, time: ArrayLike) -> Array:
+        """Return the transmitted torque (n_time,) at times (n_time,) [s]."""
+        w, modes = self._lengthened(time)
+        rows = {mode: self.flow.torque_row(mode) for mode in (BELOW, GAP, ABOVE)}
+        return np.array([rows[int(mode)] @ each for mode, each in zip(modes, w, strict=True)])
+
+
+def simulate_exact(
+    loop: BacklashLoop,
+    start: ArrayLike,
+    duration: float,
+    reference: Motion | None = None,
+    *,
+    twist: float | None = None,
+    most: int = 100_000,
+) -> ExactRun:
+    """Carry a loop exactly from a start.
+
+    Parameters
+    ----------
+    loop : BacklashLoop
+    start : array_like (n,)
+        State at 0.
+    duration : float, > 0 [s]
+    reference : Motion, optional
+        Zero if left out.
+    twist : float, optional
+        Twist of a damped shaft at the start, if it starts in the gap; at rest if left out.
+    most : int
+        Changes of mode at most.
+
+    Returns
+    -------
+    ExactRun
+        Instants are exact to about 1e-13 of the fastest motion's time.
+
+    Raises
+    ------
+    ParameterError
+        For a start of the wrong length, a duration that is not positive, or more changes of mode than `most`.
+    """
+    x = np.asarray(start, dtype=float)
+    if x.shape != (loop.n,) or not np.isfinite(x).all():
+        raise ParameterError("start", f"an array of shape {x.shape}", f"{loop.n} finite numbers, one for each state")
+    if not 0.0 < duration < np.inf:
+        raise ParameterError("duration", duration, "above 0", "s")
+    flow = Flow(loop, reference or Motion.constant())
+    w, mode = flow.lengthened(x, twist)
+    found = tuple(spans(flow, w, mode, duration, most))
+    end = found[-1].time + found[-1].duration
+    times, modes = np.array([span.time for span in found]), np.array([span.mode for span in found], dtype=np.int64)
+    return ExactRun(loop, end, times, modes, end < duration * (1.0 - 1e-12), flow, found)

@@ -1,0 +1,261 @@
+"""Limit cycles of a loop with a gap by the describing function: all solutions of 1 + N(A, w) G(j w) = 0, and how far to trust them."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from contourlab.analysis.backlash.describing_function import harmonic, inverse_dead_zone_gain
+from contourlab.analysis.backlash.lure import BacklashLoop
+
+__all__ = ["LimitCycle", "Prediction", "predict_limit_cycles"]
+
+Array = NDArray[np.float64]
+Complex = NDArray[np.complex128]
+
+HARMONICS = (3, 5, 7, 9)
+TRUSTED = 0.05
+"""Share of higher harmonics in the motor-load difference up to which a prediction is called good."""
+DOUBTFUL = 0.2
+SURE = 0.25
+"""Uncertainty of the amplitude up to which a prediction is called good."""
+LARGEST = 1e4
+"""Amplitude over half of the gap up to which a loop with shaft damping is searched."""
+
+
+@dataclass(frozen=True)
+class LimitCycle:
+    """A limit cycle as the describing function sees it.
+
+    Attributes
+    ----------
+    amplitude : float
+        Of the motor-load difference [rad or m].
+    frequency : float [rad/s]
+    ratio : float
+        Amplitude over half of the gap.
+    stable : bool
+        By Loeb's criterion, read off the quasi-linear loop: at a larger amplitude its critical pair decays, and no other pole grows.
+    harmonics : float
+        The filter hypothesis, measured: higher harmonics that the torque would leave in the difference (root of the sum of squares up to
+        the ninth), over the amplitude.
+    sensitivity : float
+        Relative change of the amplitude over a relative error of N G, in the worst phase. It is large where the loop's phase hardly turns
+        with frequency: then few harmonics are enough to move the cycle far, or to make it vanish.
+    """
+
+    amplitude: float
+    frequency: float
+    ratio: float
+    stable: bool
+    harmonics: float
+    sensitivity: float
+
+    @property
+    def uncertainty(self) -> float:
+        """What the harmonics may do to the amplitude, relative, to first order: harmonics times sensitivity."""
+        return self.harmonics * self.sensitivity
+
+    @property
+    def validity(self) -> str:
+        """How far to trust it, in words."""
+        share = f"the loop passes {100.0 * self.harmonics:.2g} % of higher harmonics, amplitude {self.ratio:.3g} half-gaps"
+        share += f", uncertain by {100.0 * self.uncertainty:.2g} %"
+        if self.harmonics <= TRUSTED and self.ratio >= 2.0 and self.uncertainty <= SURE:
+            return f"good: {share}"
+        if self.harmonics <= DOUBTFUL and self.ratio >= 1.25 and self.uncertainty <= 2.0 * SURE:
+            return f"rough: {share}"
+        return f"poor: {share}; only the exact periodic orbit tells"
+
+
+@dataclass(frozen=True)
+class Prediction:
+    """What the describing function says of a loop.
+
+    Attributes
+    ----------
+    cycles : tuple of LimitCycle
+        By falling amplitude; empty if none is predicted.
+    searched : str
+        Where was looked, in words.
+    """
+
+    cycles: tuple[LimitCycle, ...]
+    searched: str
+
+    def __str__(self) -> str:
+        if not self.cycles:
+            return f"no limit cycle predicted ({self.searched})"
+        lines = [
+            f"{'stable' if cycle.stable else 'unstable'} at {cycle.frequency:.4g} rad/s, amplitude {cycle.amplitude:.4g}: {cycle.validity}"
+            for cycle in self.cycles
+        ]
+        return "\n".join(lines)
+
+
+def predict_limit_cycles(loop: BacklashLoop) -> Prediction:
+    """Return all limit cycles of a loop at rest that the describing function predicts.
+
+    Parameters
+    ----------
+    loop : BacklashLoop
+        With one controller for gap and contact.
+
+    Returns
+    -------
+    Prediction
+        Without shaft damping every solution: N is real, so G has to be, and the frequencies where it is are eigenvalues. With it, those on
+        amplitudes from 1 to 10^4 half-gaps, found on a grid and made exact.
+
+    Raises
+    ------
+    ParameterError
+        For a loop that switches its controller.
+
+    References
+    ----------
+    Gelb & Vander Velde, Multiple-Input Describing Functions, 1968; Loeb's criterion there.
+    """
+    loop.require_one_controller("a describing function")
+    pairs = _undamped(loop) if loop.shaft_damping == 0.0 else _damped(loop)
+    cycles = sorted((_cycle(loop, ratio, w) for ratio, w in pairs), key=lambda cycle: -cycle.ratio)
+    where = "every frequency and amplitude" if loop.shaft_damping == 0.0 else f"amplitudes from 1 to {LARGEST:g} half-gaps, on a grid"
+    return Prediction(tuple(cycles), f"searched: {where}")
+
+
+def real_frequencies(loop: BacklashLoop) -> list[float]:
+    """Return all frequencies [rad/s] above 0 at which G(j w) is real, rising: imaginary zeros of G(s) - G(-s)."""
+    from scipy.linalg import eigvals
+
+    scale, n = loop.balance, loop.n
+    a, b, c = loop.a * scale / scale[:, None], loop.b / scale, loop.c * scale
+    rate = max(float(np.abs(np.linalg.eigvals(loop.contact_matrix)).max()), 1e-300)
+    pencil, mass = np.zeros((2 * n + 1, 2 * n + 1)), np.eye(2 * n + 1)
+    pencil[:n, :n], pencil[n : 2 * n, n : 2 * n] = a / rate, -a / rate
+    pencil[: 2 * n, -1] = np.concatenate([b, b]) / np.abs(b).max()
+    pencil[-1, : 2 * n] = np.concatenate([c, c]) / np.abs(c).max()
+    mass[-1, -1] = 0.0
+    alpha, beta = eigvals(pencil, mass, homogeneous_eigvals=True)
+    finite = np.abs(beta) > 1e-13 * np.hypot(np.abs(alpha), np.abs(beta))
+    zeros = rate * alpha[finite] / beta[finite]
+    near = zeros[(zeros.imag > 0.0) & (np.abs(zeros.real) < 1e-3 * np.abs(zeros.imag))].imag
+    return _polished(loop, np.sort(near))
+
+
+def _polished(loop: BacklashLoop, near: Array) -> list[float]:
+    """Make frequencies at which G is nearly real exact; those where it is not after all are left out."""
+    found: list[float] = []
+    for w in near:
+        for _ in range(30):
+            here = loop.transfer(np.array([w, w * (1.0 + 1e-6)]))
+            slope = (here[1].imag - here[0].imag) / (1e-6 * w)
+            step = here[0].imag / slope if slope != 0.0 else 0.0
+            w -= float(np.clip(step, -1e-2 * w, 1e-2 * w))
+            if abs(step) <= 1e-13 * w:
+                break
+        around = loop.transfer(w * np.array([1.0 - 1e-3, 1.0, 1.0 + 1e-3])).imag
+        # G has to pass through the real axis there: far below all rates it is real but for rounding, everywhere.
+        crosses = around[0] * around[2] < 0.0 and abs(around[1]) <= 1e-3 * min(abs(around[0]), abs(around[2]))
+        if crosses and not any(abs(w - other) < 1e-9 * w for other in found):
+            found.append(float(w))
+    return found
+
+
+def _undamped(loop: BacklashLoop) -> list[tuple[float, float]]:
+    """Return amplitude ratio and frequency of all solutions for a dead zone."""
+    found = []
+    for w in real_frequencies(loop):
+        reach = -loop.stiffness * float(loop.transfer(np.array([w]))[0].real)
+        if reach > 1.0:
+            found.append((inverse_dead_zone_gain(1.0 / reach), w))
+    return found
+
+
+def _damped(loop: BacklashLoop) -> list[tuple[float, float]]:
+    """Return amplitude ratio and frequency of the solutions with shaft damping: cells of a grid around which the curve turns, polished."""
+    w = _frequencies(loop)
+    ratios = 1.0 + np.logspace(-6.0, math.log10(LARGEST), 500)
+    gain = loop.transfer(w)
+    values = 1.0 + loop.stiffness * harmonic(ratios[:, None], w[None, :] * loop.shaft_damping / loop.stiffness) * gain[None, :]
+    cells = np.argwhere(_may_vanish(values.real) & _may_vanish(values.imag))
+    found: list[tuple[float, float]] = []
+    for i, j in cells:
+        at = _solved(loop, math.sqrt((ratios[i] - 1.0) * (ratios[i + 1] - 1.0)), math.sqrt(w[j] * w[j + 1]))
+        if at is not None and not any(abs(at[0] / r - 1.0) < 1e-6 and abs(at[1] / v - 1.0) < 1e-6 for r, v in found):
+            found.append(at)
+    return found
+
+
+def _frequencies(loop: BacklashLoop) -> Array:
+    """Return frequencies over the range of the loop's poles, dense about those that ring."""
+    poles = np.concatenate([np.linalg.eigvals(loop.gap_matrix), np.linalg.eigvals(loop.contact_matrix)])
+    sizes = np.abs(poles)[np.abs(poles) > 1e-9 * np.abs(poles).max()]
+    grids = [np.logspace(math.log10(sizes.min()) - 2.0, math.log10(sizes.max()) + 1.0, 600)]
+    for pole in poles[poles.imag > 0.0]:
+        width = max(abs(pole.real), 1e-9 * abs(pole))
+        spread = width * np.sinh(np.linspace(0.0, math.asinh(abs(pole) / width), 60))
+        grids += [pole.imag + spread, pole.imag - spread]
+    w = np.unique(np.concatenate(grids))
+    return np.asarray(w[w > 1e-3 * sizes.min()])
+
+
+def _may_vanish(values: Array) -> NDArray[np.bool_]:
+    """Return the cells whose four corners differ in sign."""
+    corners = np.stack([values[:-1, :-1], values[1:, :-1], values[:-1, 1:], values[1:, 1:]])
+    return np.asarray((corners.min(axis=0) <= 0.0) & (corners.max(axis=0) >= 0.0))
+
+
+def _solved(loop: BacklashLoop, excess: float, frequency: float) -> tuple[float, float] | None:
+    """Solve 1 + N G = 0 from nearby, over the logarithms of A/h - 1 and w."""
+    from scipy.optimize import root
+
+    def balance(at: Array) -> list[float]:
+        w = math.exp(at[1])
+        gain = harmonic(1.0 + math.exp(min(at[0], 40.0)), w * loop.shaft_damping / loop.stiffness)
+        value = 1.0 + loop.stiffness * complex(gain) * complex(loop.transfer(np.array([w]))[0])
+        return [value.real, value.imag]
+
+    start = np.array([math.log(excess), math.log(frequency)])
+    solution = root(balance, start, tol=1e-13)
+    moved = np.abs(solution.x - start).max()
+    if np.abs(balance(solution.x)).max() > 1e-9 or moved > 0.5:
+        return None
+    return 1.0 + math.exp(solution.x[0]), math.exp(solution.x[1])
+
+
+def quasi_linear(loop: BacklashLoop, ratio: float, frequency: float) -> Array:
+    """Return the matrix (n, n) of the loop with the torque replaced by its first harmonic at an amplitude over half of the gap."""
+    gain = loop.stiffness * complex(harmonic(ratio, frequency * loop.shaft_damping / loop.stiffness))
+    return np.asarray(loop.a - np.outer(loop.b, gain.real * loop.c + gain.imag / frequency * loop.rate))
+
+
+def _cycle(loop: BacklashLoop, ratio: float, w: float) -> LimitCycle:
+    """Return a solution with its stability and its harmonics."""
+    step = 1e-4 * (ratio - 1.0)
+    growth = []
+    for at in (ratio - step, ratio + step):
+        poles = np.linalg.eigvals(quasi_linear(loop, at, w))
+        critical = int(np.argmin(np.abs(poles - 1j * w)))
+        growth.append(float(poles[critical].real))
+        others = np.delete(poles, [critical, int(np.argmin(np.abs(poles + 1j * w)))])
+    quiet = bool((others.real <= 1e-9 * np.abs(others).max(initial=w)).all())
+    damping = w * loop.shaft_damping / loop.stiffness
+    passed = [abs(loop.stiffness * complex(harmonic(ratio, damping, n)) * complex(loop.transfer(np.array([n * w]))[0])) for n in HARMONICS]
+    return LimitCycle(ratio * loop.half_gap, w, ratio, growth[1] < growth[0] and quiet, math.hypot(*passed), _sensitivity(loop, ratio, w))
+
+
+def _sensitivity(loop: BacklashLoop, ratio: float, w: float) -> float:
+    """Return |d ln A| / |d (N G)| at a solution, in the worst phase: from d ln N/d ln A, and the slopes of ln(N G) over ln w."""
+    step = 1e-5
+
+    def whole(a: float, v: float) -> complex:
+        return complex(harmonic(a, v * loop.shaft_damping / loop.stiffness)) * complex(loop.transfer(np.array([v]))[0]) * loop.stiffness
+
+    small = step * (1.0 - 1.0 / ratio)
+    over_amplitude = -(whole(ratio * (1.0 + small), w) - whole(ratio * (1.0 - small), w)) / (2.0 * small)
+    over_frequency = -(whole(ratio, w * (1.0 + step)) - whole(ratio, w * (1.0 - step))) / (2.0 * step)
+    across = abs((over_amplitude * over_frequency.conjugate()).imag)
+    return abs(over_frequency) / max(across, 1e-300)

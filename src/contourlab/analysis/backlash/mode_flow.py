@@ -1,0 +1,271 @@
+"""The three modes of a loop with a gap (contact below, gap, contact above), each carried exactly in time and left at the right instant.
+
+The state is made longer by the twist of a damped shaft in the gap, by the reference, which is the output of a linear system of its own,
+and by a constant 1, so that each mode is w' = M w and a matrix exponential carries it over any time. When a mode ends is found on
+Chebyshev interpolants of its guard: a chunk of time is halved until its interpolant is as exact as the arithmetic, so no crossing, nor a
+pair of them, goes unseen between two samples; the instant is then polished on the exponential itself.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+from numpy.typing import NDArray
+
+from contourlab.analysis.backlash.lure import BacklashLoop, dead_zone
+from contourlab.analysis.linear.small_exponential import exponentials
+from contourlab.errors import ParameterError
+
+__all__ = ["ABOVE", "BELOW", "GAP", "Flow", "Motion"]
+
+Array = NDArray[np.float64]
+
+BELOW, GAP, ABOVE = -1, 0, 1
+"""Contact with the motor behind, no contact, contact with the motor ahead of the load."""
+NODES = 17
+ROUNDING = float(np.finfo(float).eps)
+DEEPEST = 60
+
+
+@dataclass(frozen=True, eq=False)
+class Motion:
+    """A reference as the output of a linear system: q' = s q, (r, r', r'') = output q, q(0) = start; the last of q is the constant 1.
+
+    Made by `constant`, `sine` and `ramp`.
+    """
+
+    s: Array
+    output: Array
+    start: Array
+
+    @classmethod
+    def constant(cls, value: float = 0.0) -> Motion:
+        """Return a reference at rest."""
+        return cls(np.zeros((1, 1)), np.array([[value], [0.0], [0.0]]), np.ones(1))
+
+    @classmethod
+    def ramp(cls, velocity: float, start: float = 0.0) -> Motion:
+        """Return r = start + velocity t."""
+        return cls(np.array([[0.0, 1.0], [0.0, 0.0]]), np.array([[velocity, start], [0.0, velocity], [0.0, 0.0]]), np.array([0.0, 1.0]))
+
+    @classmethod
+    def sine(cls, amplitude: float, frequency: float, offset: float = 0.0) -> Motion:
+        """Return r = offset + amplitude sin(frequency t), frequency in rad/s."""
+        if not 0.0 < frequency < np.inf:
+            raise ParameterError("frequency", frequency, "above 0", "rad/s")
+        s = np.array([[0.0, frequency, 0.0], [-frequency, 0.0, 0.0], [0.0, 0.0, 0.0]])
+        top = np.array([amplitude, 0.0, offset])
+        rate = np.array([0.0, amplitude * frequency, 0.0])
+        return cls(s, np.array([top, rate, [-amplitude * frequency**2, 0.0, 0.0]]), np.array([0.0, 1.0, 1.0]))
+
+
+class Flow:
+    """Modes, guards and exact propagation of a loop under a reference.
+
+    Parameters
+    ----------
+    loop : BacklashLoop
+    reference : Motion
+    """
+
+    def __init__(self, loop: BacklashLoop, reference: Motion) -> None:
+        self.loop, self.reference = loop, reference
+        self.twisted = loop.shaft_damping > 0.0
+        self.n = loop.n
+        self.size = loop.n + int(self.twisted) + len(reference.start)
+        self.matrices = {mode: self._matrix(mode) for mode in (BELOW, GAP, ABOVE)}
+        self.guards = {mode: self._guards(mode) for mode in (BELOW, GAP, ABOVE)}
+        self._chunks: dict[tuple[int, int], tuple[Array, Array]] = {}
+
+    @cached_property
+    def unit(self) -> float:
+        """Length of a chunk at level 0 [s]: about the fastest motion of all modes."""
+        rates = [np.abs(np.linalg.eigvals(matrix)).max() for matrix in self.matrices.values()]
+        return 4.0 / max(float(max(rates)), 1e-300)
+
+    def lengthened(self, x: Array, twist: float | None = None) -> tuple[Array, int]:
+        """Return state w and mode of a start x (n,), with the shaft's twist in the gap if it is not at rest."""
+        loop = self.loop
+        lag = float(dead_zone(loop.c @ x, loop.half_gap))
+        if self.twisted and twist is not None:
+            lag = twist
+        w = np.concatenate([x, [lag] if self.twisted else [], self.reference.start])
+        reach = float(loop.c @ x) - lag
+        for side in (BELOW, ABOVE):
+            # At the very edge of a dead zone there is no torque yet: what counts is where it goes.
+            pushed = side * float(self.torque_row(side) @ w) > 0.0 or (not self.twisted and side * float(self.difference_rate @ w) > 0.0)
+            if side * reach >= loop.half_gap * (1.0 - 1e-12) and pushed:
+                return w, side
+        return w, GAP
+
+    @cached_property
+    def difference(self) -> Array:
+        """Row of theta_d on w."""
+        row = np.zeros(self.size)
+        row[: self.n] = self.loop.c
+        return row
+
+    @cached_property
+    def difference_rate(self) -> Array:
+        """Row of theta_d' on w."""
+        row = np.zeros(self.size)
+        row[: self.n] = self.loop.rate
+        row[self.size - len(self.reference.start) :] = self.loop.c @ self.loop.reference_input @ self.reference.output
+        return row
+
+    def torque_row(self, mode: int) -> Array:
+        """Row of the torque on w; zero in the gap."""
+        row = np.zeros(self.size)
+        if mode != GAP:
+            row += self.loop.stiffness * self.difference + self.loop.shaft_damping * self.difference_rate
+            row[-1] -= mode * self.loop.stiffness * self.loop.half_gap
+        return row
+
+    def _matrix(self, mode: int) -> Array:
+        """Return M of w' = M w."""
+        loop, n, q = self.loop, self.n, len(self.reference.start)
+        m = np.zeros((self.size, self.size))
+        m[:n, :n] = loop.a if mode == GAP or loop.contact_a is None else loop.contact_a
+        m[:n, -q:] = loop.reference_input_in(mode == GAP) @ self.reference.output
+        m[-q:, -q:] = self.reference.s
+        m[:n] -= np.outer(loop.b, self.torque_row(mode))
+        if self.twisted:
+            m[n] = self.difference_rate if mode != GAP else 0.0
+            m[n, n] = -loop.stiffness / loop.shaft_damping if mode == GAP else m[n, n]
+        return m
+
+    def _guards(self, mode: int) -> tuple[tuple[Array, int], ...]:
+        """Return rows that rise through 0 where the mode ends, each with the mode that follows."""
+        if mode != GAP:
+            return ((-mode * self.torque_row(mode), GAP),)
+        return tuple((self._reach(side), side) for side in (BELOW, ABOVE))
+
+    def _reach(self, side: int) -> Array:
+        """Return the row of how far the gap is overrun: theta_d less the shaft's twist, beyond half of the gap."""
+        row = side * self.difference
+        if self.twisted:
+            row[self.n] -= side
+        row[-1] -= self.loop.half_gap
+        return row
+
+    def exponential(self, mode: int, time: float) -> Array:
+        """Return exp(M t)."""
+        return self.exponentials(mode, np.array(time))
+
+    def exponentials(self, mode: int, times: Array) -> Array:
+        """Return exp(M t) at times (...,): (..., n_w, n_w)."""
+        # Powers of 2 that balance the rows and columns cost no digit and save halvings.
+        scale = self._scale
+        balanced = self.matrices[mode] * scale / scale[:, None]
+        with np.errstate(over="ignore", invalid="ignore"):
+            return np.asarray(exponentials(balanced, times) * scale[:, None] / scale)
+
+    @cached_property
+    def _scale(self) -> Array:
+        from scipy.linalg import matrix_balance
+
+        sizes = np.abs(np.array(list(self.matrices.values()))).sum(axis=0)
+        _, (scale, _) = matrix_balance(sizes, permute=False, separate=True)
+        return np.asarray(scale, dtype=np.float64)
+
+    def reset(self, mode: int, following: int) -> Array:
+        """Return what a change of mode does to w: the shaft that leaves contact keeps its twist."""
+        change = np.eye(self.size)
+        if self.twisted and mode != GAP and following == GAP:
+            change[self.n] = self.difference
+            change[self.n, -1] -= mode * self.loop.half_gap
+        return change
+
+    def advance(self, w: Array, mode: int, limit: float, level: int) -> tuple[float, Array, int | None, int]:
+        """Carry w over one chunk, or to the end of its mode, or to the limit.
+
+        Returns
+        -------
+        time, w : how far it came, and the state there
+        following : the mode that follows, before `reset`; None if this one goes on
+        level : length for the next chunk, `unit` times 2^-level
+        """
+        level = max(level, int(np.ceil(np.log2(self.unit / limit))) - 1)
+        while True:
+            propagator, samples = self._chunk(mode, level)
+            with np.errstate(over="ignore", invalid="ignore"):
+                coefficients = samples @ w @ _TO_CHEBYSHEV.T
+                floor = 8.0 * ROUNDING * (np.abs(samples).max(axis=1) @ np.abs(w))
+                tails = np.abs(coefficients[:, -3:]).max(axis=1)
+                smooth = tails <= 1e-12 * np.abs(coefficients).max(axis=1) + floor
+            if level >= DEEPEST or (smooth.all() and np.isfinite(coefficients).all() and np.isfinite(propagator).all()):
+                break
+            level += 1
+        span = self.unit * 2.0**-level
+        at, following = self._first(w, mode, coefficients, span) or (span, None)
+        if at > limit:
+            return limit, self.exponential(mode, limit) @ w, None, level
+        if following is None:
+            return span, propagator @ w, None, level - 1
+        return at, self.exponential(mode, at) @ w, following, level
+
+    def _first(self, w: Array, mode: int, coefficients: Array, span: float) -> tuple[float, int] | None:
+        """Return the first instant at which a guard rises through 0, with the mode that follows."""
+        best: tuple[float, int] | None = None
+        for (row, following), series in zip(self.guards[mode], coefficients, strict=True):
+            if abs(series[0]) > np.abs(series[1:]).sum():
+                continue
+            for place in _rises(series):
+                at = self._polish(w, mode, row, 0.5 * span * (place + 1.0), span)
+                # At its start a mode stands on its own guard: a rise there that does not last is rounding.
+                lasts = at > 1e-9 * self.unit or np.polynomial.chebyshev.chebval(min(place + 2e-3, 1.0), series) > 0.0
+                if lasts and (best is None or at < best[0]):
+                    best = at, following
+                    break
+        return best
+
+    def _polish(self, w: Array, mode: int, row: Array, at: float, span: float) -> float:
+        """Make an instant better with the exponential itself."""
+        for _ in range(4):
+            there = self.exponential(mode, at) @ w
+            slope = float(row @ self.matrices[mode] @ there)
+            step = float(row @ there) / slope if slope > 0.0 else 0.0
+            if abs(step) > 1e-3 * span:
+                break
+            at -= step
+            if abs(step) <= 4.0 * ROUNDING * at:
+                break
+        return at
+
+    def _chunk(self, mode: int, level: int) -> tuple[Array, Array]:
+        """Return exp(M d), and rows (n_guard, NODES, n_w) of the guards at the nodes, for d = unit 2^-level."""
+        key = mode, level
+        if key not in self._chunks:
+            span = self.unit * 2.0**-level
+            steps = self.exponentials(mode, 0.5 * span * (_PLACES + 1.0))
+            rows = np.array([row for row, _ in self.guards[mode]])
+            self._chunks[key] = self.exponential(mode, span), np.einsum("gi,kij->gkj", rows, steps)
+        return self._chunks[key]
+
+
+def _rises(series: Array) -> list[float]:
+    """Return where a Chebyshev series passes from below 0 to above on [-1, 1], in order."""
+    from numpy.polynomial import chebyshev
+
+    kept = np.trim_zeros(np.where(np.abs(series) > 1e-17 * np.abs(series).max(), series, 0.0), "b")
+    if kept.size < 2:
+        return []
+    roots = chebyshev.chebroots(kept)
+    places = np.sort(roots.real[(np.abs(roots.imag) < 1e-5) & (np.abs(roots.real) < 1.0 + 1e-9)]).clip(-1.0, 1.0)
+    if not places.size:
+        return []
+    # Signs between neighbours tell a crossing from a touch, however the roots of a touch came out.
+    edges = np.concatenate([[-1.0], places, [1.0]])
+    above = chebyshev.chebval(0.5 * (edges[:-1] + edges[1:]), kept) > 0.0
+    return [float(places[i]) for i in range(places.size) if above[i + 1] and not above[i]]
+
+
+def _to_chebyshev() -> tuple[Array, Array]:
+    """Return the nodes on [-1, 1] and the matrix from values there to Chebyshev coefficients."""
+    places = -np.cos(np.pi * np.arange(NODES) / (NODES - 1))
+    return places, np.asarray(np.linalg.inv(np.polynomial.chebyshev.chebvander(places, NODES - 1)), dtype=np.float64)
+
+
+_PLACES, _TO_CHEBYSHEV = _to_chebyshev()

@@ -1,0 +1,280 @@
+"""The exact periodic orbit of a loop with a gap: shooting with Newton steps whose Jacobian is exact, and its Floquet multipliers.
+
+The modes that an orbit runs through are not assumed: each shot goes where the loop goes. The Jacobian is the product of the modes'
+exponentials and of a saltation matrix wherever the mode changes.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass, field
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from contourlab.analysis.backlash.exact_simulation import ExactRun, Span, spans
+from contourlab.analysis.backlash.lure import BacklashLoop
+from contourlab.analysis.backlash.mode_flow import GAP, Flow, Motion
+from contourlab.errors import ParameterError
+
+__all__ = ["PeriodicOrbit", "close_orbit"]
+
+Array = NDArray[np.float64]
+Complex = NDArray[np.complex128]
+
+STEPS = 40
+CLOSED = 1e-10
+"""Largest part by which a closed orbit misses itself, over the size of the orbit, state by state."""
+MOST = 4000
+SAMPLES = 2048
+
+
+@dataclass(frozen=True, eq=False)
+class PeriodicOrbit:
+    """A periodic motion.
+
+    Attributes
+    ----------
+    period : float [s]
+    start : ndarray (n,)
+        A state on it; at time 0 of the reference where there is one.
+    amplitude : float
+        Half of the range of the motor-load difference [rad or m].
+    ratio : float
+        Amplitude over half of the gap.
+    multipliers : ndarray (m,) of complex
+        Floquet multipliers by falling size; the one at 1 along an orbit that runs by itself is left out.
+    residual : float
+        By how much it misses itself, over its size.
+    modes : tuple of int
+        Modes that it runs through in a period, from `start` on.
+    run : ExactRun
+        One period.
+    """
+
+    period: float
+    start: Array
+    amplitude: float
+    ratio: float
+    multipliers: Complex
+    residual: float
+    modes: tuple[int, ...]
+    run: ExactRun = field(repr=False)
+
+    @property
+    def frequency(self) -> float:
+        """2 pi over the period [rad/s]."""
+        return 2.0 * math.pi / self.period
+
+    @property
+    def stable(self) -> bool:
+        """Whether neighbouring motions come closer."""
+        return bool((np.abs(self.multipliers) < 1.0).all())
+
+    def __str__(self) -> str:
+        size = f"amplitude {self.amplitude:.4g} ({self.ratio:.4g} half-gaps)"
+        largest = np.abs(self.multipliers).max(initial=0.0)
+        return f"{'stable' if self.stable else 'unstable'} orbit of {self.frequency:.6g} rad/s, {size}, largest multiplier {largest:.4g}"
+
+
+@dataclass(frozen=True, eq=False)
+class Shot:
+    """Where a start leads within a time, and how that depends on the start."""
+
+    start: Array
+    end: Array
+    jacobian: Array
+    slope: Array
+    """Velocity at the end."""
+    modes: tuple[int, ...]
+    found: tuple[Span, ...]
+
+
+class Shooter:
+    """Shots of one loop, over its own states: x, and the shaft's twist where it is damped.
+
+    Parameters
+    ----------
+    loop : BacklashLoop
+    reference : Motion
+    """
+
+    def __init__(self, loop: BacklashLoop, reference: Motion) -> None:
+        self.flow = Flow(loop, reference)
+        self.n = loop.n + int(self.flow.twisted)
+
+    def shot(self, y: Array, duration: float) -> Shot:
+        """Return the end of a motion from y (n,) and its Jacobian (n, n)."""
+        flow, x = self.flow, y[: self.flow.n]
+        w, mode = flow.lengthened(x, self._twist(y))
+        found = tuple(spans(flow, w, mode, duration, MOST))
+        if found[-1].time + found[-1].duration < duration * (1.0 - 1e-9):
+            raise ParameterError("start", "a motion that runs away", "one that comes back")
+        jacobian = np.eye(flow.size)
+        for span in found:
+            jacobian = flow.exponential(span.mode, span.duration) @ jacobian
+            if span.following is not None and span is not found[-1]:
+                jacobian = _saltation(flow, span.mode, span.following, span.end) @ jacobian
+        last = found[-1]
+        slope = flow.matrices[last.mode] @ last.end
+        end, modes = self._settled(last), tuple(span.mode for span in found)
+        return Shot(w[: self.n], end, jacobian[: self.n, : self.n], slope[: self.n], modes, found)
+
+    def _twist(self, y: Array) -> float | None:
+        """Return the twist of a start: that of contact beyond the gap, else its own, which cannot leave the gap behind."""
+        if not self.flow.twisted:
+            return None
+        loop, own = self.flow.loop, float(y[-1])
+        d = float(loop.c @ y[: loop.n])
+        return float(np.clip(own, d - loop.half_gap, d + loop.half_gap))
+
+    def _settled(self, span: Span) -> Array:
+        """Return the end of a motion; in contact the shaft's twist is what the positions say."""
+        end = span.end[: self.n].copy()
+        if self.flow.twisted and span.mode != GAP:
+            end[-1] = self.flow.loop.c @ end[: self.flow.n] - span.mode * self.flow.loop.half_gap
+        return end
+
+
+def _saltation(flow: Flow, mode: int, following: int, w: Array) -> Array:
+    """Return how a change of mode at w carries small differences: some arrive earlier than others."""
+    row = next(row for row, after in flow.guards[mode] if after == following)
+    reset = flow.reset(mode, following)
+    before = flow.matrices[mode] @ w
+    jump = flow.matrices[following] @ reset @ w - reset @ before
+    slope = float(row @ before)
+    return np.asarray(reset + np.outer(jump, row) / slope) if slope > 0.0 else reset
+
+
+def close_orbit(
+    loop: BacklashLoop, start: ArrayLike, period: float, reference: Motion | None = None, *, twist: float = 0.0, fixed: bool | None = None
+) -> PeriodicOrbit | None:
+    """Return the periodic orbit near a start, if Newton's steps lead to one.
+
+    Parameters
+    ----------
+    loop : BacklashLoop
+    start : array_like (n,)
+        A state near the orbit.
+    period : float [s]
+        A guess; or the period itself, if it is fixed.
+    reference : Motion, optional
+        Zero if left out.
+    twist : float
+        Of a damped shaft at the start.
+    fixed : bool, optional
+        Whether the period is given by the reference; so it is for one that moves.
+
+    Returns
+    -------
+    PeriodicOrbit or None
+        None where it does not converge or ends at a point of rest.
+
+    Raises
+    ------
+    ParameterError
+        For a period that is not positive.
+    """
+    if not 0.0 < period < math.inf:
+        raise ParameterError("period", period, "above 0", "s")
+    motion = reference or Motion.constant()
+    shooter = Shooter(loop, motion)
+    held = bool(motion.output.any() and len(motion.start) > 1) if fixed is None else fixed
+    y = np.asarray(start, dtype=float)
+    y = np.append(y, twist) if shooter.flow.twisted else y
+    try:
+        found = _newton(shooter, y, period, held)
+    except (ParameterError, np.linalg.LinAlgError):
+        return None
+    return None if found is None else _orbit(shooter, *_prime(shooter, *found, held), held)
+
+
+def _newton(shooter: Shooter, y: Array, period: float, held: bool) -> tuple[Shot, float] | None:
+    """Return the closed shot near y, and its period."""
+    first = period
+    shot = shooter.shot(y, period)
+    size = _size(shot)
+    for _ in range(STEPS):
+        missed = shot.end - shot.start
+        if np.abs(missed / size).max() <= CLOSED:
+            return shot, period
+        step, longer = _step(shot, size, held)
+        shot, period, better = _damped(shooter, shot, period, step, longer, size)
+        if not better or not 0.2 * first < period < 5.0 * first:
+            return None
+    return None
+
+
+def _prime(shooter: Shooter, shot: Shot, period: float, held: bool) -> tuple[Shot, float]:
+    """Return one round of an orbit that was closed after several."""
+    size = _size(shot)
+    for rounds in range(9, 1, -1) if not held else ():
+        once = shooter.shot(shot.start, period / rounds)
+        if np.abs((once.end - once.start) / size).max() <= 1e3 * CLOSED:
+            return once, period / rounds
+    return shot, period
+
+
+def _step(shot: Shot, size: Array, held: bool) -> tuple[Array, float]:
+    """Return Newton's step of the start and of the period; at right angles to the motion where the phase is free."""
+    n = len(size)
+    scaled = shot.jacobian * size / size[:, None]
+    missed, slope = (shot.end - shot.start) / size, shot.slope / size
+    if held:
+        return np.linalg.lstsq(scaled - np.eye(n), -missed, rcond=1e-13)[0] * size, 0.0
+    unit = slope / max(float(np.linalg.norm(slope)), 1e-300)
+    matrix = np.block([[scaled - np.eye(n), unit[:, None]], [unit[None, :], np.zeros((1, 1))]])
+    solution = np.linalg.lstsq(matrix, np.append(-missed, 0.0), rcond=1e-13)[0]
+    return solution[:n] * size, float(solution[n]) / max(float(np.linalg.norm(slope)), 1e-300)
+
+
+def _damped(shooter: Shooter, shot: Shot, period: float, step: Array, longer: float, size: Array) -> tuple[Shot, float, bool]:
+    """Take the step, or the part of it that makes the gap of the orbit smaller."""
+    now = float(np.linalg.norm((shot.end - shot.start) / size))
+    part = 1.0
+    while part > 1e-4:
+        if 0.0 < period + part * longer < math.inf:
+            tried = shooter.shot(shot.start + part * step, period + part * longer)
+            gap = float(np.linalg.norm((tried.end - tried.start) / size))
+            # At rounding the gap may stay as it is.
+            if gap < now * (1.0 - 0.1 * part) or gap < CLOSED:
+                return tried, period + part * longer, True
+        part *= 0.5
+    return shot, period, False
+
+
+def _size(shot: Shot) -> Array:
+    """Return the size of each state along a shot, for scaling."""
+    corners = np.array([span.start[: len(shot.start)] for span in shot.found] + [shot.end])
+    largest = np.abs(corners).max(axis=0)
+    return np.asarray(np.maximum(largest, 1e-9 * largest.max()))
+
+
+def _orbit(shooter: Shooter, shot: Shot, period: float, held: bool) -> PeriodicOrbit | None:
+    """Return a closed shot as an orbit, unless it is a point of rest."""
+    loop, found = shooter.flow.loop, shot.found
+    times, modes = np.array([span.time for span in found]), np.array([span.mode for span in found], dtype=np.int64)
+    run = ExactRun(loop, period, times, modes, False, shooter.flow, found)
+    difference = run.difference(np.linspace(0.0, period, SAMPLES + 1))
+    amplitude = _half_range(difference)
+    if not held and amplitude < loop.half_gap:
+        return None
+    multipliers = np.linalg.eigvals(shot.jacobian).astype(np.complex128)
+    if not held:
+        multipliers = np.delete(multipliers, int(np.argmin(np.abs(multipliers - 1.0))))
+    multipliers = multipliers[np.argsort(-np.abs(multipliers))]
+    residual = float(np.abs((shot.end - shot.start) / _size(shot)).max())
+    ratio = amplitude / loop.half_gap
+    return PeriodicOrbit(period, shot.start[: loop.n], amplitude, ratio, multipliers, residual, shot.modes, run)
+
+
+def _half_range(values: Array) -> float:
+    """Return half of the range of a sampled period, its extremes taken from the parabola through three samples."""
+
+    def top(v: Array) -> float:
+        i = int(np.argmax(v[:-1]))
+        before, here, after = float(v[i - 1 if i else -2]), float(v[i]), float(v[i + 1])
+        bend = before - 2.0 * here + after
+        return here if bend >= 0.0 else here - (after - before) ** 2 / (8.0 * bend)
+
+    return 0.5 * (top(values) + top(-values))

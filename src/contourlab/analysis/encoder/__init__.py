@@ -1,0 +1,1 @@
+"""Quadrature signals of an encoder: correction, tracking and interpolation."""

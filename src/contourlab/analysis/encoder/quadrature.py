@@ -1,0 +1,278 @@
+"""Quadrature signals as measured: their constants from an ellipse, and the errors of position that they make.
+
+`QuadratureConstants` is the model of the signals and of their correction, `fit_ellipse` finds it from all samples of a record, and
+`subdivisional_error` measures what is left of errors that repeat with every pitch. The recursive fit is in
+`contourlab.analysis.encoder.quadrature_tracking`, interpolation and counting in `contourlab.analysis.encoder.interpolation`.
+
+References
+----------
+P. L. M. Heydemann, "Determination and correction of quadrature fringe measurement errors in interferometers", Applied Optics 20 (1981).
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from contourlab.components.quadrature import ellipse
+from contourlab.errors import ParameterError
+
+__all__ = ["EllipseFit", "QuadratureConstants", "Subdivisional", "fit_ellipse", "subdivisional_error"]
+
+Array = NDArray[np.float64]
+FEWEST = 16
+"""Samples of a fit, and sectors of a turn that have to hold some."""
+ROUNDEST = 0.2
+"""Scatter (rms, over the radius) of points round a fitted ellipse that are still called one."""
+SINGULAR = 1e12
+ORDERS = 8
+BLOCK = 1 << 16
+
+
+@dataclass(frozen=True)
+class QuadratureConstants:
+    """What is wrong with two signals: u1d = u1 + p, u2d = (u2 cos al - u1 sin al)/r + q of u1 = R cos phi, u2 = R sin phi.
+
+    Parameters
+    ----------
+    offset_1, offset_2 : float
+        p and q, in the unit of the signals.
+    ratio : float, > 0
+        Amplitude of the first signal over that of the second, r.
+    phase_error : float [rad], within +-pi/2
+        al.
+    amplitude : float, > 0
+        Of the first signal, R.
+
+    Raises
+    ------
+    ParameterError
+        If a value is out of its range.
+    """
+
+    offset_1: float = 0.0
+    offset_2: float = 0.0
+    ratio: float = 1.0
+    phase_error: float = 0.0
+    amplitude: float = 1.0
+
+    def __post_init__(self) -> None:
+        for name in ("ratio", "amplitude"):
+            if not 0.0 < getattr(self, name) < math.inf:
+                raise ParameterError(name, getattr(self, name), "> 0 and finite")
+        if not abs(self.phase_error) < 0.5 * math.pi:
+            raise ParameterError("phase_error", self.phase_error, "within a quarter of a turn", "rad")
+        for name in ("offset_1", "offset_2"):
+            if not math.isfinite(getattr(self, name)):
+                raise ParameterError(name, getattr(self, name), "finite")
+
+    @classmethod
+    def from_coefficients(cls, a: float, b: float, c: float, d: float, e: float) -> QuadratureConstants:
+        """Return the constants of the ellipse A u1d^2 + B u2d^2 + C u1d u2d + D u1d + E u2d = 1 (Heydemann).
+
+        Raises
+        ------
+        ParameterError
+            If the coefficients belong to no ellipse.
+        """
+        if not (4.0 * a * b > c * c and math.isfinite(a * b)):
+            raise ParameterError("A, B, C", f"{a:g}, {b:g}, {c:g}", "those of an ellipse, 4 A B > C^2")
+        ratio = math.sqrt(b / a)
+        # Not C/sqrt(4 A B): all coefficients are negative where the origin lies outside the ellipse.
+        sine = c / (2.0 * a * ratio)
+        scale = 1.0 / (c * c - 4.0 * a * b)
+        p, q = (2.0 * b * d - e * c) * scale, (2.0 * a * e - d * c) * scale
+        square = (1.0 / a + p * p + (ratio * q) ** 2 + 2.0 * ratio * sine * p * q) / (1.0 - sine * sine)
+        if not square > 0.0:
+            raise ParameterError("A .. E", f"{a:g}, {b:g}, {c:g}, {d:g}, {e:g}", "those of an ellipse with points on it")
+        return cls(p, q, ratio, math.asin(sine), math.sqrt(square))
+
+    def coefficients(self) -> tuple[float, float, float, float, float]:
+        """Return A .. E of the ellipse on which the signals lie; they are infinite where it passes through the origin."""
+        with np.errstate(divide="ignore"):
+            found = ellipse(self.offset_1, self.offset_2, self.ratio, math.sin(self.phase_error), np.float64(self.amplitude))
+        a, b, c, d, e = (float(value) for value in found)
+        return a, b, c, d, e
+
+    def distorted(self, phase: ArrayLike) -> tuple[Array, Array]:
+        """Return the two signals at phases (n,) [rad]."""
+        angle = np.asarray(phase, dtype=np.float64)
+        u1 = self.amplitude * np.cos(angle)
+        # u2 cos al - u1 sin al is R sin(phi - al).
+        return u1 + self.offset_1, self.amplitude * np.sin(angle - self.phase_error) / self.ratio + self.offset_2
+
+    def corrected(self, u1: ArrayLike, u2: ArrayLike) -> tuple[Array, Array]:
+        """Return the signals (n,) without the errors, on a circle of the same amplitude."""
+        first = np.asarray(u1, dtype=np.float64) - self.offset_1
+        second = self.ratio * (np.asarray(u2, dtype=np.float64) - self.offset_2)
+        return first, (first * math.sin(self.phase_error) + second) / math.cos(self.phase_error)
+
+    def error_without(self, phase: ArrayLike) -> Array:
+        """Return by how much the angle of the uncorrected signals is off [rad] at phases (n,) [rad].
+
+        To first order, for offsets p and q: (q cos phi - p sin phi)/R; for ratio and phase error: -(r - 1)/2 sin 2 phi - al cos^2 phi.
+        """
+        angle = np.asarray(phase, dtype=np.float64)
+        u1, u2 = self.distorted(angle)
+        off = np.arctan2(u2, u1) - angle
+        return np.asarray(off - 2.0 * np.pi * np.rint(off / (2.0 * np.pi)), dtype=np.float64)
+
+
+@dataclass(frozen=True)
+class EllipseFit:
+    """A fit to all samples.
+
+    Parameters
+    ----------
+    constants : QuadratureConstants
+    scatter : float
+        Distance of the corrected points from their circle, rms, over the radius: noise, converter steps and harmonics.
+    covered : float
+        Part of the circle that holds samples, 0 to 1.
+    """
+
+    constants: QuadratureConstants
+    scatter: float
+    covered: float
+
+
+def fit_ellipse(u1: ArrayLike, u2: ArrayLike) -> EllipseFit:
+    """Fit the ellipse of Heydemann to two signals, by least squares over all samples.
+
+    Parameters
+    ----------
+    u1, u2 : array_like (n,)
+        At least 16 samples from all round the ellipse.
+
+    Returns
+    -------
+    EllipseFit
+
+    Raises
+    ------
+    ParameterError
+        If there are too few samples, a value is not finite, the signals do not move, the points are no ellipse, or they cover a part of it
+        only, from which the rest cannot be told.
+
+    Notes
+    -----
+    The fit is one of algebraic distances: noise of relative size sigma biases the constants by the order of sigma^2.
+    """
+    first, second = (np.asarray(u, dtype=np.float64) for u in (u1, u2))
+    if first.ndim != 1 or first.shape != second.shape or first.size < FEWEST:
+        raise ParameterError("signals", f"{first.shape} and {second.shape}", f"two records of one length, at least {FEWEST} samples")
+    for name, values in (("u1", first), ("u2", second)):
+        if not np.isfinite(values).all():
+            raise ParameterError(name, f"not finite at sample {int(np.argmin(np.isfinite(values)))}", "finite everywhere")
+    # About the middle and over the size, so that neither a large offset nor the unit spoils the equations.
+    middle = [0.5 * (float(u.min()) + float(u.max())) for u in (first, second)]
+    half = [0.5 * (float(u.max()) - float(u.min())) for u in (first, second)]
+    for name, size, values in zip(("u1", "u2"), half, (first, second), strict=True):
+        if size <= 1e-9 * float(np.abs(values).max()):
+            raise ParameterError(name, f"{values[0]:g} throughout", "a signal that moves: the axis stands still")
+    x, y = (first - middle[0]) / half[0], (second - middle[1]) / half[1]
+    inner = QuadratureConstants.from_coefficients(*_solved(x, y))
+    found = QuadratureConstants(
+        middle[0] + half[0] * inner.offset_1,
+        middle[1] + half[1] * inner.offset_2,
+        inner.ratio * half[0] / half[1],
+        inner.phase_error,
+        inner.amplitude * half[0],
+    )
+    return _judged(found, first, second)
+
+
+def _solved(x: Array, y: Array) -> tuple[float, ...]:
+    """Return A .. E by least squares; the equations are summed up block by block, so that no array of five columns is held."""
+    gram, right = np.zeros((5, 5)), np.zeros(5)
+    for start in range(0, x.size, BLOCK):
+        a, b = x[start : start + BLOCK], y[start : start + BLOCK]
+        rows = np.stack([a * a, b * b, a * b, a, b])
+        gram += rows @ rows.T
+        right += rows.sum(axis=1)
+    if not np.linalg.cond(gram) < SINGULAR:
+        raise ParameterError("signals", "points on a line or a short arc", "from all round an ellipse: the axis has to move a pitch")
+    return tuple(float(value) for value in np.linalg.solve(gram, right))
+
+
+def _judged(found: QuadratureConstants, first: Array, second: Array) -> EllipseFit:
+    """Return the fit if the points are an ellipse, and all of it."""
+    c1, c2 = found.corrected(first, second)
+    radius = np.hypot(c1, c2) / found.amplitude
+    scatter = float(np.sqrt(np.mean((radius - 1.0) ** 2)))
+    if scatter > ROUNDEST:
+        shown = f"{100.0 * scatter:.0f} % of the radius"
+        raise ParameterError("scatter round the fitted ellipse", shown, f"below {100.0 * ROUNDEST:.0f} %: the signals are no ellipse")
+    sector = np.floor((np.arctan2(c2, c1) / (2.0 * np.pi) + 0.5) * FEWEST).astype(np.int64)
+    covered = np.unique(np.clip(sector, 0, FEWEST - 1)).size / FEWEST
+    if covered < 1.0:
+        shown = f"{100.0 * covered:.0f} % of the circle"
+        raise ParameterError("signals", shown, "from all round it: the axis has to move a pitch or more, at changing phases")
+    return EllipseFit(found, scatter, covered)
+
+
+@dataclass(frozen=True)
+class Subdivisional:
+    """Errors of position that repeat with every pitch.
+
+    Parameters
+    ----------
+    peak : float [m]
+        Of the sum of the harmonics.
+    orders : tuple of float [m]
+        Amplitudes, once a pitch, twice, and so on.
+    rest : float [m]
+        What does not repeat, rms: noise, counts, slow errors of the scale beyond a straight line.
+    """
+
+    peak: float
+    orders: tuple[float, ...]
+    rest: float
+
+
+def subdivisional_error(position_error: ArrayLike, phase: ArrayLike, orders: int = ORDERS) -> Subdivisional:
+    """Measure what repeats with every pitch in an error of position.
+
+    Parameters
+    ----------
+    position_error : array_like (n,) [m]
+        Measured less true position. A constant and a straight line over the travel (mounting, temperature) are taken out with it.
+    phase : array_like (n,) [rad]
+        True phase, unwrapped: 2 pi x/pitch.
+    orders : int, >= 1
+        Harmonics that are looked for.
+
+    Raises
+    ------
+    ParameterError
+        If the travel is less than two pitches, or there are fewer than four samples for each unknown.
+    """
+    error, angle = (np.asarray(values, dtype=np.float64) for values in (position_error, phase))
+    n_unknown = 2 * orders + 2
+    if error.shape != angle.shape or error.size < 4 * n_unknown:
+        raise ParameterError("samples", error.size, f"one phase for each error, at least {4 * n_unknown}")
+    travel = float(np.ptp(angle)) / (2.0 * np.pi)
+    if travel < 2.0:
+        raise ParameterError("travel", f"{travel:.3g} pitches", "at least 2: less does not tell what repeats")
+    middle = 0.5 * (float(angle.min()) + float(angle.max()))
+    gram, right = np.zeros((n_unknown, n_unknown)), np.zeros(n_unknown)
+
+    def rows(part: slice) -> Array:
+        a = angle[part]
+        waves = [wave(k * a) for k in range(1, orders + 1) for wave in (np.cos, np.sin)]
+        return np.stack([np.ones_like(a), (a - middle) / travel, *waves])
+
+    parts = [slice(start, start + BLOCK) for start in range(0, error.size, BLOCK)]
+    for part in parts:
+        w = rows(part)
+        gram += w @ w.T
+        right += w @ error[part]
+    weights = np.linalg.lstsq(gram, right, rcond=None)[0]
+    square = sum(float(np.sum((error[part] - weights @ rows(part)) ** 2)) for part in parts)
+    one = np.linspace(0.0, 2.0 * np.pi, 2049)
+    sums = sum(weights[2 * k] * np.cos(k * one) + weights[2 * k + 1] * np.sin(k * one) for k in range(1, orders + 1))
+    amplitudes = tuple(float(np.hypot(weights[2 * k], weights[2 * k + 1])) for k in range(1, orders + 1))
+    return Subdivisional(float(np.abs(sums).max()), amplitudes, math.sqrt(square / error.size))

@@ -1,0 +1,1 @@
+"""Fits of axis models to measured signals, with covariances."""

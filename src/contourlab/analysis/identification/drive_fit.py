@@ -1,0 +1,329 @@
+"""Models of a drive fitted to its frequency response: a mass with damping and delay, and two inertias with a shaft between them.
+
+Magnitude and phase are fitted in logarithm and radians, each point weighted by its deviation. The command is held between samples and the
+position is sampled: the model's response is the sum over the aliases of that, so that a point near half the sample frequency counts too.
+
+References
+----------
+Pintelon & Schoukens, "System Identification: a frequency domain approach", 2nd ed., section 9.8 (logarithmic least squares).
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field, replace
+from itertools import product
+
+import numpy as np
+from numpy.typing import NDArray
+
+from contourlab.analysis.identification.drive_models import held_response, linear_motor, load_side, resonances, two_inertia
+from contourlab.analysis.identification.frequency_response import MeasuredResponse
+from contourlab.analysis.identification.output_error import Free, OutputFit, fit_output, fit_percent
+from contourlab.errors import ParameterError
+
+__all__ = ["DriveFit", "fit_linear_motor", "fit_load_share", "fit_two_inertia"]
+
+Array = NDArray[np.float64]
+Complex = NDArray[np.complex128]
+Parameters = Mapping[str, float]
+CLEAREST = 2e-3
+"""Relative deviation below which a point is not believed."""
+LEAST_COHERENCE = 0.5
+"""Points below it are left out of a fit."""
+LEAST_SURE = 0.3
+"""Relative deviation from which a sine's point is left out."""
+WELL_KNOWN, USELESS = 10.0, 50.0
+"""Relative deviations [percent] from which a parameter is remarked on, and from which a model cannot be used."""
+EXPLAINED = 80.0
+"""Fit [percent] below which a model is remarked on."""
+
+
+@dataclass(frozen=True, eq=False)
+class DriveFit:
+    """A model of a drive.
+
+    Attributes
+    ----------
+    found : OutputFit
+        Of M, B, delay; or of motor_mass, load_mass, stiffness, shaft_damping, damping, delay: in kg, N/m, N s/m, s where the command is a
+        force in N, otherwise in the same over newtons per command; from the load's side without the motor's mass of mass, resonance [Hz],
+        damping_ratio, damping, delay as of `load_side`.
+    frequency : ndarray (n,) [Hz]
+        Of the points that were fitted.
+    measured, predicted : complex ndarray (n,) [m per command]
+    fit : float [percent]
+        Of the complex velocity response.
+    usable : bool
+    remarks : tuple of str
+    given : mapping of str to float
+        Parameters that were not looked for.
+    """
+
+    found: OutputFit
+    frequency: Array
+    measured: Complex
+    predicted: Complex
+    fit: float
+    usable: bool
+    remarks: tuple[str, ...]
+    given: Mapping[str, float] = field(default_factory=dict)
+
+    @property
+    def parameters(self) -> dict[str, float]:
+        """All parameters of the model by name, those given included."""
+        return {**self.given, **dict(zip(self.found.names, self.found.values.tolist(), strict=True))}
+
+    def __getitem__(self, name: str) -> float:
+        """Return a parameter by name."""
+        return self.parameters[name]
+
+    @property
+    def whole_mass(self) -> float:
+        """All that is moved [kg, or over newtons per command]."""
+        return sum(self.parameters.get(name, 0.0) for name in ("M", "mass", "motor_mass", "load_mass"))
+
+
+@dataclass(frozen=True, eq=False)
+class _Points:
+    frequency: Array
+    response: Complex
+    weight: Array
+    period: float
+    left_out: int
+
+    def row(self, response: Complex) -> Array:
+        """Return logarithm and phase, weighted; the phase is taken as near the measured one as it goes."""
+        turn = np.angle(self.response) + np.angle(response / self.response)
+        return np.concatenate([np.log(np.abs(response)) * self.weight, turn * self.weight])
+
+    @property
+    def measured(self) -> Array:
+        return np.concatenate([np.log(np.abs(self.response)) * self.weight, np.angle(self.response) * self.weight])
+
+    def speed(self, response: Complex) -> Complex:
+        return np.asarray(2j * np.pi * self.frequency * response)
+
+
+def _points(measured: MeasuredResponse, fewest: int) -> _Points:
+    # Of a sine, least squares over many periods finds the response where coherence would give it up.
+    trusted = np.where(np.isnan(measured.distortion), measured.coherence >= LEAST_COHERENCE, measured.deviation < LEAST_SURE)
+    good = trusted & np.isfinite(measured.response) & (np.abs(measured.response) > 0.0)
+    if np.count_nonzero(good) < fewest:
+        bound = f"at least {fewest} that stand out of the noise: excite the axis more, or longer"
+        raise ParameterError("frequency", f"{np.count_nonzero(good)} points", bound)
+    deviation = np.maximum(np.nan_to_num(measured.deviation[good], nan=1.0, posinf=1.0), CLEAREST)
+    return _Points(
+        measured.frequency[good], measured.response[good], 1.0 / deviation, measured.period, int(good.size - np.count_nonzero(good))
+    )
+
+
+def _rigid_start(points: _Points) -> dict[str, Free]:
+    """Return where to start: mass and damping from one over the velocity response at the delay that suits best."""
+    s = 2j * np.pi * points.frequency
+    hold = held_response(lambda z: 1.0 / z, points.frequency, points.period) * s
+    best, least = (0.0, 0.0, 0.0), math.inf
+    for delay in np.linspace(0.0, 0.25 / points.frequency.max(), 26):
+        inverse = hold * np.exp(-s * delay) / points.speed(points.response)
+        w = points.weight / np.abs(inverse)
+        columns = np.concatenate([np.column_stack([0.0 * w, w]), np.column_stack([s.imag * w, 0.0 * w])])
+        found, *_ = np.linalg.lstsq(columns, np.concatenate([inverse.real * w, inverse.imag * w]), rcond=None)
+        cost = float(np.sum((columns @ found - np.concatenate([inverse.real * w, inverse.imag * w])) ** 2))
+        if cost < least and found[0] > 0.0:
+            best, least = (float(found[0]), float(found[1]), float(delay)), cost
+    mass, damping, delay = best
+    if mass <= 0.0:
+        raise ParameterError("M", "below zero", "> 0: the axis goes against its command, one of the two is counted the other way round")
+    damping = max(damping, 1e-3 * mass)
+    top = 2.0 * math.pi * float(points.frequency.max())
+    return {
+        "M": Free(mass, 1e-3 * mass, 1e3 * mass, mass),
+        "B": Free(damping, 0.0, 10.0 * mass * top, max(damping, 1e-2 * mass * 2.0 * math.pi * float(points.frequency.min()))),
+        "delay": _late(points, delay),
+    }
+
+
+def fit_linear_motor(measured: MeasuredResponse) -> DriveFit:
+    """Fit mass, damping and delay to a frequency response.
+
+    Parameters
+    ----------
+    measured : MeasuredResponse
+
+    Raises
+    ------
+    ParameterError
+        If there are fewer than 4 points, the mass comes out below zero, or the parameters are not told apart.
+    """
+    points = _points(measured, 4)
+    return _fitted(points, linear_motor, _rigid_start(points))
+
+
+def fit_two_inertia(measured: MeasuredResponse, side: str = "motor") -> DriveFit:
+    """Fit two masses, the shaft between them, damping and delay to a frequency response.
+
+    Parameters
+    ----------
+    measured : MeasuredResponse
+    side : str
+        Where the position is measured: ``"motor"`` or ``"load"``.
+
+    Raises
+    ------
+    ParameterError
+        If there are fewer than 8 points, a mass comes out below zero, or the parameters are not told apart.
+    """
+    if side not in ("motor", "load"):
+        raise ParameterError("side", repr(side), "one of 'motor', 'load'")
+    points = _points(measured, 8)
+    rigid = _fitted(points, linear_motor, _rigid_start(points))
+
+    start = _two_inertia_start(points, side, rigid["delay"] + 0.5 * points.period)
+    if side == "motor":
+        return _with_resonance(points, _fitted(points, two_inertia, start), rigid)
+    return _with_resonance(points, _fitted(points, load_side, start), rigid)
+
+
+def fit_load_share(measured: MeasuredResponse, whole: DriveFit, motor_mass: float) -> DriveFit:
+    """Fit load, shaft, damping and delay to a frequency response at the load, with the mass of motor and screw from elsewhere.
+
+    Parameters
+    ----------
+    measured : MeasuredResponse
+    whole : DriveFit
+        Of the same by `fit_two_inertia` from the load's side.
+    motor_mass : float
+        Above 0 and below the whole mass, in its unit.
+
+    Raises
+    ------
+    ParameterError
+        If the motor's mass is out of its range, or the parameters are not told apart.
+    """
+    if not 0.0 < motor_mass < whole["mass"]:
+        bound = f"above 0 and below the whole mass that the response tells, {whole['mass']:.4g}"
+        raise ParameterError("motor_mass", f"{motor_mass:.4g}", bound)
+    points = _points(measured, 8)
+    given = {"motor_mass": motor_mass}
+    shared = _fitted(points, lambda x, s: two_inertia({**given, **x}, s, "load"), _share_start(points, whole, motor_mass))
+    return _with_resonance(points, replace(shared, given=given), _fitted(points, linear_motor, _rigid_start(points)))
+
+
+def _share_start(points: _Points, whole: DriveFit, motor: float) -> dict[str, Free]:
+    """Return where to start with a motor of known mass: at what it leaves the load of the whole mass, and its shaft of the resonance."""
+    x = whole.parameters
+    load, w = x["mass"] - motor, 2.0 * math.pi * x["resonance"]
+    reduced = motor * load / x["mass"]
+    stiffness, lossy = reduced * w * w, 2.0 * max(x["damping_ratio"], 1e-3) * reduced * w
+    shaft = max(lossy - x["damping"] * (load / x["mass"]) ** 2, 0.1 * lossy)
+    damping = max(x["damping"], 1e-3 * x["mass"])
+    return {
+        "load_mass": Free(load, 1e-4 * load, 1e4 * load, load),
+        "stiffness": Free(stiffness, 1e-4 * stiffness, 1e4 * stiffness, stiffness),
+        "shaft_damping": Free(shaft, 0.0, 1e4 * lossy, lossy),
+        "damping": Free(damping, 0.0, 1e4 * damping, damping),
+        "delay": _late(points, x["delay"]),
+    }
+
+
+def _late(points: _Points, delay: float) -> Free:
+    top = 1.0 / float(points.frequency.max()) + 20.0 * points.period
+    return Free(min(delay, top), 0.0, top, points.period)
+
+
+def _two_inertia_start(points: _Points, side: str, delay: float) -> dict[str, Free]:
+    """Return where to start: the best of a grid over resonance, share of the load and losses, each with the mass that suits it best."""
+    low, high = float(points.frequency.min()), float(points.frequency.max())
+    best: dict[str, float] = {}
+    least, w2 = math.inf, points.weight**2
+    s = np.asarray(2j * np.pi * points.frequency, dtype=complex)
+    grid = product(np.geomspace(2.0 * low, 0.95 * high, 24), (0.15, 0.35, 0.6, 0.8), (0.02, 0.1), (1.0, 10.0), (0.0, delay))
+    for resonance, share, loss, rate, waiting in grid:
+        w, reduced = 2.0 * math.pi * float(resonance), share * (1.0 - share)
+        x = {
+            "motor_mass": 1.0 - share,
+            "load_mass": share,
+            "stiffness": reduced * w * w,
+            "shaft_damping": 2.0 * loss * reduced * w,
+            "damping": rate * low,
+            "delay": waiting,
+        }
+        ratio = two_inertia(x, s, side) / points.response
+        # Masses, stiffness and damping together only make the response smaller.
+        log = np.log(np.abs(ratio))
+        scale = float(np.sum(w2 * log) / np.sum(w2))
+        cost = float(np.sum(w2 * ((log - scale) ** 2 + np.angle(ratio) ** 2)))
+        if cost < least:
+            best = {name: value * (1.0 if name == "delay" else math.exp(scale)) for name, value in x.items()}
+            least = cost
+    late = _late(points, best["delay"])
+    damping = Free(best["damping"], 0.0, 1e4 * best["damping"], best["damping"])
+    if side == "load":
+        mass = best["motor_mass"] + best["load_mass"]
+        loss = best["shaft_damping"] * math.pi * resonances(best)[0] / best["stiffness"]
+        own = {"mass": Free(mass, 1e-4 * mass, 1e4 * mass, mass), "resonance": Free(resonances(best)[0], low, 3.0 * high, low)}
+        return {**own, "damping_ratio": Free(loss, 0.0, 2.0, 0.01), "damping": damping, "delay": late}
+    free = {name: Free(best[name], 1e-4 * best[name], 1e4 * best[name], best[name]) for name in MASSES}
+    free["shaft_damping"] = Free(best["shaft_damping"], 0.0, 1e4 * best["shaft_damping"], best["shaft_damping"])
+    return {**free, "damping": damping, "delay": late}
+
+
+MASSES = ("motor_mass", "load_mass", "stiffness")
+VITAL = ("M", "mass", "resonance", *MASSES)
+"""Without these a model is none."""
+
+
+def _fitted(points: _Points, model: Callable[[Parameters, Complex], Complex], free: dict[str, Free]) -> DriveFit:
+    def response(x: Parameters) -> Complex:
+        return held_response(lambda s: model(x, s), points.frequency, points.period)
+
+    found = fit_output(lambda x: points.row(response(x)), points.measured, free)
+    # Points over frequency are no record in time, and often few: their colour may not make a deviation smaller than white ones do.
+    found = replace(found, robust_deviations=np.maximum(found.deviations, found.robust_deviations))
+    predicted = response(dict(zip(found.names, found.values.tolist(), strict=True)))
+    fit = fit_percent(points.speed(points.response), points.speed(predicted))
+    said, usable = [], True
+    if points.left_out:
+        said.append(f"{points.left_out} points that do not stand out of the noise are left out, by coherence or deviation")
+    for name in found.names:
+        value, deviation = found[name], found.deviation(name)
+        if name == "delay" and value < 1e-3 * points.period:
+            said.append("no delay is told")
+        elif name in found.at_bound:
+            said.append(f"{name} = {value:.3g} is at the bound of what is looked for: not told by this response")
+            usable = usable and name not in VITAL
+        elif deviation > 0.01 * WELL_KNOWN * abs(value) and not (name == "delay" and deviation < points.period):
+            said.append(f"{name} = {value:.4g} is poorly determined: known to {100.0 * deviation / abs(value):.2g} % only")
+            usable = usable and (name not in VITAL or deviation < 0.01 * USELESS * value)
+    if fit < EXPLAINED:
+        said.append(f"the model explains {fit:.3g} % of the response: a resonance, a delay or friction of another kind is at work")
+        usable = usable and fit > 0.5 * EXPLAINED
+    return DriveFit(found, points.frequency, points.response, predicted, fit, usable, tuple(said))
+
+
+def _with_resonance(points: _Points, fit: DriveFit, rigid: DriveFit) -> DriveFit:
+    """Return the fit with what its resonance is worth: whether it lies among the points, and whether one mass would do."""
+    x = fit.parameters
+    resonance = x["resonance"] if "resonance" in x else resonances(x)[0]
+    said, usable = list(fit.remarks), fit.usable
+    if not points.frequency.min() < resonance < 1.1 * points.frequency.max():
+        said.append(f"the resonance, {resonance:.4g} Hz, lies beyond the points: a guess from its foot")
+        usable = False
+    if "resonance" in x:
+        said.append("from the load's side the whole mass and the resonance are told, not how motor and load share it: measure at the motor")
+    elif fit.given:
+        said.append(
+            "from the load's side the share of the motor is not told: load, stiffness and shaft damping are as right as what was given"
+        )
+    n = 2 * points.frequency.size
+
+    def criterion(one: DriveFit) -> float:
+        left = float(np.sum((one.found.measured - one.found.predicted) ** 2))
+        k = len(one.found.names) + 1
+        return n * math.log(max(left / n, 1e-300)) + 2.0 * k + 2.0 * k * (k + 1) / max(n - k - 1, 1)
+
+    if criterion(fit) > criterion(rigid) - 2.0:
+        said.append("one mass explains the response as well: no second inertia is told, take linear-motor")
+        usable = False
+    return replace(fit, usable=usable, remarks=tuple(said))

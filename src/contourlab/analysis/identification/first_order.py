@@ -1,0 +1,224 @@
+"""Identification of the first-order axis v' = -b v + a (u - friction - offset) from any open-loop command: steps, squares, random levels.
+
+Gain, damping, Coulomb friction, offset, delay and first velocity come from one output-error fit: the model is simulated from the command
+alone and held against the measured velocity. A fit of the equation itself, with measured v and v' in it, draws b to one side as soon as
+the velocity has noise. The measured velocity is the way over some samples by their time, and the model's is the same, so that the
+difference brings no lag and no bias.
+
+References
+----------
+Ghaffari & Ulsoy, "Component swapping modularity for distributed precision contouring", section III.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from dataclasses import dataclass, field, replace
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from contourlab.analysis.identification.even_record import even_record
+from contourlab.analysis.identification.first_order_motion import delayed, first_order_motion
+from contourlab.analysis.identification.output_error import Free, OutputFit, fit_output
+from contourlab.errors import ParameterError
+
+__all__ = ["FirstOrderFit", "FirstOrderSettings", "identify_first_order", "smoothing_of"]
+
+Array = NDArray[np.float64]
+WELL_KNOWN = 10.0
+"""Relative deviation [percent] up to which a or b counts as identified."""
+EXPLAINED = 80.0
+"""Fit [percent] below which the model is remarked on."""
+LONGEST_DELAY = 0.05
+"""Longest delay that is looked for [s]."""
+
+
+@dataclass(frozen=True)
+class FirstOrderSettings:
+    """What is looked for, and how the velocity is had.
+
+    Attributes
+    ----------
+    friction : bool
+        Coulomb friction besides a and b, and an offset: what of the command goes into a constant force, as gravity.
+    delay : bool
+        A delay of the command.
+    smoothing : int or None, >= 1
+        Samples over which the position is differenced; None takes the fewest at which noise and counts of the encoder are below half a
+        percent of the velocity, up to a four-hundredth of the record.
+    """
+
+    friction: bool = True
+    delay: bool = True
+    smoothing: int | None = None
+
+    def __post_init__(self) -> None:
+        if self.smoothing is not None and not (isinstance(self.smoothing, int) and self.smoothing >= 1):
+            raise ParameterError("smoothing", self.smoothing, "a whole number of 1 or more")
+
+
+@dataclass(frozen=True, eq=False)
+class FirstOrderFit:
+    """An axis of first order found from a record.
+
+    Attributes
+    ----------
+    found : OutputFit
+        Of a [m/s^2 per command], b [1/s], and where they were looked for friction, offset [command], delay [s] and start [m/s].
+    time : ndarray (n,) [s]
+        Of the velocities, the middle of what they were differenced over.
+    command : ndarray (n,)
+        Mean over the same.
+    smoothing : int
+    usable : bool
+    remarks : tuple of str
+    """
+
+    found: OutputFit
+    time: Array
+    command: Array
+    smoothing: int
+    usable: bool = True
+    remarks: tuple[str, ...] = field(default=())
+
+    @property
+    def velocity(self) -> Array:
+        """Measured velocity [m/s]."""
+        return self.found.measured
+
+    @property
+    def predicted(self) -> Array:
+        """The model's velocity [m/s]."""
+        return self.found.predicted
+
+    def __getitem__(self, name: str) -> float:
+        """Return a parameter by name; 0 for one that was not looked for."""
+        return self.found[name] if name in self.found.names else 0.0
+
+
+def smoothing_of(position: Array) -> int:
+    """Return over how many samples a position is differenced: counts then make half a percent of the velocity or less."""
+    steps = np.abs(np.diff(position))
+    if not steps.any():
+        raise ParameterError("position", "one place throughout", "a record in which the axis moves")
+    count = float(steps[steps > 0.0].min())
+    # Of a smooth motion little is left of third differences; of noise that is white 20 times its variance.
+    noise = max(count / math.sqrt(12.0), float(np.median(np.abs(np.diff(position, 3)))) / 0.6745 / math.sqrt(20.0))
+    size = float(np.sqrt(np.mean(steps**2)))
+    return int(np.clip(math.ceil(math.sqrt(2.0) * noise / (0.005 * size)), 1, max(position.size // 400, 1)))
+
+
+@dataclass(frozen=True, eq=False)
+class _Blocks:
+    """A record and the stretches over which its velocity is had."""
+
+    command: Array
+    period: float
+    smoothing: int
+
+    def unit(self, x: Mapping[str, float]) -> Array:
+        """Return the model's velocity over a."""
+        u = delayed(self.command, x.get("delay", 0.0) / self.period) - x.get("offset", 0.0)
+        friction = x.get("friction", 0.0)
+        p = first_order_motion(u, self.period, x["b"], friction, friction, x.get("start", 0.0))[1]
+        return self.differenced(p)
+
+    def differenced(self, position: Array) -> Array:
+        return np.asarray(np.diff(position[:: self.smoothing]) / (self.smoothing * self.period))
+
+    def model(self, x: Mapping[str, float]) -> Array:
+        a = x["a"]
+        return a * self.unit({**x, "start": x.get("start", 0.0) / a})
+
+    def averaged(self, values: Array) -> Array:
+        n = (values.size - 1) // self.smoothing
+        return np.asarray(values[: n * self.smoothing].reshape(n, self.smoothing).mean(axis=1))
+
+
+def identify_first_order(
+    time: ArrayLike, command: ArrayLike, position: ArrayLike, settings: FirstOrderSettings | None = None
+) -> FirstOrderFit:
+    """Find gain and damping, and friction, offset and delay, of an axis from its command and position.
+
+    Parameters
+    ----------
+    time : array_like (n,) [s]
+        Evenly spaced, at least 50 samples.
+    command : array_like (n,)
+        Held from each sample to the next.
+    position : array_like (n,) [m]
+        Measured.
+    settings : FirstOrderSettings, optional
+
+    Raises
+    ------
+    ParameterError
+        If the record is too short, uneven, not finite or at rest, if the axis goes against its command, or parameters are not told apart.
+    """
+    chosen = settings or FirstOrderSettings()
+    period, (_, u, p) = even_record(time, {"command": command, "position": position})
+    if not np.ptp(u) > 0.0:
+        raise ParameterError("command", f"{u[0]:g} throughout", "a record whose command changes: a and b are not told apart by one level")
+    smoothing = chosen.smoothing or smoothing_of(p)
+    blocks = _Blocks(u, period, smoothing)
+    measured = blocks.differenced(p)
+    if not np.ptp(measured) > 0.0:
+        raise ParameterError("position", "a record", "one in which the axis moves")
+    free = _start(blocks, measured, chosen)
+    found = fit_output(blocks.model, measured, free)
+    said: list[str] = []
+    for name in ("start", "delay", "friction"):
+        if name in free and (name in found.at_bound or abs(found[name]) < 2.0 * found.deviation(name)):
+            said.append(f"no {name} is told apart from zero; it is left out")
+            free = {key: replace(part, start=found[key]) for key, part in free.items() if key != name}
+            found = fit_output(blocks.model, measured, free)
+    middle = np.asarray(time, dtype=float)[0] + period * smoothing * (np.arange(measured.size) + 0.5)
+    remarks, usable = _remarks(found)
+    return FirstOrderFit(found, middle, blocks.averaged(u), smoothing, usable, (*said, *remarks))
+
+
+def _start(blocks: _Blocks, measured: Array, settings: FirstOrderSettings) -> dict[str, Free]:
+    """Return where to start: the best of a grid over damping and friction, each with the gain that suits it best."""
+    u, whole = blocks.command, blocks.period * blocks.command.size
+    size = float(np.sqrt(np.mean(u**2)))
+    fastest = 1.0 / (2.0 * blocks.period * blocks.smoothing)
+    best, least = (0.0, 1.0, 0.0), math.inf
+    for b in np.geomspace(0.3 / whole, fastest, 14):
+        for share in (0.0, 0.2, 0.5, 0.8) if settings.friction else (0.0,):
+            unit = blocks.unit({"b": float(b), "friction": share * size})
+            power = float(unit @ unit)
+            a = float(unit @ measured) / power if power > 0.0 else 0.0
+            cost = float(np.sum((measured - a * unit) ** 2))
+            if a != 0.0 and cost < least:
+                best, least = (a, float(b), share * size), cost
+    a, b, friction = best
+    if a <= 0.0:
+        raise ParameterError(
+            "velocity", "a record", "rising with the command: one of the two is counted the other way round, or they are not of one axis"
+        )
+    free = {"a": Free(a, 1e-6 * a, 1e6 * a, a), "b": Free(b, 0.0, 20.0 * fastest, max(b, 0.01 * fastest))}
+    if settings.friction:
+        free |= {"friction": Free(friction, 0.0, float(np.abs(u).max()), size), "offset": Free(0.0, -2.0 * size, 2.0 * size, 0.1 * size)}
+    if settings.delay:
+        free["delay"] = Free(0.5 * blocks.period, 0.0, min(LONGEST_DELAY, 0.1 * whole), blocks.period)
+    if abs(measured[0]) > 0.01 * float(np.abs(measured).max()):
+        free["start"] = Free(float(measured[0]), scale=float(np.abs(measured).max()))
+    return free
+
+
+def _remarks(found: OutputFit) -> tuple[list[str], bool]:
+    said, usable = [], True
+    for name in ("a", "b"):
+        value, deviation = found[name], found.deviation(name)
+        if name in found.at_bound:
+            said.append(f"{name} = {value:.4g} is at the bound of what is looked for: the record does not tell it")
+            usable = False
+        elif deviation > 0.01 * WELL_KNOWN * value:
+            said.append(f"{name} = {value:.4g} is known to {100.0 * deviation / value:.2g} % only: too little excitation")
+            usable = usable and deviation < 0.5 * value
+    if found.fit < EXPLAINED:
+        said.append(f"the model explains {found.fit:.3g} % of the velocity: friction of another kind, a resonance or a load is at work")
+        usable = usable and found.fit > 0.5 * EXPLAINED
+    return said, usable

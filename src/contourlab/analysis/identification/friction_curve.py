@@ -1,0 +1,326 @@
+"""A friction curve through points of constant speed: Coulomb, viscous, Stribeck, alike or by direction, as far as the points ask for it.
+
+Each point has a deviation of its own, and all share a scatter between runs that is found along with the curve by maximum likelihood. Among
+the models the one with the least corrected Akaike criterion is taken (the plain one where three or four points are too few to correct
+it), or a simpler one within 2 of it; a curve with friction below zero is none.
+
+References
+----------
+Armstrong-Helouvry, Dupont & Canudas de Wit, "A survey of models, analysis tools and compensation methods for the control of machines with
+friction", Automatica 30 (1994), section 2; Burnham & Anderson, "Model Selection and Multimodel Inference", 2nd ed., section 2.4, for AICc.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from contourlab.analysis.identification.output_error import fit_percent
+from contourlab.errors import ParameterError
+
+__all__ = ["FrictionCurve", "FrictionModel", "fit_friction"]
+
+Array = NDArray[np.float64]
+FEWEST = 3
+"""Fewest points of a curve."""
+WITHIN = 2.0
+"""Difference of AICc within which a simpler model is kept."""
+SPEEDS = 30
+"""Stribeck velocities that are tried before the best of them is refined."""
+WELL_KNOWN = 10.0
+"""Relative deviation [percent] from which a parameter is remarked on."""
+EXPLAINED = 75.0
+"""Fit [percent] below which a curve through both directions is not to be used; constant speeds of real axes have 95 and more."""
+
+
+@dataclass(frozen=True)
+class FrictionModel:
+    """A kind of curve.
+
+    Attributes
+    ----------
+    name : str
+    viscous, stribeck, directed, coulomb : bool
+    """
+
+    name: str
+    viscous: bool
+    stribeck: bool
+    directed: bool
+    coulomb: bool = True
+
+
+MODELS = (
+    FrictionModel("Coulomb", False, False, False),
+    FrictionModel("viscous", True, False, False, coulomb=False),
+    FrictionModel("Coulomb and viscous", True, False, False),
+    FrictionModel("Coulomb and viscous by direction", True, False, True),
+    FrictionModel("Coulomb, viscous and Stribeck", True, True, False),
+    FrictionModel("Coulomb, viscous and Stribeck by direction", True, True, True),
+)
+"""From simple to rich."""
+
+
+@dataclass(frozen=True, eq=False)
+class FrictionCurve:
+    """A curve through the points.
+
+    Attributes
+    ----------
+    model : FrictionModel
+    names : tuple of str
+        Fc, Fv, offset; by direction Fc+, Fv+, Fc-, Fv-; with Stribeck drop (the level at rest less F_c, by direction drop+ and drop-) and
+        vs [m/s].
+    values, deviations : ndarray (p,)
+    correlation : ndarray (p, p)
+    scatter : float
+        Between runs, beyond the deviations of the points.
+    fit : float [percent]
+    criterion : float
+        AICc; infinite where the points are too few for it.
+    plain_criterion : float
+        AIC.
+    predicted : ndarray (n,)
+    """
+
+    model: FrictionModel
+    names: tuple[str, ...]
+    values: Array
+    deviations: Array
+    correlation: Array
+    scatter: float
+    fit: float
+    criterion: float
+    plain_criterion: float
+    predicted: Array
+
+    def __getitem__(self, name: str) -> float:
+        """Return a parameter by name; 0 for one that the model lacks."""
+        return float(self.values[self.names.index(name)]) if name in self.names else 0.0
+
+    @property
+    def rises(self) -> bool:
+        """Whether friction is least at rest, over both directions: the contrary of a Stribeck dip."""
+        return sum(self._drops) < 0.0
+
+    @property
+    def name(self) -> str:
+        """What the curve is in words: a curve that bends upwards from rest has no Stribeck effect."""
+        return self.model.name.replace("Stribeck", "a rise") if self.rises else self.model.name
+
+    @property
+    def _drops(self) -> list[float]:
+        return [float(value) for name, value in zip(self.names, self.values, strict=True) if name.startswith("drop")]
+
+    @property
+    def bends_both_ways(self) -> bool:
+        """Whether one direction dips and the other rises."""
+        return len({drop < 0.0 for drop in self._drops}) > 1
+
+    def deviation(self, name: str) -> float:
+        """Return the deviation of a parameter by name; 0 for one that the model lacks."""
+        return float(self.deviations[self.names.index(name)]) if name in self.names else 0.0
+
+    def at(self, speed: ArrayLike) -> Array:
+        """Return the command that holds a speed [m/s]."""
+        v = np.atleast_1d(np.asarray(speed, dtype=float))
+        linear = [i for i, name in enumerate(self.names) if name != "vs"]
+        _, columns = _columns(self.model, v, self["vs"], "offset" in self.names)
+        return np.asarray(columns @ self.values[linear])
+
+
+@dataclass(frozen=True, eq=False)
+class FrictionFit:
+    """The curve that was chosen, those that were tried, and what is to be said."""
+
+    chosen: FrictionCurve
+    tried: tuple[FrictionCurve, ...]
+    remarks: tuple[str, ...]
+    usable: bool
+
+
+def fit_friction(speed: ArrayLike, command: ArrayLike, deviation: ArrayLike) -> FrictionFit:
+    """Fit a friction curve and choose its kind.
+
+    Parameters
+    ----------
+    speed : array_like (n,) [m/s]
+        Signed.
+    command : array_like (n,)
+        Mean force or command that held it.
+    deviation : array_like (n,)
+        Standard deviation of each mean.
+
+    Raises
+    ------
+    ParameterError
+        If there are fewer than 3 points, one is not finite or at rest, or the command helps the motion in both directions.
+    """
+    v, u, s = (np.asarray(values, dtype=float) for values in (speed, command, deviation))
+    if v.size < FEWEST:
+        raise ParameterError("speed", f"{v.size} stretches of constant speed", f"at least {FEWEST}: more runs, or longer ones")
+    if not (np.isfinite(v).all() and np.isfinite(u).all() and np.isfinite(s).all() and (v != 0.0).all() and (s >= 0.0).all()):
+        raise ParameterError("speed", "points", "finite, and none at rest")
+    if not np.ptp(u) > 0.0:
+        raise ParameterError("command", f"{u[0]:g} at every speed", "one that differs with speed or direction: is it what drives the axis?")
+    ways = {float(way) for way in np.sign(v)}
+    both = len(ways) == 2
+    floor = 1e-6 * float(np.abs(u).max()) + 1e-300
+    tried = [curve for model in MODELS if (curve := _fitted(model, v, u, np.maximum(s, floor), both)) is not None]
+    sound = [curve for curve in tried if _is_friction(curve)]
+    if not sound:
+        raise ParameterError("command", "points", "against the motion: it helps it, so one of the two is counted the other way round")
+    name, criteria = "AICc", [curve.criterion for curve in sound]
+    if not all(map(math.isfinite, criteria)):
+        name, criteria = "AIC", [curve.plain_criterion for curve in sound]
+    at = next(i for i, value in enumerate(criteria) if value <= min(criteria) + WITHIN)
+    chosen = sound[at]
+    others = [f"{curve.name} {value - criteria[at]:+.1f}" for curve, value in zip(sound, criteria, strict=True) if curve is not chosen]
+    beside = f"; {name} of the others above it: {', '.join(others)}" if others else ""
+    remarks, usable = _remarks(chosen, tried, sound, v, both)
+    asked = f"{chosen.name} is what the {v.size} points ask for{beside}"
+    return FrictionFit(chosen, tuple(tried), (asked, *remarks), usable)
+
+
+def _columns(model: FrictionModel, v: Array, vs: float, offset: bool) -> tuple[list[str], Array]:
+    """Return names and columns of what a model is linear in."""
+    way, bend = np.sign(v), np.exp(-((v / vs) ** 2)) if vs > 0.0 else np.zeros_like(v)
+    parts: list[tuple[str, Array]] = []
+    if model.directed:
+        for sign, mark in ((1.0, "+"), (-1.0, "-")):
+            there = (way == sign).astype(float)
+            parts += [(f"Fc{mark}", way * there), (f"Fv{mark}", v * there)]
+            parts += [(f"drop{mark}", way * there * bend)] if model.stribeck else []
+    else:
+        parts = [("Fc", way)] if model.coulomb else []
+        parts += [("Fv", v)] if model.viscous else []
+        parts += [("drop", way * bend)] if model.stribeck else []
+        parts += [("offset", np.ones_like(v))] if offset else []
+    return [name for name, _ in parts], np.column_stack([column for _, column in parts])
+
+
+def _weighted(columns: Array, u: Array, s: Array, precision: float = 1e-3) -> tuple[Array, float, float]:
+    """Return the parameters, the scatter between points, and twice the negative log-likelihood, at the scatter that makes it least."""
+    from scipy.optimize import minimize_scalar
+
+    def solved(tau: float) -> tuple[Array, float]:
+        variance = s**2 + tau**2
+        w = 1.0 / np.sqrt(variance)
+        x = np.asarray(np.linalg.lstsq(columns * w[:, None], u * w, rcond=None)[0], dtype=float)
+        left = u - columns @ x
+        return x, float(np.sum(np.log(2.0 * math.pi * variance) + left**2 / variance))
+
+    top = math.log(max(float(np.abs(u).max()), 1e-300))
+    found = minimize_scalar(lambda z: solved(math.exp(z))[1], bounds=(top - 20.0, top), method="bounded", options={"xatol": precision})
+    best = math.exp(float(found.x))
+    x, likelihood = solved(best)
+    nothing = solved(0.0)
+    return (nothing[0], 0.0, nothing[1]) if nothing[1] <= likelihood else (x, best, likelihood)
+
+
+def _fitted(model: FrictionModel, v: Array, u: Array, s: Array, both: bool) -> FrictionCurve | None:
+    """Return a model's curve; None where there are too few points, or speeds, for it."""
+    if model.directed and not both:
+        return None
+    count = _columns(model, v, 1.0, both)[1].shape[1] + model.stribeck
+    speeds = np.unique(np.round(np.abs(v) / np.abs(v).max(), 2))
+    if (v.size < count + 3 and not (count <= 2 and v.size >= count + 1)) or speeds.size < 1 + model.viscous + 2 * model.stribeck:
+        return None
+    vs = _stribeck_velocity(model, v, u, s, both) if model.stribeck else 0.0
+    names, columns = _columns(model, v, vs, both)
+    x, tau, likelihood = _weighted(columns, u, s)
+    slopes = columns
+    if model.stribeck:
+        step = 1e-4 * vs
+        bend = (_columns(model, v, vs + step, both)[1] - _columns(model, v, vs - step, both)[1]) @ x / (2.0 * step)
+        names, x, slopes = [*names, "vs"], np.append(x, vs), np.column_stack([columns, bend])
+    covariance = np.linalg.pinv(slopes.T @ (slopes / (s**2 + tau**2)[:, None]))
+    k = count + 1  # the scatter counts
+    slack = v.size - k - 1
+    plain = likelihood + 2.0 * k
+    criterion = plain + (2.0 * k * (k + 1) / slack if slack > 0 else math.inf)
+    predicted = columns @ x[: columns.shape[1]]
+    # Maximum likelihood tells the scatter too small by the parameters that were fitted.
+    lost = math.sqrt(v.size / max(v.size - count, 1)) if tau > 0.0 else 1.0
+    deviations = lost * np.sqrt(np.maximum(np.diag(covariance), 0.0))
+    size = np.sqrt(np.where(np.diag(covariance) > 0.0, np.diag(covariance), 1.0))
+    correlation = covariance / np.outer(size, size)
+    return FrictionCurve(model, tuple(names), x, deviations, correlation, tau, fit_percent(u, predicted), criterion, plain, predicted)
+
+
+def _stribeck_velocity(model: FrictionModel, v: Array, u: Array, s: Array, both: bool) -> float:
+    """Return the velocity at which the curve bends, between what the slowest and the fastest points can show."""
+    from scipy.optimize import minimize_scalar
+
+    w = np.abs(v)
+
+    def cost(z: float) -> float:
+        return _weighted(_columns(model, v, math.exp(z), both)[1], u, s, 0.1)[2]
+
+    places = np.linspace(math.log(0.8 * w.min()), math.log(0.7 * w.max()), SPEEDS)
+    costs = [cost(float(z)) for z in places]
+    i = int(np.argmin(costs))
+    low, high = places[max(i - 1, 0)], places[min(i + 1, SPEEDS - 1)]
+    return math.exp(float(minimize_scalar(cost, bounds=(low, high), method="bounded", options={"xatol": 1e-3}).x))
+
+
+def _is_friction(curve: FrictionCurve) -> bool:
+    """Tell whether a curve resists motion over all of its parameters: no Coulomb or viscous friction below zero by two deviations."""
+    for name in curve.names:
+        if name in ("offset", "vs") or name.startswith("drop"):
+            continue
+        if name.startswith("Fc") and name != "Fc":  # by direction these hold the offset as well
+            continue
+        if curve[name] < -2.0 * curve.deviation(name):
+            return False
+    return _level(curve)[0] > 0.0
+
+
+def _level(curve: FrictionCurve) -> tuple[float, float]:
+    """Return Coulomb friction over both directions and its deviation; of a curve without it the viscous friction."""
+    for name in ("Fc", "Fv"):
+        if name in curve.names:
+            return curve[name], curve.deviation(name)
+    return 0.5 * (curve["Fc+"] + curve["Fc-"]), 0.5 * math.hypot(curve.deviation("Fc+"), curve.deviation("Fc-"))
+
+
+def _remarks(
+    chosen: FrictionCurve, tried: Sequence[FrictionCurve], sound: Sequence[FrictionCurve], v: Array, both: bool
+) -> tuple[list[str], bool]:
+    said, usable = [], True
+    w = np.abs(v)
+    for curve in tried:
+        if not any(curve is other for other in sound):
+            said.append(f"{curve.name} would need a friction below zero")
+    if not both:
+        said.append("one direction only: Coulomb friction and an offset, such as gravity, are not told apart, and are both in Fc")
+    if chosen.model.stribeck:
+        if chosen.bends_both_ways:
+            said.append("friction dips from rest on one way and rises the other: one law for both has the mean")
+        elif chosen.rises:
+            said.append(f"concave: friction rises from {1e3 * w.min():.3g} mm/s on to its Coulomb level over vs; this is no Stribeck dip")
+        elif chosen["vs"] < 1.2 * w.min():
+            said.append(f"vs is below the slowest run, {1e3 * w.min():.3g} mm/s: the level at rest is a guess from one speed")
+            usable = False
+    else:
+        said.append(f"no Stribeck effect is told: the slowest run is at {1e3 * w.min():.3g} mm/s, friction below is not in these stretches")
+    level, deviation = _level(chosen)
+    if both and chosen.fit < EXPLAINED:
+        said.append(f"the curve explains {chosen.fit:.3g} % of the command: more than friction is at work, or it is that of another axis")
+        usable = False
+    if chosen.fit < EXPLAINED and level < 2.0 * deviation:
+        said.append(f"no friction is told apart from the scatter: {level:.4g} with a standard deviation of {deviation:.2g}")
+        usable = False
+    if not chosen.model.coulomb:
+        said.append("no Coulomb friction is told apart from zero")
+    for name in chosen.names:
+        if name.startswith("Fv") and chosen[name] < 0.0:
+            said.append(f"{name} = {chosen[name]:.4g} is below zero within its deviation: take no viscous friction")
+        if name != "offset" and chosen.deviation(name) > 0.01 * WELL_KNOWN * abs(chosen[name]):
+            share = 100.0 * chosen.deviation(name) / abs(chosen[name]) if chosen[name] else math.inf
+            said.append(f"{name} = {chosen[name]:.4g} is known to {share:.2g} % only")
+    return said, usable

@@ -1,0 +1,299 @@
+"""Identification of one rigid axis from a record of position and force: the inverse dynamic model by least squares (IDIM-LS).
+
+The force is linear in the parameters, M a + F_v v + F_c sign(v) + offset, so that filtered derivatives of the measured position and one
+least-squares solution give them all, in open or closed loop. Velocity and acceleration come without lag (`filtered_motion`); the columns
+and the force pass the same low-pass and are decimated alike, so that what the filter takes away it takes from both sides. Noise of the
+position enters the columns: without filtering it draws the mass towards zero.
+
+References
+----------
+Gautier, Janot & Vandanjon, "A new closed-loop output error method for parameter identification of robot dynamics", IEEE Trans. Control
+Systems Technology 21(2), 2013, section II; Janot, Gautier & Brunot, "Data set and reference models of EMPS", 2019 Workshop on nonlinear
+system identification benchmarks, section 3, and eq (12) for friction by direction.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from contourlab.analysis.identification.coloured_residual import bartlett, coloured_deviations, usual_lags
+from contourlab.analysis.identification.even_record import even_record
+from contourlab.analysis.identification.filtered_motion import decimate, filtered_motion, kept_samples
+from contourlab.analysis.identification.identification_remarks import check_signs, remarks_on
+from contourlab.errors import ParameterError
+
+__all__ = ["PARAMETERS", "InverseDynamicsFit", "InverseDynamicsSettings", "Validation", "cross_validate", "identify_inverse_dynamics"]
+
+Array = NDArray[np.float64]
+
+PARAMETERS = {"symmetric": ("M", "Fv", "Fc", "offset"), "asymmetric": ("M", "Fv+", "Fc+", "Fv-", "Fc-")}
+"""Names of the parameters by model of friction; asymmetric, the offset is in the two Coulomb forces: (Fc+ - Fc-)/2."""
+FEWEST_ROWS = 20
+"""Fewest samples that may be left after filter and decimation."""
+SINGULAR = 1e6
+"""Condition number, columns of length one, from which the parameters are not told apart at all."""
+
+
+@dataclass(frozen=True)
+class InverseDynamicsSettings:
+    """How a record is filtered, and which friction is looked for.
+
+    Attributes
+    ----------
+    friction : str
+        ``"symmetric"``: F_c sign(v) + F_v v + offset; ``"asymmetric"``: F_c+ and F_v+ forwards, F_c- and F_v- backwards.
+    cutoff : float [Hz], > 0
+        Of the low-pass of the position: five times the bandwidth of the position loop is usual.
+    order : int, >= 1
+        Of that low-pass, one pass of two.
+    decimation : int, >= 1
+        Of the columns and the force: 0.8 of the Nyquist frequency over twice the bandwidth is usual.
+    dropped : (int, int), >= 0
+        Samples dropped at the start and at the end, where filter and differences have no neighbours.
+    slowest : float [m/s], >= 0
+        Rows below it are left out: at rest, friction is whatever the force is, and the sign of v is noise.
+    lost_degrees : int or None
+        What is taken from the number of rows under the residual's variance; None takes the number of parameters. The figures published for
+        the EMPS take 1.
+    """
+
+    friction: str = "symmetric"
+    cutoff: float = 100.0
+    order: int = 4
+    decimation: int = 10
+    dropped: tuple[int, int] = (50, 50)
+    slowest: float = 0.0
+    lost_degrees: int | None = None
+
+    def __post_init__(self) -> None:
+        if self.friction not in PARAMETERS:
+            raise ParameterError("friction", repr(self.friction), f"one of {', '.join(map(repr, PARAMETERS))}")
+        if not (isinstance(self.decimation, int) and self.decimation >= 1):
+            raise ParameterError("decimation", self.decimation, "a whole number of 1 or more")
+        if len(self.dropped) != 2 or min(self.dropped) < 0:
+            raise ParameterError("dropped", self.dropped, "two numbers of samples >= 0, at the start and at the end")
+        if not (math.isfinite(self.slowest) and self.slowest >= 0.0):
+            raise ParameterError("slowest", f"{self.slowest:g}", ">= 0", "m/s")
+        if self.lost_degrees is not None and self.lost_degrees < 0:
+            raise ParameterError("lost_degrees", self.lost_degrees, ">= 0")
+
+
+@dataclass(frozen=True, eq=False)
+class _Rows:
+    """What the equations are made of: one row a decimated sample."""
+
+    time: Array
+    velocity: Array
+    columns: Array
+    force: Array
+
+
+@dataclass(frozen=True, eq=False)
+class Validation:
+    """How well known parameters explain a record.
+
+    Attributes
+    ----------
+    time, velocity : ndarray (n,) [s, m/s]
+        Of the rows.
+    force, predicted : ndarray (n,) [N]
+        Measured, behind the same filter, and from the model.
+    residual_norm : float [N]
+        Euclidean norm of their difference.
+    residual_deviation : float [N]
+        Its standard deviation about its mean.
+    relative_error : float [percent]
+        100 |force - predicted|/|force|.
+    fit : float [percent]
+        100 (1 - |force - predicted|/|force - mean of force|): 100 where the model says all.
+    condition_number : float
+        Of the observation matrix, in SI units.
+    """
+
+    time: Array
+    velocity: Array
+    force: Array
+    predicted: Array
+    residual_norm: float
+    residual_deviation: float
+    relative_error: float
+    fit: float
+    condition_number: float
+
+
+@dataclass(frozen=True, eq=False)
+class InverseDynamicsFit(Validation):
+    """The parameters of an axis found from a record, beside what `Validation` says of that record.
+
+    Attributes
+    ----------
+    settings : InverseDynamicsSettings
+    names : tuple of str
+        Of `PARAMETERS`: M [kg], Fv [N s/m], Fc [N], offset [N].
+    values, deviations : ndarray (p,)
+        Standard deviations hold for a residual that is white after decimation, and columns without noise.
+    relative_deviations : ndarray (p,) [percent]
+    robust_deviations : ndarray (p,)
+        Standard deviations that allow for a residual correlated over neighbouring rows (Newey & West): decimation leaves some correlation
+        of itself, what the model lacks leaves more.
+    correlation : ndarray (p, p)
+        Of the parameters, residual white.
+    usable : bool
+        False where a friction came out below zero or the mass is known to no better than 10 percent; `remarks` say which.
+    remarks : tuple of str
+        What stands against the figures, in words; empty where nothing does.
+    """
+
+    settings: InverseDynamicsSettings = field(default_factory=InverseDynamicsSettings)
+    names: tuple[str, ...] = ()
+    values: Array = field(default_factory=lambda: np.empty(0))
+    deviations: Array = field(default_factory=lambda: np.empty(0))
+    relative_deviations: Array = field(default_factory=lambda: np.empty(0))
+    robust_deviations: Array = field(default_factory=lambda: np.empty(0))
+    correlation: Array = field(default_factory=lambda: np.empty((0, 0)))
+    usable: bool = True
+    remarks: tuple[str, ...] = ()
+
+    def __getitem__(self, name: str) -> float:
+        """Return the value of a parameter by name."""
+        return self.parameters()[name]
+
+    def parameters(self) -> Mapping[str, float]:
+        """Return all values by name."""
+        return dict(zip(self.names, self.values.tolist(), strict=True))
+
+
+def identify_inverse_dynamics(
+    time: ArrayLike, position: ArrayLike, force: ArrayLike, settings: InverseDynamicsSettings | None = None
+) -> InverseDynamicsFit:
+    """Find mass, viscous and Coulomb friction and offset of an axis from a record of its motion and its drive's force.
+
+    Parameters
+    ----------
+    time : array_like (n,) [s]
+        Evenly spaced within a thousandth of the period.
+    position : array_like (n,) [m]
+        Measured.
+    force : array_like (n,) [N]
+        Of the drive, at the table: command times drive gain. In any other unit F the parameters come in F s^2/m, F s/m and F.
+    settings : InverseDynamicsSettings, optional
+
+    Raises
+    ------
+    ParameterError
+        If the record is too short, uneven or not finite; if its arrays differ in length; if the cut-off is not below the Nyquist
+        frequency; if the axis never moves in one of its directions; if the parameters are not told apart; if the mass, or Coulomb
+        friction by more than two deviations, comes out below zero.
+    """
+    chosen = settings or InverseDynamicsSettings()
+    rows = _rows(time, position, force, chosen)
+    names = PARAMETERS[chosen.friction]
+    _check_excitation(rows, names)
+    q, r = np.linalg.qr(rows.columns)
+    values = np.linalg.solve(r, q.T @ rows.force)
+    residual = rows.force - rows.columns @ values
+    inverse = np.linalg.inv(r)
+    unscaled = inverse @ inverse.T
+    lost = len(names) if chosen.lost_degrees is None else chosen.lost_degrees
+    deviations = np.sqrt(np.diag(unscaled) * float(residual @ residual) / max(residual.size - lost, 1))
+    scale = np.sqrt(np.diag(unscaled))
+    robust = coloured_deviations(rows.columns, residual, unscaled, bartlett(usual_lags(residual.size)))
+    told = _judged(rows, rows.columns @ values)
+    check_signs(names, values, np.maximum(deviations, robust))
+    remarks, usable = remarks_on(names, values, deviations, robust, rows.columns, rows.velocity, told.fit, chosen.slowest)
+    with np.errstate(divide="ignore"):
+        relative = 100.0 * deviations / np.abs(values)
+    return InverseDynamicsFit(
+        **vars(told),
+        settings=chosen,
+        names=names,
+        values=values,
+        deviations=deviations,
+        relative_deviations=relative,
+        robust_deviations=robust,
+        correlation=unscaled / np.outer(scale, scale),
+        usable=usable,
+        remarks=remarks,
+    )
+
+
+def cross_validate(fit: InverseDynamicsFit, time: ArrayLike, position: ArrayLike, force: ArrayLike) -> Validation:
+    """Say how well parameters found elsewhere explain a second record, filtered as the first.
+
+    Parameters
+    ----------
+    fit : InverseDynamicsFit
+    time, position, force
+        As of `identify_inverse_dynamics`; another length and period are welcome.
+
+    Raises
+    ------
+    ParameterError
+        If the record is too short, uneven or not finite, its arrays differ in length, or its Nyquist frequency is below the cut-off.
+    """
+    rows = _rows(time, position, force, fit.settings)
+    return _judged(rows, rows.columns @ fit.values)
+
+
+def _rows(time: ArrayLike, position: ArrayLike, force: ArrayLike, settings: InverseDynamicsSettings) -> _Rows:
+    period, (t, q, f) = even_record(time, {"position": position, "force": force}, FEWEST_ROWS)
+    motion = filtered_motion(q, period, cutoff=settings.cutoff, order=settings.order)
+    first, last = settings.dropped[0], t.size - settings.dropped[1]
+    n_row = -(-max(last - first, 0) // settings.decimation)
+    if n_row < FEWEST_ROWS:
+        shortest = sum(settings.dropped) + (FEWEST_ROWS - 1) * settings.decimation + 1
+        raise ParameterError("time", f"{t.size} samples", f"a record of {shortest} or more: fewer leave under {FEWEST_ROWS} rows")
+    part = slice(first, last)
+    v = motion.velocity[part]
+    columns = decimate(_columns(motion.acceleration[part], v, settings.friction), settings.decimation)
+    kept = kept_samples(v.size, settings.decimation)
+    rows = _Rows(t[part][kept], v[kept], columns, decimate(f[part], settings.decimation))
+    if settings.slowest == 0.0:
+        return rows
+    moving = np.abs(rows.velocity) >= settings.slowest
+    if np.count_nonzero(moving) < FEWEST_ROWS:
+        raise ParameterError("slowest", f"{settings.slowest:g}", f"passed in at least {FEWEST_ROWS} rows", "m/s")
+    return _Rows(rows.time[moving], rows.velocity[moving], rows.columns[moving], rows.force[moving])
+
+
+def _columns(acceleration: Array, velocity: Array, friction: str) -> Array:
+    """Return the observation matrix, one column a parameter."""
+    way = np.sign(velocity)
+    if friction == "symmetric":
+        return np.column_stack([acceleration, velocity, way, np.ones_like(way)])
+    forward, backward = 0.5 * (1.0 + way), 0.5 * (1.0 - way)
+    return np.column_stack([acceleration, velocity * forward, way * forward, velocity * backward, way * backward])
+
+
+def _check_excitation(rows: _Rows, names: tuple[str, ...]) -> None:
+    """Both directions have to be there, and no column may be made of the others."""
+    fastest = float(np.abs(rows.velocity).max())
+    if fastest == 0.0:
+        raise ParameterError("position", "one place throughout", "a record in which the axis moves")
+    for way, word in ((1.0, "forwards"), (-1.0, "backwards")):
+        if np.count_nonzero(way * rows.velocity > 0.01 * fastest) < FEWEST_ROWS // 4:
+            bound = "a record that moves both ways: friction and offset are not told apart by one direction"
+            raise ParameterError("velocity", f"never {word}", bound)
+    lengths = np.linalg.norm(rows.columns, axis=0)
+    if not lengths.all():
+        raise ParameterError("record", "a record", f"one that moves {names[int(np.argmin(lengths))]}")
+    _, singular, directions = np.linalg.svd(rows.columns / lengths, full_matrices=False)
+    if singular[-1] * SINGULAR <= singular[0]:
+        mixed = [name for name, part in zip(names, directions[-1], strict=True) if abs(part) > 0.2]
+        raise ParameterError("record", "a record", f"one that tells {' and '.join(mixed)} apart: vary speed and acceleration")
+
+
+def _judged(rows: _Rows, predicted: Array) -> Validation:
+    left = rows.force - predicted
+    norm, size, spread = (float(np.linalg.norm(x)) for x in (left, rows.force, rows.force - rows.force.mean()))
+    if spread <= 1e-9 * size:
+        raise ParameterError("force", f"{rows.force.mean():.4g} throughout", "a record in which the drive pushes the axis about")
+    deviation = float(np.std(left, ddof=1))
+    condition = float(np.linalg.cond(rows.columns))
+    relative, explained = 100.0 * norm / size, 100.0 * (1.0 - norm / spread)
+    return Validation(rows.time, rows.velocity, rows.force, predicted, norm, deviation, relative, explained, condition)

@@ -1,0 +1,182 @@
+"""Output-error least squares: parameters of a simulated model such that its output comes nearest to what was measured.
+
+The model's output depends on what was commanded, never on the noisy output, so that noise of the measurement does not draw the parameters
+to one side, as it does where measured derivatives stand on the model's side of an equation.
+
+References
+----------
+Ljung, "System Identification", 2nd ed., sections 4.2 and 9.4.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from contourlab.analysis.identification.coloured_residual import coloured_deviations, memory, parzen
+from contourlab.errors import ParameterError
+
+__all__ = ["Free", "OutputFit", "fit_output", "fit_percent", "lasting_window"]
+
+Array = NDArray[np.float64]
+NEAR_BOUND = 1e-6
+"""Share of a parameter's scale within which it counts as lying at its bound."""
+UNTOLD = 1e10
+"""Condition number of the normal equations, columns of length one, from which parameters are not told apart."""
+
+
+@dataclass(frozen=True)
+class Free:
+    """A parameter that is looked for: where from, within what, and a size that is small for it."""
+
+    start: float
+    low: float = -math.inf
+    high: float = math.inf
+    scale: float = 1.0
+
+
+@dataclass(frozen=True, eq=False)
+class OutputFit:
+    """What a fit of a model's output found.
+
+    Attributes
+    ----------
+    names : tuple of str
+    values, deviations, robust_deviations : ndarray (p,)
+        The first deviations hold for a white residual, the second allow for one that is correlated in time. 0 for a parameter at its bound.
+    correlation : ndarray (p, p)
+    condition_number : float
+        Of the sensitivities, columns of length one.
+    at_bound : tuple of str
+        Parameters that would go further if they could.
+    measured, predicted : ndarray (n,)
+    fit : float [percent]
+        100 (1 - |measured - predicted|/|measured - mean|).
+    """
+
+    names: tuple[str, ...]
+    values: Array
+    deviations: Array
+    robust_deviations: Array
+    correlation: Array
+    condition_number: float
+    at_bound: tuple[str, ...]
+    measured: Array
+    predicted: Array
+    fit: float
+
+    def __getitem__(self, name: str) -> float:
+        """Return the value of a parameter by name."""
+        return float(self.values[self.names.index(name)])
+
+    def deviation(self, name: str) -> float:
+        """Return the robust deviation of a parameter by name.
+
+        Of a differenced position the noise is correlated, and a white residual would be told many times too large.
+        """
+        return float(self.robust_deviations[self.names.index(name)])
+
+
+def fit_percent(measured: NDArray[Any], predicted: NDArray[Any]) -> float:
+    """Return 100 (1 - |measured - predicted|/|measured - mean of measured|), of real or complex values."""
+    spread = float(np.linalg.norm(measured - measured.mean()))
+    if spread == 0.0:
+        raise ParameterError("measured", f"{measured[0]:g} throughout", "a record that changes")
+    return 100.0 * (1.0 - float(np.linalg.norm(measured - predicted)) / spread)
+
+
+def fit_output(model: Callable[[Mapping[str, float]], Array], measured: Array, free: Mapping[str, Free]) -> OutputFit:
+    """Fit a model's output by nonlinear least squares (Gauss-Newton in a trust region, within bounds).
+
+    Parameters
+    ----------
+    model : callable
+        From parameters by name to its output (n,).
+    measured : ndarray (n,)
+    free : mapping of str to Free
+
+    Raises
+    ------
+    ParameterError
+        If the record is shorter than its parameters are many, does not change, or leaves parameters untold.
+    """
+    from scipy.optimize import least_squares
+
+    names = tuple(free)
+    if measured.size <= 2 * len(names):
+        raise ParameterError("record", f"{measured.size} samples", f"more than {2 * len(names)} for {len(names)} parameters")
+    low, high, scale = (np.array([getattr(f, part) for f in free.values()]) for part in ("low", "high", "scale"))
+
+    def output(x: Array) -> Array:
+        return model(dict(zip(names, x.tolist(), strict=True)))
+
+    # Of size one, so that the tolerances mean the same whatever the unit.
+    size = float(np.linalg.norm(measured - measured.mean())) / math.sqrt(measured.size) or 1.0
+
+    def left(x: Array) -> Array:
+        return (output(x) - measured) / size
+
+    start = np.clip([f.start for f in free.values()], low, high)
+    found = least_squares(left, start, jac="3-point", bounds=(low, high), x_scale=scale, xtol=1e-10, ftol=1e-12, gtol=1e-12)
+    values = np.asarray(found.x, dtype=float)
+    lowest, highest = values - low <= NEAR_BOUND * scale, high - values <= NEAR_BOUND * scale
+    values, bound = np.where(lowest, low, np.where(highest, high, values)), lowest | highest
+    predicted = output(values)
+    slopes = _slopes(output, values, low, high, scale)
+    told = _covariance(slopes[:, ~bound], predicted - measured, [name for name, b in zip(names, bound, strict=True) if not b])
+    white, robust = np.zeros(len(names)), np.zeros(len(names))
+    white[~bound], robust[~bound] = told[0], told[1]
+    correlation = np.eye(len(names))
+    correlation[np.ix_(~bound, ~bound)] = told[2]
+    stuck = tuple(name for name, b in zip(names, bound, strict=True) if b)
+    return OutputFit(names, values, white, robust, correlation, told[3], stuck, measured, predicted, fit_percent(measured, predicted))
+
+
+def _slopes(output: Callable[[Array], Array], at: Array, low: Array, high: Array, scale: Array) -> Array:
+    """Return the sensitivities (n, p) by differences within the bounds; wide enough to pass over the kinks of sticking."""
+    columns = []
+    for i in range(at.size):
+        step = np.zeros(at.size)
+        step[i] = 1e-4 * max(abs(at[i]), scale[i])
+        up, down = np.minimum(at + step, high), np.maximum(at - step, low)
+        columns.append((output(up) - output(down)) / max(up[i] - down[i], 1e-300))
+    return np.column_stack(columns)
+
+
+def _covariance(slopes: Array, residual: Array, names: Sequence[str]) -> tuple[Array, Array, Array, float]:
+    """Return deviations for a white and for a correlated residual, correlation, and the condition number of the scaled slopes."""
+    if not names:
+        return np.empty(0), np.empty(0), np.empty((0, 0)), 1.0
+    lengths = np.linalg.norm(slopes, axis=0)
+    if not lengths.all():
+        raise ParameterError("record", "a record", f"one in which {names[int(np.argmin(lengths))]} shows")
+    scaled = slopes / lengths
+    condition = float(np.linalg.cond(scaled))
+    if condition**2 > UNTOLD:
+        _, _, directions = np.linalg.svd(scaled, full_matrices=False)
+        mixed = [name for name, part in zip(names, directions[-1], strict=True) if abs(part) > 0.2]
+        raise ParameterError("record", "a record", f"one that tells {' and '.join(mixed)} apart: vary the command more")
+    inverse = np.linalg.inv(scaled.T @ scaled)
+    white = np.sqrt(np.diag(inverse) * float(residual @ residual) / max(residual.size - len(names), 1))
+    robust = coloured_deviations(scaled, residual, inverse, lasting_window(residual))
+    size = np.sqrt(np.diag(inverse))
+    return white / lengths, robust / lengths, inverse / np.outer(size, size), condition
+
+
+def lasting_window(residual: Array) -> Array:
+    """Return the window over lags that suits the residual (n,) of a simulated model.
+
+    Notes
+    -----
+    Parzen's window over four times the lag at which the residual has forgotten itself, at least 4 sqrt(n) and at most a tenth of the
+    record: a simulated model leaves residuals that last as long as the model's own motion, and those of a differenced position take back
+    at the next sample what they were at this one, which a window with a corner at its top, as Bartlett's, would not see.
+    """
+    n = residual.size
+    until = 4 * memory(residual, max(0.05, 2.0 / math.sqrt(n)), n // 10)
+    return parzen(min(max(until, int(4.0 * math.sqrt(n))), max(n // 10, 1)))

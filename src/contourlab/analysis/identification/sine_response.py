@@ -1,0 +1,229 @@
+"""Frequency response at one frequency from a run with a sine in it, by least squares with harmonics, and whether it can be trusted.
+
+A sine that rides on a moving axis keeps friction from turning over, so that the response is that of the drive; where the axis stands still
+within the sine, at an end stop or sticking, it is not.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from contourlab.analysis.identification.coloured_residual import coloured_deviations
+from contourlab.analysis.identification.frequency_response import Measured, MeasuredResponse
+from contourlab.analysis.identification.output_error import lasting_window
+from contourlab.errors import ParameterError
+
+__all__ = ["SinePoint", "sine_point", "sine_responses", "sine_stretch"]
+
+Array = NDArray[np.float64]
+PURE = 0.03
+"""Share of a sine's size that may be left of the excitation when the sine is taken away."""
+HARMONICS = 5
+LEAST_PERIODS = 0.9
+DISTORTED = 0.1
+"""Harmonics of the velocity over its fundamental from which a point is remarked on."""
+STILL = 0.03
+"""Share of the stretch at rest from which a point is left out."""
+
+
+@dataclass(frozen=True)
+class SinePoint:
+    """A point of a frequency response.
+
+    Attributes
+    ----------
+    frequency : float [Hz]
+    response : complex [m per command]
+    deviation : float
+        Relative.
+    periods : float
+        That were fitted.
+    distortion, command_distortion : float
+        Harmonics of velocity and command over their fundamentals.
+    still : float
+        Share of the stretch in which the axis stood still.
+    coherence : float
+        Share of the velocity's power that the fundamental has.
+    """
+
+    frequency: float
+    response: complex
+    deviation: float
+    periods: float
+    distortion: float
+    command_distortion: float
+    still: float
+    coherence: float
+
+
+def sine_stretch(excitation: Array, period: float) -> tuple[int, int, float] | None:
+    """Return the samples [start, stop) in which an excitation is one sine, and its frequency [Hz]; None where there is none.
+
+    Parameters
+    ----------
+    excitation : ndarray (n,)
+        Free of noise: a reference, or an open-loop command. Stretches are told by where it rests.
+    period : float [s]
+    """
+    size = float(np.ptp(excitation))
+    if size == 0.0:
+        return None
+    moves = np.abs(np.diff(excitation)) > 1e-6 * size
+    # A sine is still for a sample or two at its tops.
+    filled = np.convolve(moves, np.ones(5), "same") > 0.0
+    edges = np.flatnonzero(np.diff(np.r_[False, filled, False].astype(np.int8)))
+    best: tuple[int, int, float] | None = None
+    for start, stop in zip(edges[::2].tolist(), edges[1::2].tolist(), strict=True):
+        if stop - start < 20 or (best is not None and stop - start <= best[1] - best[0]):
+            continue
+        first, last = start + 3, stop - 3
+        frequency = _frequency(excitation[first:last], period)
+        if frequency is not None and frequency * (last - first) * period >= LEAST_PERIODS:
+            best = (first, last, frequency)
+    return best
+
+
+def _frequency(part: Array, period: float) -> float | None:
+    """Return the frequency [Hz] of what is a sine and a constant; None where it is something else."""
+    from scipy.optimize import minimize_scalar
+
+    t = period * np.arange(part.size)
+    spread = float(np.sum((part - part.mean()) ** 2))
+
+    def left(frequency: float) -> float:
+        w = 2.0 * math.pi * frequency
+        columns = np.column_stack([np.ones_like(t), np.sin(w * t), np.cos(w * t)])
+        found = np.linalg.lstsq(columns, part, rcond=None)[0]
+        return float(np.sum((part - columns @ found) ** 2))
+
+    size = 8 * part.size
+    spectrum = np.abs(np.fft.rfft((part - part.mean()) * np.hanning(part.size), size))
+    peak = max(int(np.argmax(spectrum[4:])) + 4, 4) / (size * period)
+    step = 1.0 / (part.size * period)
+    candidates = np.linspace(max(peak - 1.5 * step, 0.5 * step), peak + 1.5 * step, 25)
+    start = float(candidates[int(np.argmin([left(float(f)) for f in candidates]))])
+    found = minimize_scalar(left, bounds=(start - 0.2 * step, start + 0.2 * step), method="bounded", options={"xatol": 1e-7 * start})
+    return float(found.x) if float(found.fun) < PURE**2 * spread else None
+
+
+def sine_point(run: Measured, start: int, stop: int, frequency: float) -> SinePoint:
+    """Return the response at the frequency of a sine, from the stretch in which it is on.
+
+    Parameters
+    ----------
+    run : Measured
+    start, stop : int
+    frequency : float [Hz]
+
+    Raises
+    ------
+    ParameterError
+        If the stretch is too short.
+    """
+    cycle = 1.0 / (frequency * run.period)
+    periods = (stop - start) / cycle
+    # The first quarter, a whole period at least, is left to the transient where there are periods enough.
+    skip = round(max(1.0, math.floor(0.25 * periods)) * cycle) if periods >= 2.9 else 0
+    first = start + skip
+    whole = math.floor((stop - first) / cycle + 1e-6)
+    last = min(stop, first + round(whole * cycle)) if whole >= 1 else stop
+    if last - first < 12:
+        raise ParameterError("record", f"{last - first} samples of a sine of {frequency:.4g} Hz", "at least 12: sample faster")
+    t = np.asarray(run.period * np.arange(first, last), dtype=float)
+    w = 2.0 * math.pi * frequency
+    most = min(HARMONICS, max(1, int(0.45 / (frequency * run.period))))
+    y, y_deviation, y_rest = _harmonics(run.position[first:last], t, w, most, 2 if whole >= 2 else 1)
+    u, _, _ = _harmonics(run.command[first:last], t, w, most, 0)
+    order = np.arange(1, most + 1)
+    speed, drive = np.abs(y) * order, np.abs(u)
+    steps = np.diff(run.position[first:last])
+    still = float(np.mean(_still(steps)))
+    fundamental = 0.5 * (w * abs(y[0])) ** 2
+    rest = float(np.sum(0.5 * (w * speed[1:]) ** 2)) + float(np.var(np.diff(y_rest) / run.period))
+    return SinePoint(
+        frequency,
+        complex(y[0] / u[0]),
+        y_deviation / abs(y[0]),
+        (last - first) / cycle,
+        float(np.linalg.norm(speed[1:]) / speed[0]),
+        float(np.linalg.norm(drive[1:]) / drive[0]),
+        still,
+        fundamental / (fundamental + rest),
+    )
+
+
+def _still(steps: Array) -> NDArray[np.bool_]:
+    """Return which samples belong to a stretch of ten or more in which nothing moves, measured by the usual step."""
+    usual = float(np.median(np.abs(steps)))
+    count = min(10, steps.size)
+    average = np.convolve(steps, np.ones(count) / count, "same")
+    return np.asarray(np.abs(average) < 0.02 * max(usual, float(np.abs(average).max())))
+
+
+def _harmonics(values: Array, t: Array, w: float, most: int, trend: int) -> tuple[NDArray[np.complex128], float, Array]:
+    """Return complex amplitudes of the harmonics, the deviation of the first one's, and what is left."""
+    middle = t - t.mean()
+    polynomial = [(middle / (abs(middle[0]) or 1.0)) ** k for k in range(trend + 1)]
+    waves = [part for h in range(1, most + 1) for part in (np.cos(h * w * t), -np.sin(h * w * t))]
+    columns = np.column_stack([*polynomial, *waves])
+    found, *_ = np.linalg.lstsq(columns, values, rcond=None)
+    left = values - columns @ found
+    inverse = np.linalg.pinv(columns.T @ columns)
+    enough = left.size > 2 * columns.shape[1]
+    spread = coloured_deviations(columns, left, inverse, lasting_window(left)) if enough else np.zeros(columns.shape[1])
+    k = trend + 1
+    amplitudes = found[k::2] + 1j * found[k + 1 :: 2]
+    return amplitudes, float(np.hypot(spread[k], spread[k + 1]) / math.sqrt(2.0)), left
+
+
+def sine_responses(runs: Sequence[Measured], names: Sequence[str]) -> MeasuredResponse:
+    """Return the response at the frequencies of several runs, each with a sine of its own.
+
+    Parameters
+    ----------
+    runs : sequence of Measured
+        Each with a sine as command, or as the signal from outside.
+    names : sequence of str
+        Of the logs.
+
+    Raises
+    ------
+    ParameterError
+        If no run has a sine that can be trusted.
+    """
+    points: list[SinePoint] = []
+    said: list[str] = []
+    periods: list[float] = []
+    for run, name in zip(runs, names, strict=True):
+        stretch = sine_stretch(run.command if run.outside is None else run.outside, run.period)
+        if stretch is None:
+            said.append(f"{name}: no stretch in which the excitation is a sine")
+            continue
+        point = sine_point(run, *stretch)
+        if point.still > STILL:
+            said.append(f"{name}: the axis stands still in {100.0 * point.still:.2g} % of the sine, at an end or sticking: left out")
+            continue
+        if point.distortion > DISTORTED:
+            said.append(
+                f"{name}: harmonics make {100.0 * point.distortion:.2g} % of the velocity at {point.frequency:.4g} Hz: no linear response"
+            )
+        if point.periods < 1.9:
+            said.append(f"{name}: {point.periods:.2g} periods of {point.frequency:.4g} Hz, its transient included")
+        points.append(point)
+        periods.append(run.period)
+    if not points:
+        raise ParameterError("logs", f"{len(runs)} of them", "one with a sine in it: " + "; ".join(said))
+    # The drive has one servo period; a log that keeps every tenth sample does not make its command held for longer.
+    period = min(periods)
+    if max(periods) > 1.001 * period:
+        told = f"{1e3 * period:.4g} to {1e3 * max(periods):.4g} ms"
+        said.append(f"sample periods are {told}: the command is taken as held for the shortest of them")
+    points.sort(key=lambda p: p.frequency)
+    columns = [np.array([getattr(p, key) for p in points]) for key in ("frequency", "response", "deviation", "coherence", "distortion")]
+    frequency, response, deviation, coherence, distortion = columns
+    return MeasuredResponse(frequency, response, deviation, coherence, "one sine a run, least squares", period, distortion, tuple(said))

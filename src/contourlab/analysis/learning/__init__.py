@@ -1,0 +1,1 @@
+"""Learning from trial to trial: convergence, and the design of its filters."""

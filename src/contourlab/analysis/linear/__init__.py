@@ -1,0 +1,1 @@
+"""Linear loops as they are sampled: poles, margins, responses, and linear designs."""

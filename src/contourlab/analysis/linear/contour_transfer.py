@@ -1,0 +1,259 @@
+"""The contour error with cross-coupling over that without: eq (22), sampled as it runs, with its margins over all directions of the normal.
+
+A machine turns the contour error by 1/(1 + L), L = C_cc P_e and P_e = sum n_i^2 P_i/(1 + P_i C_i): a mean of the axes' own responses whose
+weights n_i^2 are the direction of the normal. Over all directions L fills, at each frequency, the convex hull of the axes' own
+C_cc P_i/(1 + P_i C_i): the distance of that polygon from -1 is the worst that any direction does, without a grid of directions. Where the
+normal has more than one direction (three axes and more) the loop is a matrix whose numerical range lies in the same polygon: its distance
+from -1 then bounds the smallest singular value of 1 + L from below.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from functools import cached_property
+from itertools import combinations
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from contourlab.analysis.linear.coupled_loop import CoupledLoop, coupled_loop, normal_basis
+from contourlab.analysis.linear.hull_margins import HullMargin, edge_margins, hull_modulus
+from contourlab.analysis.linear.tick_map import poles_of
+from contourlab.errors import ComponentError, ParameterError
+from contourlab.loop.machine import Controller, Machine
+
+__all__ = ["ContourMargins", "ContourTransfer", "contour_error_transfer", "contour_margins", "contour_transfer", "equivalent_plant"]
+
+Array = NDArray[np.float64]
+Complex = NDArray[np.complex128]
+
+LEFT_STANDING = 1e-7
+"""Distance from 1 of a pole that neither grows nor dies."""
+TOUCHING = 1e-6
+"""Distance of the polygon from -1 below which it is taken to reach it: what is left of a search over frequency."""
+
+
+def equivalent_plant(plant: ArrayLike, feedback: ArrayLike, normal: ArrayLike) -> Complex:
+    """Return P_e = sum n_i^2 P_i/(1 + P_i C_i), the plant that the cross-coupled controller sees.
+
+    Parameters
+    ----------
+    plant, feedback : array_like (..., n_axis), complex
+        P_i and C_i at any number of frequencies, in continuous time or sampled.
+    normal : array_like (n_axis,)
+        Coupling gains C_i: the unit normal, or the longer vector of variable gains.
+
+    References
+    ----------
+    Gecer Ulu, Ulu & Cakmakci, below eq (22).
+    """
+    p, c, n = np.asarray(plant, dtype=complex), np.asarray(feedback, dtype=complex), np.asarray(normal, dtype=float)
+    return np.asarray((n**2 * p / (1.0 + p * c)).sum(axis=-1))
+
+
+def contour_error_transfer(coupling: ArrayLike, plant: ArrayLike, feedback: ArrayLike, normal: ArrayLike) -> Complex:
+    """Return H = 1/(1 + C_cc P_e), the contour error with cross-coupling over that without: eq (22).
+
+    Parameters
+    ----------
+    coupling : array_like (...,), complex
+        C_cc.
+    plant, feedback, normal
+        As of `equivalent_plant`.
+
+    >>> float(abs(contour_error_transfer(6.0, [[1.0, 1.0]], [[2.0, 2.0]], [0.6, 0.8])[0]))  # T = 2/3, kappa = 3: 1/(1 + 3 T)
+    0.3333333333333333
+    """
+    return np.asarray(1.0 / (1.0 + np.asarray(coupling, dtype=complex) * equivalent_plant(plant, feedback, normal)))
+
+
+@dataclass(frozen=True)
+class ContourMargins:
+    """Margins of the coupling over all directions of the path, each direction standing still. An unstable loop has none: they are nan.
+
+    A direction is a unit vector over the axes, known up to the signs of its entries: of the normal for cross-coupling, of the tangent for
+    a modified reference.
+
+    Attributes
+    ----------
+    stable : bool
+        Whether every axis, and the coupling in every direction, is stable.
+    modulus : float
+        Smallest distance of the loop gain from -1 over frequency and direction.
+    modulus_frequency : float [rad/s]
+    modulus_direction : tuple of float
+    gain : float
+        Smallest factor > 1 on the coupling at which some direction would reach -1; infinite if none.
+    gain_direction : tuple of float
+    phase : float [rad]
+        Smallest turn of phase at a gain of 1, over all directions; infinite if the gain is never 1.
+    phase_direction : tuple of float
+    crossover : float [rad/s]
+        Frequency of the phase margin; nan if there is none.
+    """
+
+    stable: bool
+    modulus: float = math.nan
+    modulus_frequency: float = math.nan
+    modulus_direction: tuple[float, ...] = ()
+    gain: float = math.nan
+    gain_direction: tuple[float, ...] = ()
+    phase: float = math.nan
+    phase_direction: tuple[float, ...] = ()
+    crossover: float = math.nan
+
+
+@dataclass(frozen=True, eq=False)
+class ContourTransfer:
+    """The coupled machine in the frequency domain; frequencies in rad/s, above 0 and up to the Nyquist frequency.
+
+    Attributes
+    ----------
+    loop : CoupledLoop
+    strength : float
+        |C|^2, length of the coupling gains squared: 1 for the unit normal. See `contour_transfer`.
+    """
+
+    loop: CoupledLoop
+    strength: float = 1.0
+
+    @property
+    def along(self) -> bool:
+        """Whether the coupling acts on the error along the path (modified reference) rather than on that across it."""
+        return self.loop.coupling.weight != 0.0
+
+    def vertices(self, frequency: ArrayLike) -> Complex:
+        """Return the loop gain with the direction along each axis in turn: (n, n_axis)."""
+        if self.along:
+            weight = self.loop.coupling.weight
+            return np.column_stack([-weight * axis.shifted(frequency) for axis in self.loop.axes])
+        pushed = np.column_stack([axis.response(frequency)[0] for axis in self.loop.axes])
+        return np.asarray(self.strength * self.loop.coupling(frequency)[:, None] * pushed)
+
+    def loop_gain(self, frequency: ArrayLike, direction: ArrayLike) -> Complex:
+        """Return L (n,) with a direction (n_axis,), the normal of the path, at rest; for a modified reference the tangent."""
+        return np.asarray(self.vertices(frequency) @ self._weights(direction))
+
+    def cetf(self, frequency: ArrayLike, direction: ArrayLike) -> Complex:
+        """Return 1/(1 + L) (n,): the error with coupling over that without, with a direction at rest (eq 22)."""
+        return np.asarray(1.0 / (1.0 + self.loop_gain(frequency, direction)))
+
+    def distance(self, frequency: ArrayLike) -> Array:
+        """Return the distance (n,) of -1 from the loop gains of all directions; its inverse bounds the contour error transfer function."""
+        return hull_modulus(self.vertices(frequency))
+
+    def _weights(self, direction: ArrayLike) -> Array:
+        n = np.asarray(direction, dtype=float)
+        if n.shape != (len(self.loop.axes),) or not np.linalg.norm(n) > 0.0:
+            raise ParameterError("direction", f"{n.tolist()}", f"a vector of {len(self.loop.axes)} numbers, not all zero")
+        return np.asarray(n**2 / (n @ n))
+
+    @cached_property
+    def grid(self) -> Array:
+        """Frequencies at which nothing of the loops slips through: dense over the decades, over a delay, and about each pole."""
+        period, top = self.loop.servo_period, self.loop.nyquist
+        poles = [self.loop.axes[i].loop.poles for i in range(len(self.loop.axes))] + [poles_of(self.loop.coupling.f)]
+        found = [np.geomspace(1e-5 * top, top, 400), np.linspace(0.0, top, 12 * max(len(a.a) for a in self.loop.axes) + 2)]
+        known = np.concatenate([*poles, *(self._vertex_poles(i) for i in range(len(self.loop.axes)))])
+        angle, width = np.abs(np.angle(known)), np.abs(1.0 - np.abs(known))
+        found += [(angle + k * width) / period for k in (-2.0, -1.0, -0.5, 0.0, 0.5, 1.0, 2.0)]
+        w = np.unique(np.concatenate(found))
+        return np.asarray(w[(w >= 1e-5 * top) & (w <= top)])
+
+    def _vertex_poles(self, i: int) -> Complex:
+        unit = np.eye(len(self.loop.axes))[i]
+        if self.along:
+            return self.loop.poles(normal_basis(unit) if len(unit) > 1 else np.zeros((1, 0)))
+        scaled = np.sqrt(self.strength) * unit
+        return self.loop.poles(scaled[:, None])
+
+    @cached_property
+    def _modulus(self) -> HullMargin:
+        from scipy.optimize import minimize_scalar
+
+        w = self.grid
+        distance = self.distance(w)
+        low = np.concatenate([[math.inf], distance, [math.inf]])
+        dips = np.flatnonzero((distance <= low[:-2]) & (distance <= low[2:]))
+        found = [(float(distance.min()), float(w[distance.argmin()]))]
+        for i in dips[np.argsort(distance[dips])][:4]:
+            bounds = (float(w[max(i - 1, 0)]), float(w[min(i + 1, w.size - 1)]))
+            best = minimize_scalar(
+                lambda x: float(self.distance(x)[0]), bounds=bounds, method="bounded", options={"xatol": 1e-9 * bounds[1]}
+            )
+            found.append((float(best.fun), float(best.x)))
+        value, at = min(found)
+        return HullMargin.nearest(value, at, self.vertices(at)[0])
+
+    @cached_property
+    def stable(self) -> bool:
+        """Whether the machine is stable with any direction at rest.
+
+        Where one direction is stable and -1 is in the polygon of no frequency, no pole can leave the unit circle on the way to any other.
+        """
+        axes = all(axis.loop.stable for axis in self.loop.axes)
+        inside = all(_settles(self._vertex_poles(i)) for i in range(len(self.loop.axes)))
+        return axes and inside and self._modulus.value > TOUCHING
+
+    def margins(self) -> ContourMargins:
+        """Return the margins over all directions."""
+        if not self.stable:
+            worst = self._modulus
+            return ContourMargins(False, math.nan, worst.frequency, _direction(worst.weights))
+        worst = self._modulus
+        phase, gain = edge_margins(self.vertices, self.grid, list(combinations(range(len(self.loop.axes)), 2)))
+        return ContourMargins(
+            True,
+            worst.value,
+            worst.frequency,
+            _direction(worst.weights),
+            gain.value,
+            _direction(gain.weights),
+            phase.value,
+            _direction(phase.weights),
+            phase.frequency,
+        )
+
+
+def _settles(poles: Complex) -> bool:
+    """An integral of the coupling beside those of the axes leaves a pole at 1: only their sum is told, and what each holds stands still."""
+    return bool(np.abs(poles[np.abs(poles - 1.0) > LEFT_STANDING]).max(initial=0.0) < 1.0)
+
+
+def _direction(weights: Array) -> tuple[float, ...]:
+    return tuple(float(x) for x in np.sqrt(weights))
+
+
+def contour_transfer(machine: Machine, controller: Controller, *, strength: float = 1.0) -> ContourTransfer:
+    """Return the contour error transfer function of a machine under its controller, from the steps that run.
+
+    Parameters
+    ----------
+    machine, controller
+        Linear but for limits, friction and quantisation, which are left out.
+    strength : float, > 0
+        |C|^2, length of the coupling gains squared, which multiplies the loop gain. The unit normal has 1. Koren and Lo's variable gains
+        are C = n + e/(2 rho): (1 + e_max/(2 rho_min))^2 is the most they reach with a tracking error of e_max and curvature radii from
+        rho_min, and the margins are to be asked for at that.
+
+    Raises
+    ------
+    ComponentError
+        If the controller has no coupling, or a component is not linear.
+    ParameterError
+        If the strength is not positive.
+    """
+    if controller.coupling is None:
+        raise ComponentError("the controller has no coupling, so it has no contour error transfer function: give it one")
+    if not (strength > 0.0 and math.isfinite(strength)):
+        raise ParameterError("strength", f"{strength:g}", "> 0 and finite")
+    return ContourTransfer(coupled_loop(machine, controller), strength)
+
+
+def contour_margins(machine: Machine, controller: Controller, *, strength: float = 1.0) -> ContourMargins:
+    """Return gain, phase and modulus margin of the coupling over all directions of the path; see `contour_transfer`.
+
+    Each direction stands still. What turning of the path adds is a matter of `internal_stability`.
+    """
+    return contour_transfer(machine, controller, strength=strength).margins()

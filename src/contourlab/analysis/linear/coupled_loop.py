@@ -1,0 +1,359 @@
+"""Axes and their coupling for small errors around the reference, from the very steps that run.
+
+Each axis is closed by its own controller; what is left open is what enters its command from elsewhere (the correction of a cross-coupling,
+a learned table) and what moves its reference. The coupling is taken as it runs on an error in one direction.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from functools import cached_property
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from contourlab.analysis.linear.delay_form import DelayForm
+from contourlab.analysis.linear.sampled_loop import SampledLoop, sampled_loop
+from contourlab.analysis.linear.tick_map import poles_of
+from contourlab.components.contract import Component
+from contourlab.engine.step import pack, record, unpack
+from contourlab.errors import ComponentError, ParameterError
+from contourlab.loop.machine import Controller, Machine
+from contourlab.primitives import Clock
+
+__all__ = ["AxisLink", "CoupledLoop", "CouplingModel", "axis_link", "coupled_loop", "coupling_model", "impulse_responses", "normal_basis"]
+
+Array = NDArray[np.float64]
+Complex = NDArray[np.complex128]
+
+NEGLIGIBLE = 1e-13
+"""Part of the largest value at which an impulse response has died away."""
+LOOK = 512
+"""Samples over which it has to be that small."""
+
+
+@dataclass(frozen=True, eq=False)
+class AxisLink:
+    """One axis closed by its controller: x(k + 1) = A x(k) + b v(k) + r m(k), with what is added to its command and to its reference.
+
+    Attributes
+    ----------
+    loop : SampledLoop
+        What it was made of.
+    a : ndarray (n, n)
+    b, r : ndarray (n,)
+        Of the added command v and of the shift m of the reference.
+    position : ndarray (n,)
+        Position at tick k from x(k).
+    command : ndarray (n + 2,)
+        Command at tick k from x(k), v(k), m(k), what was added included.
+    """
+
+    loop: SampledLoop
+    a: Array
+    b: Array
+    r: Array
+    position: Array
+    command: Array
+
+    def response(self, frequency: ArrayLike) -> tuple[Complex, Complex]:
+        """Return position over added command, P/(1 + P C), and the share of it that the axis' own law takes back, T = P C/(1 + P C).
+
+        Parameters
+        ----------
+        frequency : array_like (n,) [rad/s]
+            Above 0 and up to the Nyquist frequency.
+        """
+        found = self.form(frequency)
+        return found[:, 0, 0], 1.0 - found[:, 1, 0]
+
+    def shifted(self, frequency: ArrayLike) -> Complex:
+        """Return position over a shift of the reference alone, without feedforward of its derivatives: (n,)."""
+        return np.asarray(self.form(frequency)[:, 0, 1])
+
+    def form(self, frequency: ArrayLike) -> Complex:
+        """Return position and command over added command and shift of the reference: (n, 2, 2)."""
+        w = np.atleast_1d(np.asarray(frequency, dtype=float))
+        top = self.loop.nyquist
+        if not ((w > 0.0) & (w <= top * (1.0 + 1e-9))).all():
+            raise ParameterError("frequency", "an array", f"> 0 and up to the Nyquist frequency, {top:g}", "rad/s")
+        found = self._form(np.exp(1j * w * self.loop.servo_period))
+        found[:, 1] += self.command[-2:]
+        return np.asarray(found)
+
+    @cached_property
+    def _form(self) -> DelayForm:
+        return DelayForm(self.a, np.column_stack([self.b, self.r]), np.vstack([self.position, self.command[:-2]]))
+
+
+@dataclass(frozen=True, eq=False)
+class CouplingModel:
+    """A coupling on an error of one direction, as it runs.
+
+    Attributes
+    ----------
+    f, g, h, d : ndarray (m, m), (m,), (m,), float
+        q(k + 1) = F q + g eps, correction = h q + d eps: from the contour error, along the normal from the tool to the path, to the
+        correction along the same normal. All zero for a coupling that gives none.
+    weight : float
+        Part of the position along the path that the modified reference gives away, lambda; 0 for a coupling that leaves the reference.
+    servo_period : float [s]
+    """
+
+    f: Array
+    g: Array
+    h: Array
+    d: float
+    weight: float
+    servo_period: float
+
+    def __call__(self, frequency: ArrayLike) -> Complex:
+        """Return C_cc (n,) at frequencies (n,) [rad/s]."""
+        z = np.exp(1j * np.atleast_1d(np.asarray(frequency, dtype=float)) * self.servo_period)
+        if not len(self.f):
+            return np.full(z.shape, self.d, dtype=complex)
+        inner = np.linalg.solve(
+            z[:, None, None] * np.eye(len(self.f)) - self.f, np.broadcast_to(self.g[:, None] + 0j, (z.size, len(self.g), 1))
+        )
+        return np.asarray((self.h @ inner)[:, 0] + self.d)
+
+
+@dataclass(frozen=True, eq=False)
+class CoupledLoop:
+    """The axes of a machine with the coupling between them.
+
+    Attributes
+    ----------
+    names : tuple of str
+    axes : tuple of AxisLink
+    coupling : CouplingModel
+    servo_period : float [s]
+    """
+
+    names: tuple[str, ...]
+    axes: tuple[AxisLink, ...]
+    coupling: CouplingModel
+    servo_period: float
+
+    @property
+    def nyquist(self) -> float:
+        """Half of the sampling frequency [rad/s]."""
+        return float(np.pi / self.servo_period)
+
+    def frequencies(self, n: int = 300) -> Array:
+        """Return frequencies (n,) [rad/s] for a picture, up to the Nyquist frequency."""
+        return self.axes[0].loop.frequencies(n)
+
+    def responses(self, frequency: ArrayLike) -> tuple[Complex, Complex]:
+        """Return P/(1 + P C) and T of every axis: two arrays (n, n_axis)."""
+        found = [axis.response(frequency) for axis in self.axes]
+        return np.column_stack([g for g, _ in found]), np.column_stack([t for _, t in found])
+
+    def matrix(self, normals: Array) -> Array:
+        """Return the matrix of a tick with the normals (n_axis, n_normal) standing still: the axes' states, then the coupling's."""
+        sizes = [len(axis.a) for axis in self.axes]
+        first, r, m = np.concatenate([[0], np.cumsum(sizes)]), normals.shape[1], len(self.coupling.f)
+        total = int(first[-1])
+        positions, pushed, referred = np.zeros((len(sizes), total)), np.zeros((total, len(sizes))), np.zeros((total, len(sizes)))
+        a = np.zeros((total + m * r, total + m * r))
+        for i, axis in enumerate(self.axes):
+            rows = slice(first[i], first[i + 1])
+            a[rows, rows], positions[i, rows], pushed[rows, i], referred[rows, i] = axis.a, axis.position, axis.b, axis.r
+        across, along = normals @ normals.T, np.eye(len(sizes)) - normals @ normals.T
+        a[:total, :total] += -self.coupling.d * pushed @ across @ positions + self.coupling.weight * referred @ along @ positions
+        eye = np.eye(r)
+        a[:total, total:] = pushed @ normals @ np.kron(self.coupling.h[None, :], eye)
+        a[total:, :total] = -np.kron(self.coupling.g[:, None], eye) @ normals.T @ positions
+        a[total:, total:] = np.kron(self.coupling.f, eye)
+        return a
+
+    def poles(self, normals: Array) -> Complex:
+        """Return the poles of the machine with the normals (n_axis, n_normal) standing still."""
+        return poles_of(self.matrix(normals))
+
+
+def coupled_loop(machine: Machine, controller: Controller) -> CoupledLoop:
+    """Return the machine for small errors: friction, disturbance, quantisation, limits and feedforward left out.
+
+    Axes that move along each other are taken without each other's reaction.
+
+    Raises
+    ------
+    ComponentError
+        If a component is not linear, or the coupling is of no kind that the analysis knows.
+    """
+    period = machine.servo_period
+    links = tuple(axis_link(machine, controller, name) for name in machine.axis_names)
+    return CoupledLoop(machine.axis_names, links, coupling_model(controller.coupling, period), period)
+
+
+def axis_link(machine: Machine, controller: Controller, name: str) -> AxisLink:
+    """Return one axis of a machine, closed by its controller; feedforward of the reference is no part of a loop and is left out."""
+    mine = replace(controller.axes[name], feedforward=None)
+    return link_of(sampled_loop(machine.axis(name), mine, machine.servo_period, machine.carried_mass(name)))
+
+
+def link_of(loop: SampledLoop) -> AxisLink:
+    """Return a sampled loop as seen from outside: closed, with what is added to its command."""
+    cut, c = loop.b[:, :2], loop.c
+    # What leaves the controller at a tick enters the drive at the same tick, and what is added goes the same way.
+    inner = np.linalg.inv(np.eye(2) - c @ cut)
+    closed, driven = loop.closed
+    pushed, referred = cut @ inner[:, 0], driven[:, 0]
+    through = c[0] @ closed
+    kept = _live(closed, np.column_stack([pushed, referred]), np.vstack([loop.state[0], through]))
+    # The command holds what was added to it.
+    direct = np.array([c[0] @ pushed + 1.0, c[0] @ referred])
+    return AxisLink(
+        loop,
+        closed[np.ix_(kept, kept)],
+        pushed[kept],
+        referred[kept],
+        loop.state[0, kept],
+        np.concatenate([through[kept], direct]),
+    )
+
+
+def impulse_responses(axes: Sequence[AxisLink], n_sample: int, target: str) -> Array:
+    """Return the positions of axes, each alone, after an impulse of 1 at sample 0 in what is added to their command or reference.
+
+    Parameters
+    ----------
+    axes : sequence of AxisLink
+        The response of one that is not stable lasts to the end.
+    n_sample : int
+        Longest response that is of use.
+    target : {"command", "reference"}
+
+    Returns
+    -------
+    ndarray (m, n_axis) [m per command unit, or m/m]
+        m <= n_sample; what comes later is below 1e-13 of the largest value.
+    """
+    found = [_impulse_response(axis, n_sample, target) for axis in axes]
+    longest = max(len(response) for response in found)
+    return np.column_stack([np.pad(response, (0, longest - len(response))) for response in found])
+
+
+def _impulse_response(axis: AxisLink, n_sample: int, target: str) -> Array:
+    found, state = np.zeros(n_sample), axis.b if target == "command" else axis.r
+    largest = 0.0
+    for k in range(1, n_sample):
+        found[k] = axis.position @ state
+        state = axis.a @ state
+        # Over a stretch, since one sample may happen to pass zero; a long delay comes before anything.
+        if k % LOOK == 0:
+            last = float(np.abs(found[k - LOOK : k + 1]).max())
+            largest = max(largest, last)
+            if largest > 0.0 and last <= NEGLIGIBLE * largest:
+                return found[: k + 1]
+    return found
+
+
+def _live(a: Array, b: Array, c: Array) -> NDArray[np.intp]:
+    """Return the states that inputs reach and outputs see, by which entries are not zero."""
+    kept = np.arange(len(a))
+    while True:
+        part = a[np.ix_(kept, kept)]
+        off = part - np.diag(np.diag(part))
+        live = (off.any(axis=0) | (c[:, kept] != 0.0).any(axis=0)) & (off.any(axis=1) | (b[kept] != 0.0).any(axis=1))
+        if live.all():
+            return kept
+        kept = kept[live]
+
+
+def coupling_model(coupling: Component | None, servo_period: float) -> CouplingModel:
+    """Return a coupling as it runs on an error in one direction, which is what it does in any number of axes with that direction at rest.
+
+    Parameters
+    ----------
+    coupling : Component or None
+        Of the family coupling; None for none.
+    servo_period : float [s], > 0
+
+    Raises
+    ------
+    ComponentError
+        If it is not linear in the error, or does with it what this analysis has no form for.
+    """
+    none = np.zeros(0)
+    if coupling is None:
+        return CouplingModel(np.zeros((0, 0)), none, none, 0.0, 0.0, servo_period)
+    probe = _CouplingProbe(coupling, servo_period)
+    m, size = probe.size, probe.size + 2
+    matrix = np.column_stack([probe(unit) for unit in np.eye(size)])
+    point = np.random.default_rng(1).normal(size=size)
+    if not np.allclose(probe(point), matrix @ point, rtol=1e-9, atol=1e-9 * float(np.abs(matrix).max(initial=0.0))):
+        raise ComponentError(f"coupling {coupling.kind} is not linear in the contour error, so it has no frequency response")
+    # Rows: next states, correction across, correction along, shift across, shift along; columns: states, position across, position along.
+    across, along = -matrix[:, m], matrix[:, m + 1]
+    # All but what the form has: a correction across from the error across, a shift along from the position along.
+    form = np.zeros(matrix.shape, dtype=bool)
+    form[: m + 1, : m + 1] = form[m + 3, m + 1] = True
+    form[:m, m + 1] = (matrix[:, :m] == 0.0).all(axis=0)
+    if np.abs(matrix[~form]).max() > 1e-9 * float(np.abs(matrix).max()):
+        raise ComponentError(f"coupling {coupling.kind} neither corrects along the normal nor weights the error along the path")
+    kept = _live(matrix[:m, :m], across[:m, None], matrix[m : m + 1, :m])
+    f, g, h = matrix[np.ix_(kept, kept)], across[kept], matrix[m, kept]
+    return CouplingModel(f, g, h, float(across[m]), float(along[m + 3]), servo_period)
+
+
+class _CouplingProbe:
+    """One tick of a coupling in the plane that travels along the first axis, from any state and any position of the tool."""
+
+    def __init__(self, coupling: Component, servo_period: float) -> None:
+        limit = coupling.parameters.get("limit")
+        part = coupling.replace(limit=np.inf) if limit is not None and limit.default == np.inf else coupling
+        self.step, self.period = part.make_step(2), servo_period
+        self.par = self.step.par_type(**part.block(servo_period), **part.table_values())
+        self.port = [name for port in self.step.states for name in [port.name] * port.rows]
+        self.state_type = record(tuple(port.name for port in self.step.states))
+        self.input_type = record(tuple(port.name for port in self.step.inputs))
+        # The first tick tells it the direction; what it remembers of that is no state of its own.
+        self.rest = np.zeros(len(self.port))
+        self.rest = self._tick(self.rest, 0.0, 0.0)[: len(self.port)]
+        self.own = [i for i, name in enumerate(self.port) if name != "tangent"]
+        self.size = len(self.own)
+        self.offset = self._seen(self._tick(self.rest, 0.0, 0.0))
+
+    def __call__(self, at: Array) -> Array:
+        state = self.rest.copy()
+        state[self.own] += at[: self.size]
+        return self._seen(self._tick(state, float(at[self.size]), float(at[self.size + 1]))) - self.offset
+
+    def _seen(self, raw: Array) -> Array:
+        return np.concatenate([raw[self.own], raw[len(self.port) :]])
+
+    def _tick(self, state: Array, across: float, along: float) -> Array:
+        position = (along, across)
+        offered: dict[str, Any] = {
+            "reference": (0.0, 0.0),
+            "position": position,
+            "foot_position": (along, 0.0),
+            "error_vector": (0.0, -across),
+            "contour_error_estimate": across,
+            "tangent": (1.0, 0.0),
+            "command": (0.0, 0.0),
+            "accepted": (0.0, 0.0),
+        }
+        inp = self.input_type(*(offered[port.name] for port in self.step.inputs))
+        x = self.state_type(*unpack(self.step.states, state.tolist()))
+        x_next, out = self.step.function(self.par, x, inp, Clock(0.0, 0.0, self.period))
+        given = dict(zip((port.name for port in self.step.outputs), out, strict=True))
+        correction, shift = given.get("correction", (0.0, 0.0)), given.get("modified_reference", (0.0, 0.0))
+        return np.array([*pack(self.step.states, x_next), correction[1], correction[0], shift[1], shift[0]])
+
+
+def normal_basis(tangent: ArrayLike) -> Array:
+    """Return unit vectors (n_axis, n_axis - 1) at right angles to a direction and to each other; in the plane the left normal.
+
+    >>> normal_basis([1.0, 0.0]).T
+    array([[-0.,  1.]])
+    """
+    t = np.asarray(tangent, dtype=float)
+    t = t / np.linalg.norm(t)
+    if t.size == 2:
+        return np.array([[-t[1]], [t[0]]])
+    return np.asarray(np.linalg.svd(t[None, :])[2][1:].T)

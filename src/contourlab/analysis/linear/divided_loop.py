@@ -1,0 +1,267 @@
+"""A machine whose controllers are divided between base and axes, for small errors: is it stable with what its links take?
+
+The schedule that runs is cut at the links: what comes out of each becomes an input, what goes in an output, and all else is one linear map
+from tick to tick. Messages, their time on the way and what is held between them are put in by matrices, exactly, so that one map serves
+every message period and delay. Links repeat after a number of ticks; the product of the ticks of one repetition says whether errors die.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from functools import cache
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from contourlab.analysis.linear.sampled_loop import linear_axis, sampled_loop, without_limits
+from contourlab.analysis.linear.tick_map import poles_of, tick_map
+from contourlab.components.contract import Component
+from contourlab.components.estimator.tangent import Tangent
+from contourlab.components.link.ideal import IdealLink
+from contourlab.components.link.network import Network
+from contourlab.engine.schedule import Late, Schedule
+from contourlab.engine.step import Port
+from contourlab.errors import ComponentError, ParameterError
+from contourlab.geometry import Line, Path
+from contourlab.loop.division import Division
+from contourlab.loop.machine import AxisController, Controller, Machine
+from contourlab.loop.template import build
+from contourlab.loop.watch import NAME as WATCH
+
+__all__ = ["DividedLoop", "LinkTiming", "axis_delay_margin", "divided_loop", "link_growth", "timing_of"]
+
+Array = NDArray[np.float64]
+
+LONGEST = 20_000
+"""Ticks after which links have to repeat."""
+
+
+@dataclass(frozen=True)
+class LinkTiming:
+    """What a link does to a signal without chance: a message each `spacing` ticks, `taken` ticks on its way."""
+
+    spacing: int = 1
+    taken: int = 0
+
+
+def timing_of(link: Component | None, servo_period: float) -> LinkTiming:
+    """Return the timing of a link: with all messages as late as its jitter allows, and none lost.
+
+    Raises
+    ------
+    ComponentError
+        If it extrapolates, or is of a kind that is not known here.
+    """
+    if link is None or isinstance(link, IdealLink):
+        return LinkTiming()
+    if not isinstance(link, Network) or link.between != "hold":
+        raise ComponentError(f"link {link.kind}: only messages that are held between have a linear model here")
+    values = link.block(servo_period)
+    return LinkTiming(int(values["spacing"]), int(values["latest"]))
+
+
+@dataclass(frozen=True, eq=False)
+class DividedLoop:
+    """The machine cut at its links: x(k + 1) = A x(k) + B r(k) and s(k) = C x(k) + E r(k), r being received and s sent.
+
+    Attributes
+    ----------
+    servo_period : float [s]
+    a : ndarray (n, n)
+    b, c : ndarray (n, m), (m, n)
+    e : ndarray (m, m)
+        Nilpotent: what is sent back at the tick at which something is received.
+    links : tuple of (str, str)
+        Axis and direction, ``"down"`` or ``"up"``, of each signal that is part of the loop.
+    """
+
+    servo_period: float
+    a: Array
+    b: Array
+    c: Array
+    e: Array
+    links: tuple[tuple[str, str], ...]
+
+    def growth(self, down: LinkTiming, up: LinkTiming) -> float:
+        """Return the factor per tick by which the slowest error dies, or the fastest grows; below 1 the machine is stable.
+
+        All axes have the same links.
+
+        Raises
+        ------
+        ComponentError
+            If the two directions repeat together only after more than `LONGEST` ticks.
+        """
+        return self.growth_of([down if way == "down" else up for _, way in self.links])
+
+    def growth_of(self, timings: Sequence[LinkTiming]) -> float:
+        """Return the same with a timing for each of `links`."""
+        repeat = math.lcm(*(t.spacing for t in timings)) if timings else 1
+        if repeat > LONGEST:
+            raise ComponentError(f"the messages come together only each {repeat} ticks: take periods with a common multiple")
+        product = np.eye(len(self.a) + sum(t.taken for t in timings) + len(timings))
+
+        @cache
+        def at(fresh: tuple[bool, ...]) -> Array:
+            return self._tick(timings, fresh)
+
+        for k in range(repeat):
+            product = at(tuple((k - t.taken) % t.spacing == 0 for t in timings)) @ product
+        return float(np.abs(poles_of(product)).max(initial=0.0) ** (1.0 / repeat))
+
+    def stable(self, down: LinkTiming, up: LinkTiming) -> bool:
+        """Tell whether errors die."""
+        return self.growth(down, up) < 1.0
+
+    def _tick(self, timings: Sequence[LinkTiming], fresh: tuple[bool, ...]) -> Array:
+        """Return the matrix of a tick on the states, what is on its way signal by signal, and what was received last."""
+        n, m = len(self.a), len(timings)
+        first = np.cumsum([n, *(t.taken for t in timings)])
+        held = int(first[-1])
+        size = held + m
+        here = np.diag([float(new and t.taken == 0) for new, t in zip(fresh, timings, strict=True)])
+        arrived = np.zeros((m, size))
+        for i, t in enumerate(timings):
+            arrived[i, first[i + 1] - 1 if fresh[i] and t.taken else held + i] = float(not (fresh[i] and t.taken == 0))
+        sent = np.hstack([self.c, np.zeros((m, size - n))])
+        received = np.linalg.solve(np.eye(m) - here @ self.e, here @ sent + arrived)
+        matrix = np.zeros((size, size))
+        matrix[:n] = self.b @ received
+        matrix[:n, :n] += self.a
+        entering = sent + self.e @ received
+        for i, t in enumerate(timings):
+            if t.taken:
+                matrix[first[i]] = entering[i]
+                rows = np.arange(first[i] + 1, first[i + 1])
+                matrix[rows, rows - 1] = 1.0
+        matrix[held:] = received
+        return matrix
+
+
+def divided_loop(machine: Machine, controller: Controller, tangent: ArrayLike | None = None) -> DividedLoop:
+    """Return a machine cut at its links, friction, disturbance, quantisation and limits left out.
+
+    Parameters
+    ----------
+    machine : Machine
+    controller : Controller
+        At least one axis with a link. What its links are like is left open.
+    tangent : array_like (n_axis,), optional
+        Direction of the path, which stands still; by default along the diagonal. It matters where axes are coupled.
+
+    Raises
+    ------
+    ParameterError
+        If no axis has a link, or the direction is none.
+    ComponentError
+        If a component is not linear.
+    """
+    names = machine.axis_names
+    if all(controller.axes[name].link is None for name in names):
+        raise ParameterError("controller.axes", "without a link", "one with a link at least, whose controller is divided")
+    t = np.ones(len(names)) if tangent is None else np.asarray(tangent, dtype=float)
+    if t.shape != (len(names),) or not np.isfinite(t).all() or not t.any():
+        raise ParameterError("tangent", f"{t.tolist()}", f"{len(names)} numbers, not all zero")
+    # What is left of a sine of half a turn is rounding, and would be told from what is not linear by nothing.
+    t = np.where(np.abs(t) < 1e-9 * np.abs(t).max(), 0.0, t)
+    path = Path([Line(tuple(np.zeros(len(names))), tuple(t / np.linalg.norm(t)))])
+    axes = tuple(linear_axis(axis, machine.carried_mass(axis.name)) for axis in machine.axes)
+    estimator = None if controller.coupling is None else Tangent()
+    made = Controller({name: _linear(controller.axes[name]) for name in names}, estimator, controller.coupling)
+    whole = build(Machine(machine.name, axes, machine.servo_period), made, path, np.zeros(len(names))).schedule
+    return _cut(whole, names)
+
+
+def _linear(mine: AxisController) -> AxisController:
+    """Return an axis' controller without what is not linear, between links that are nodes."""
+    left_out: dict[str, Any] = dict.fromkeys(("gap_observer", "compensation", "supervisor", "feedforward"))
+    link = mine.link
+    if link is not None:
+        link = Division(link.division, Network(), None if link.up is None else Network())
+    return replace(mine, controller=without_limits(mine.controller).linear(), others=(), link=link, **left_out)
+
+
+def _cut(whole: Schedule, names: Sequence[str]) -> DividedLoop:
+    """Take the nodes of the links out of a schedule, with an input for each in their place."""
+    ways = {f"{name}.{way}_": (name, way) for name in names for way in ("down", "up")}
+    links = {node.name: key for node in whole.nodes for head, key in ways.items() if node.name.startswith(head)}
+    inputs = {f"{name}.received": f"in.received_{i}" for i, name in enumerate(links)}
+
+    def led(wire: Any) -> Any:
+        if isinstance(wire, tuple):
+            return tuple(led(one) for one in wire)
+        return inputs.get(wire, wire) if isinstance(wire, str) else wire
+
+    nodes, sent = [], []
+    for node in whole.nodes:
+        if node.name in links:
+            sent.append(led(node.wires["sent"]))
+        elif node.name != WATCH:
+            wires = {port: led(wire) for port, wire in node.wires.items()}
+            # The place on the path does not matter: it is straight.
+            nodes.append(replace(node, wires={**wires, "arc_length": 0.0} if "arc_length" in wires else wires))
+    externals = (*whole.externals, *(Port(f"received_{i}") for i in range(len(links))))
+    found = tick_map(Schedule(tuple(nodes), externals, whole.period, len(nodes)))
+    n, m = len(found.a), len(links)
+    b = found.b[:, [found.column(f"in.received_{i}") for i in range(m)]]
+    c, e = np.zeros((m, n)), np.zeros((m, m))
+    for i, wire in enumerate(sent):
+        if isinstance(wire, Late):
+            c[i, found.row(wire.signal)] = 1.0
+        elif wire.startswith("in.received_"):
+            e[i, int(wire.removeprefix("in.received_"))] = 1.0
+        elif not wire.startswith("in."):  # the reference comes from outside the loop
+            row = found.row(wire)
+            c[i], e[i] = found.a[row], b[row]
+    # What comes from outside the loop, as the reference does, is no part of it.
+    kept = np.flatnonzero(c.any(axis=1) | e.any(axis=1))
+    return DividedLoop(whole.period, found.a, b[:, kept], c[kept], e[np.ix_(kept, kept)], tuple(list(links.values())[i] for i in kept))
+
+
+def link_growth(machine: Machine, controller: Controller) -> float:
+    """Return the factor per tick by which the slowest error dies or the fastest grows, with the links as they are.
+
+    Where axes are coupled it is that of the worst of a few directions of the path: along each axis, and along the diagonal.
+
+    Raises
+    ------
+    ComponentError
+        If a component or link has no linear model, or the links repeat together too seldom.
+    """
+    names, period = machine.axis_names, machine.servo_period
+    directions = [*np.eye(len(names)), np.ones(len(names))] if controller.coupling is not None else [np.ones(len(names))]
+    found = []
+    for tangent in directions:
+        loop = divided_loop(machine, controller, tangent)
+        found.append(loop.growth_of([timing_of(getattr(controller.axes[axis].link, way), period) for axis, way in loop.links]))
+    return max(found)
+
+
+def axis_delay_margin(machine: Machine, controller: Controller, name: str) -> float:
+    """Return how much longer signals may take down and up together, before an axis alone loses its stability [s].
+
+    It follows from the gain of the undivided loop, opened where the link cuts it, and so stands beside what `DividedLoop` says of whole
+    ticks of delay with a message at each of them.
+
+    Parameters
+    ----------
+    machine, controller
+        The axis' controller has a link.
+    name : str
+
+    Returns
+    -------
+    float
+        Infinite where the whole controller is in the axis, whose own loop crosses no link; nan if it is unstable without one.
+    """
+    mine = controller.axes[name]
+    if mine.link is None:
+        raise ParameterError(f"controller.axes.{name}", "without a link", "with one, whose division says where the loop is cut")
+    if mine.link.division == "controller":
+        return math.inf
+    loop = sampled_loop(machine.axis(name), mine, machine.servo_period, machine.carried_mass(name))
+    inside = mine.link.division == "observer" and mine.observer is not None
+    return loop.delay_margin(observed_in_axis=inside)

@@ -1,0 +1,119 @@
+"""Whether the loops of many controllers hold with margins, in lanes: what a search asks of every candidate.
+
+`sampled_loop` takes the exact margins of one loop; that is tens of milliseconds, too long for ten thousand candidates. Here one tick is run
+from each unit of the state in 32 lanes at once, and a margin is a question to the closed loop: does it still hold when the command is
+multiplied by a factor, or turned by an angle?
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping, Sequence
+
+import numpy as np
+from numpy.typing import NDArray
+
+from contourlab.analysis.linear.lane_maps import opened_lanes
+from contourlab.analysis.linear.sampled_loop import INPUTS
+from contourlab.loop.machine import Axis, AxisController
+
+__all__ = ["LaneLoops", "lane_loops", "margin_factors", "unstable_by"]
+
+Array = NDArray[np.float64]
+
+
+class LaneLoops:
+    """Opened loops x(k + 1) = A x(k) + B u(k), y(k) = C x(k + 1), one for each variant, as in `SampledLoop` but for what is cut only.
+
+    Attributes
+    ----------
+    a : ndarray (n_variant, n, n)
+    b : ndarray (n_variant, n, 2)
+        Command that enters the drive, estimate that enters the controller.
+    c : ndarray (n_variant, 2, n)
+    """
+
+    def __init__(self, a: Array, b: Array, c: Array) -> None:
+        self.a, self.b, self.c = a, b, c
+
+    def radius(self, factor: complex) -> Array:
+        """Return the largest magnitude of the closed loop's poles (n_variant,) with the command multiplied by a factor.
+
+        A complex factor of magnitude 1 turns the loop gain one way at positive frequencies and the other way at negative ones: it holds if
+        the loop bears both a lag and a lead of that angle.
+        """
+        turned = np.array([factor, 1.0]).real if np.isreal(factor) else np.array([factor, 1.0])
+        b = self.b * turned
+        inner = np.eye(2) - self.c @ b
+        closed = self.a + b @ np.linalg.solve(inner, self.c @ self.a)
+        found = np.full(len(closed), math.inf)
+        good = np.isfinite(closed).all(axis=(1, 2))
+        if good.any():
+            found[good] = np.abs(np.linalg.eigvals(closed[good])).max(axis=1, initial=0.0)
+        return found
+
+
+def margin_factors(gain: float, phase: float) -> tuple[complex, ...]:
+    """Return the factors under which a loop with these margins still holds.
+
+    Parameters
+    ----------
+    gain : float, >= 1
+        Gain margin as a factor.
+    phase : float [rad], >= 0
+
+    Notes
+    -----
+    A margin asks that the loop holds all the way from 1 to there; only the ends are looked at, so the exact margins of what a search found
+    are to be taken afterwards. Factors that are 1 are left out.
+    """
+    turned = complex(np.exp(-1j * phase))
+    return (1.0, *((gain,) if gain > 1.0 else ()), *((turned,) if phase > 0.0 else ()))
+
+
+def lane_loops(
+    axis: Axis, controller: AxisController, servo_period: float, carried_mass: float, overrides: Mapping[str, Array]
+) -> LaneLoops:
+    """Return the opened loops of one axis under controllers that differ in numbers.
+
+    Parameters
+    ----------
+    axis, controller, servo_period, carried_mass
+        As of `contourlab.analysis.linear.sampled_loop.sampled_loop`.
+    overrides : mapping of str to ndarray (n_variant,)
+        Values [SI] by dotted names; those that have no part in the loop of this axis are passed over.
+
+    Raises
+    ------
+    ComponentError
+        If a step is not linear, or a delay is longer than its analysis takes.
+    """
+    _, _, schedule, a, b = opened_lanes(axis, controller, servo_period, overrides, carried_mass)
+    b = b[:, :, [schedule.row(signal) for signal in INPUTS[:2]]]
+    c = np.zeros((2, a.shape[1]))
+    base = a.shape[1] - schedule.n_row
+    c[0, base + schedule.row(f"{axis.name}.controller.command")] = 1.0
+    if controller.observer is not None:
+        c[1, base + schedule.row(f"{axis.name}.observer.disturbance_estimate")] = 1.0
+    kept = _moving(a, b, c)
+    # What is cut enters at the tick in which it leaves, so a command that nothing of the past moves still has to be kept.
+    return LaneLoops(a[:, kept][:, :, kept], b[:, kept], np.broadcast_to(c[:, kept], (len(a), 2, kept.size)))
+
+
+def _moving(a: Array, b: Array, c: Array) -> NDArray[np.int64]:
+    """Return which entries are part of the loop: those that are read, and that something moves, in any variant."""
+    moved = np.asarray((a != np.eye(a.shape[1])).any(axis=0))
+    entered: NDArray[np.bool_] = np.asarray((b != 0.0).any(axis=(0, 2)))
+    read: NDArray[np.bool_] = np.asarray(c.any(axis=0))
+    kept = np.flatnonzero((moved.any(axis=1) | entered) & (moved.any(axis=0) | read))
+    while True:
+        part = np.asarray((a[:, kept][:, :, kept] != 0.0).any(axis=0))
+        lives = (part.any(axis=1) | entered[kept]) & (part.any(axis=0) | read[kept])
+        if lives.all():
+            return kept
+        kept = kept[lives]
+
+
+def unstable_by(loops: LaneLoops, factors: Sequence[complex]) -> Array:
+    """Return by how much (n_variant,) the largest pole lies outside the unit circle over some factors; negative where all hold."""
+    return np.asarray(np.max([loops.radius(factor) for factor in factors], axis=0) - 1.0)

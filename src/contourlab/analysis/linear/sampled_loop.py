@@ -1,0 +1,281 @@
+"""One axis under its controller as it runs from tick to tick: poles, frequency response and margins of the sampled loop.
+
+The schedule of the servo loop is built for the axis alone and cut where the command enters the drive and where the observer's estimate
+enters the controller. What is cut becomes an input, so that every response follows from one linear map, with the order of the nodes, the
+wires that are one tick late, the filters as they are sampled, the hold and the delay of the drive as they are in a run.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+from functools import cached_property
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from contourlab.analysis.linear.delay_form import DelayForm
+from contourlab.analysis.linear.margins import Margins, delay_margin, margins
+from contourlab.analysis.linear.response import AxisResponse
+from contourlab.analysis.linear.tick_map import TickMap, poles_of, tick_map
+from contourlab.components.contract import Component
+from contourlab.engine.schedule import Schedule
+from contourlab.engine.step import Port
+from contourlab.errors import ComponentError, ParameterError
+from contourlab.geometry import Line, Path
+from contourlab.loop.machine import Axis, AxisController, Controller, Machine
+from contourlab.loop.template import EXTERNALS, build
+from contourlab.loop.watch import NAME as WATCH
+
+__all__ = ["INPUTS", "SampledLoop", "bare_axis", "linear_axis", "loop_of", "opened_schedule", "sampled_loop", "without_limits"]
+
+Array = NDArray[np.float64]
+Complex = NDArray[np.complex128]
+
+LONGEST = 1000
+"""States beyond which the poles would take longer than a run."""
+INPUTS = ("in.command", "in.disturbance_estimate", *(f"in.{name}" for name in EXTERNALS), "in.load")
+
+
+@dataclass(frozen=True, eq=False)
+class SampledLoop:
+    """The opened loop, x(k + 1) = A x(k) + B u(k), y(k) = C x(k + 1).
+
+    Attributes
+    ----------
+    servo_period : float [s]
+    a : ndarray (n, n)
+    b : ndarray (n, 6)
+        Inputs: command that enters the drive, estimate that enters the controller, reference, its velocity and acceleration, load.
+    c : ndarray (2, n)
+        Outputs: the controller's command, the observer's estimate (zero without an observer). Closed, they are the first two inputs.
+    state : ndarray (2, n)
+        Position and velocity at tick k, from x(k).
+    """
+
+    servo_period: float
+    a: Array
+    b: Array
+    c: Array
+    state: Array
+
+    @property
+    def nyquist(self) -> float:
+        """Half of the sampling frequency [rad/s]."""
+        return math.pi / self.servo_period
+
+    @cached_property
+    def closed(self) -> tuple[Array, Array]:
+        """A (n, n) and B (n, 4) of the closed loop, whose inputs are the reference, its derivatives, and the load."""
+        cut, free = self.b[:, :2], self.b[:, 2:]
+        # What leaves the controllers at a tick enters at the same tick.
+        gain = cut @ np.linalg.solve(np.eye(2) - self.c @ cut, self.c)
+        return self.a + gain @ self.a, free + gain @ free
+
+    @cached_property
+    def poles(self) -> Complex:
+        """Poles of the closed loop in the plane of z; memories and what nothing reads are no part of it."""
+        return poles_of(self.closed[0])
+
+    @property
+    def stable(self) -> bool:
+        """Whether all poles lie inside the unit circle."""
+        return bool(np.abs(self.poles).max(initial=0.0) < 1.0)
+
+    def frequencies(self, n: int = 300) -> Array:
+        """Return frequencies (n,) [rad/s] for a picture: from 0.1 Hz, or from the Nyquist frequency over 10 000, up to that frequency."""
+        low = min(2.0 * math.pi * 0.1, 1e-4 * self.nyquist)
+        return np.minimum(np.geomspace(low, self.nyquist, n), self.nyquist)
+
+    def margins(self) -> Margins:
+        """Return the margins of the loop opened at the drive, looked for up to the Nyquist frequency."""
+        return margins(self.loop_gain, self._grid(), stable=self.stable)
+
+    def loop_gain(self, frequency: ArrayLike) -> Complex:
+        """Return the loop opened at the drive (n,), sign such that -1 is the critical point.
+
+        Parameters
+        ----------
+        frequency : array_like (n,) [rad/s]
+            Above 0 and up to the Nyquist frequency.
+
+        Raises
+        ------
+        ParameterError
+            If a frequency is out of range.
+        """
+        return _gain(self._opened(self._checked(frequency)))
+
+    def delay_margin(self, *, observed_in_axis: bool = False) -> float:
+        """Return how much longer the signals may take round the loop before it loses its stability [s].
+
+        Parameters
+        ----------
+        observed_in_axis : bool
+            Whether the observer's loop stays as it is, and the delay acts on the command ahead of it alone; by default it acts on all
+            that goes to the drive.
+
+        Returns
+        -------
+        float
+            Infinite if no delay does; nan for a loop that is unstable without one. Exact for whole servo periods.
+        """
+        if not self.stable:
+            return math.nan
+
+        def gain(w: Array) -> Complex:
+            opened = self._opened(w)
+            return -opened[:, 0, 0] / (1.0 + opened[:, 1, 0]) if observed_in_axis else _gain(opened)
+
+        return delay_margin(gain, self._grid())
+
+    def response(self, frequency: ArrayLike) -> AxisResponse:
+        """Return the responses of the axis at frequencies (n,) [rad/s] above 0 and up to the Nyquist frequency.
+
+        Raises
+        ------
+        ParameterError
+            If a frequency is out of range.
+        """
+        w = self._checked(frequency)
+        opened, driven = self._opened(w), self._driven(np.exp(1j * w * self.servo_period))[:, 0]
+        return AxisResponse(
+            frequency=w,
+            closed_loop=driven[:, 0] + 1j * w * driven[:, 1] - w * w * driven[:, 2],
+            modified=driven[:, 0],
+            loop_gain=_gain(opened),
+            compliance=driven[:, 3],
+            compensated=opened[:, 3, 0] / (1.0 - opened[:, 0, 1] * opened[:, 1, 0]),
+        )
+
+    @cached_property
+    def _driven(self) -> DelayForm:
+        """Position over reference, its derivatives, and load, all closed."""
+        return DelayForm(*self.closed, self.state[:1])
+
+    @cached_property
+    def _cut(self) -> DelayForm:
+        return DelayForm(self.a, self.b[:, :2], np.vstack([self.c, self.state]))
+
+    def _opened(self, w: Array) -> Complex:
+        """Return command, estimate, position and velocity over the two cut inputs: (n, 4, 2)."""
+        z = np.exp(1j * w * self.servo_period)
+        found = self._cut(z)
+        # What the controllers give at tick k stands in x(k + 1).
+        found[:, :2] *= z[:, None, None]
+        return found
+
+    def _checked(self, frequency: ArrayLike) -> Array:
+        w = np.atleast_1d(np.asarray(frequency, dtype=float))
+        if not ((w > 0.0) & (w <= self.nyquist * (1.0 + 1e-9))).all():
+            raise ParameterError("frequency", "an array", f"> 0 and up to the Nyquist frequency, {self.nyquist:g}", "rad/s")
+        return w
+
+    def _grid(self) -> Array:
+        """Return frequencies at which no crossing of the loop gain slips through: dense over the decades, the delay and each pole."""
+        period, top = self.servo_period, self.nyquist
+        found = [np.geomspace(1e-5 * top, top, 400), np.linspace(0.0, top, 12 * self._cut.longest + 2)]
+        poles = np.concatenate([self.poles, poles_of(self.a)])
+        angle, width = np.abs(np.angle(poles)), 1.0 - np.abs(poles)
+        found += [(angle + k * width) / period for k in (-2.0, -1.0, -0.5, 0.0, 0.5, 1.0, 2.0)]
+        w = np.unique(np.concatenate(found))
+        return w[(w >= 1e-5 * top) & (w <= top)]
+
+
+def _gain(opened: Complex) -> Complex:
+    """The command is cut, the estimate is not."""
+    return np.asarray(-(opened[:, 0, 0] + opened[:, 0, 1] * opened[:, 1, 0]))
+
+
+def sampled_loop(axis: Axis, controller: AxisController, servo_period: float, carried_mass: float = 0.0) -> SampledLoop:
+    """Return the sampled loop of an axis, friction, disturbance, quantisation and limits left out.
+
+    Axes are taken one at a time: without coupling by the contour, and without the reaction of axes that move along each other. A link
+    between base and axis is left out: what it costs is for `contourlab.analysis.linear.divided_loop`.
+
+    Parameters
+    ----------
+    axis : Axis
+    controller : AxisController
+    servo_period : float [s], > 0
+    carried_mass : float [kg]
+        What other axes put on this one.
+
+    Raises
+    ------
+    ComponentError
+        If a component is not linear, or a delay is longer than `LONGEST` ticks.
+    """
+    machine, made = bare_axis(axis, controller, servo_period, carried_mass)
+    return loop_of(machine, made, tick_map(opened_schedule(machine, made)))
+
+
+def bare_axis(axis: Axis, controller: AxisController, servo_period: float, carried_mass: float = 0.0) -> tuple[Machine, Controller]:
+    """Return a machine of one axis and its controller, without what is not linear; arguments as of `sampled_loop`."""
+    ahead = controller.feedforward
+    # What is fed forward is no part of the loop: of it only what is linear has a place in the response to the reference.
+    ahead = ahead if ahead is not None and ahead.linearize() is not None else None
+    # Under a supervisor it is the loop of the first controller, which is that for contact.
+    nonlinear = dict.fromkeys(("gap_observer", "compensation", "supervisor", "link"))
+    made = replace(controller, controller=without_limits(controller.controller).linear(), feedforward=ahead, others=(), **nonlinear)  # type: ignore[arg-type]
+    return Machine("axis", (linear_axis(axis, carried_mass),), servo_period), Controller({axis.name: made})
+
+
+def opened_schedule(machine: Machine, controller: Controller, columns: Mapping[str, Array] | None = None) -> Schedule:
+    """Return the schedule of a bare axis, opened; with `columns`, that of variants.
+
+    Raises
+    ------
+    ComponentError
+        If a delay is longer than `LONGEST` ticks.
+    """
+    name = machine.axis_names[0]
+    whole = build(machine, controller, Path([Line((0.0,), (1.0,))]), np.zeros(1), overrides=columns).schedule
+    if sum(node.ring_length for node in whole.nodes) > LONGEST:
+        raise ComponentError(f"axis {name}: a delay of more than {LONGEST} servo periods is more than its analysis takes")
+    return _opened(name, whole)
+
+
+def loop_of(machine: Machine, controller: Controller, opened: TickMap) -> SampledLoop:
+    """Return the loop of a bare axis from the map of its opened schedule."""
+    name = machine.axis_names[0]
+    c, state = np.zeros((2, len(opened.a))), np.zeros((2, len(opened.a)))
+    c[0, opened.row(f"{name}.controller.command")] = 1.0
+    if controller.axes[name].observer is not None:
+        c[1, opened.row(f"{name}.observer.disturbance_estimate")] = 1.0
+    state[[0, 1], [opened.row(f"{name}.plant.position"), opened.row(f"{name}.plant.velocity")]] = 1.0
+    return SampledLoop(machine.servo_period, opened.a, opened.b[:, [opened.column(signal) for signal in INPUTS]], c, state)
+
+
+def _opened(name: str, whole: Schedule) -> Schedule:
+    """Cut the command ahead of the drive and the estimate ahead of the controller, and lead in a load."""
+    cuts = {"drive": {"command": INPUTS[0]}, "controller": {"disturbance_estimate": INPUTS[1]}, "plant": {"load": INPUTS[-1]}}
+    nodes = []
+    for node in whole.nodes:
+        wires = {port: wire for port, wire in cuts.get(node.name.rpartition(".")[2], {}).items() if port in node.wires}
+        if node.name != WATCH:
+            nodes.append(replace(node, wires={**node.wires, **wires}))
+    externals = (*whole.externals, *(Port(signal.removeprefix("in.")) for signal in (*INPUTS[:2], INPUTS[-1])))
+    return Schedule(tuple(nodes), externals, whole.period, len(nodes) - 1)
+
+
+def linear_axis(axis: Axis, carried_mass: float) -> Axis:
+    """Return the axis alone, without what is not linear."""
+    drive, limit = axis.drive, axis.drive.parameters.get("limit")
+    if limit is not None and limit.default == math.inf:
+        drive = drive.replace(limit=math.inf)
+    plant = axis.plant.loaded(carried_mass).linear()
+    return Axis(axis.name, plant, drive=drive, limits=axis.limits, substeps=axis.substeps)
+
+
+def without_limits(controller: Component) -> Component:
+    """Return the controller without a limit of its own, whose integral does not wait for the drive, which is never at its limit here."""
+    known = controller.parameters
+    free: dict[str, Any] = {}
+    if "anti_windup" in known and "none" in known["anti_windup"].choices:
+        free["anti_windup"] = "none"
+    if "command_limit" in known and known["command_limit"].default == math.inf:
+        free["command_limit"] = math.inf
+    return controller.replace(**free) if free else controller

@@ -1,0 +1,198 @@
+"""Zero-phase-error tracking: the filter that leads a reference through the inverse of a closed loop.
+
+The response of position to the reference is z^-d B(z^-1)/A(z^-1). B is split into B+, whose zeros can be cancelled, and B-, whose zeros
+lie outside the unit circle or so near to it on the left that cancelling them would make the reference ring from tick to tick. Then
+
+    F(z) = A(z^-1) B-(z) z^d / (B+(z^-1) B-(1)^2)
+
+gives the position F(z) G(z) = B-(z) B-(z^-1)/B-(1)^2 over the reference: real at all frequencies, so without phase, and 1 at rest.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from contourlab.components.feedforward.zpetc import MAX_ORDER, ZPETC
+from contourlab.errors import ComponentError, ParameterError
+
+if TYPE_CHECKING:
+    from contourlab.analysis.linear.sampled_loop import SampledLoop
+
+__all__ = ["ZeroPhaseDesign", "zpetc_design", "zpetc_from_polynomials"]
+
+Array = NDArray[np.float64]
+Complex = NDArray[np.complex128]
+
+RESIDUAL = 1e-6
+"""Largest part of the loop's response by which its polynomials may miss it."""
+
+
+@dataclass(frozen=True, eq=False)
+class ZeroPhaseDesign:
+    """A zero-phase filter, and what it was made of.
+
+    Attributes
+    ----------
+    numerator, denominator : ndarray
+        F(z) = z^lead (n_0 + n_1 z^-1 + ...)/(1 + d_1 z^-1 + ...).
+    lead : int
+        Servo periods that F looks ahead.
+    delay : int
+        Servo periods that the loop is late by, d.
+    cancelled, kept : ndarray of complex
+        Zeros of the loop that F cancels, and those that it mirrors.
+    residual : float
+        Part of the loop's response by which its polynomials miss it; nan where they were given.
+    """
+
+    numerator: Array
+    denominator: Array
+    lead: int
+    delay: int
+    cancelled: Complex
+    kept: Complex
+    residual: float = math.nan
+
+    def response(self, angle: ArrayLike) -> Complex:
+        """Return F at z = exp(i angle), angle = w T in rad."""
+        z = np.exp(1j * np.asarray(angle, dtype=float))
+        return np.asarray(z**self.lead * _value(self.numerator, z) / _value(self.denominator, z))
+
+    def gain(self, angle: ArrayLike) -> Array:
+        """Return |B-(z)|^2/B-(1)^2 at z = exp(i angle): what position over reference comes to, real and 1 at rest."""
+        z = np.exp(1j * np.asarray(angle, dtype=float))
+        kept = _real_polynomial(self.kept)
+        return np.asarray(np.abs(_value(kept, z)) ** 2 / kept.sum() ** 2)
+
+    def component(self) -> ZPETC:
+        """Return the feedforward component that runs this filter."""
+        return ZPETC(numerator=tuple(self.numerator.tolist()), denominator=tuple(self.denominator.tolist()), lead=float(self.lead))
+
+
+def zpetc_design(loop: SampledLoop, *, radius: float = 0.9) -> ZeroPhaseDesign:
+    """Return the zero-phase filter of a closed loop as it runs, transport delays and the hold included.
+
+    The reference is shifted; its velocity and acceleration are not. So the loop must take the reference by its position alone: a controller
+    that feeds velocity or acceleration of the reference forward is refused.
+
+    Parameters
+    ----------
+    loop : SampledLoop
+        Of `contourlab.analysis.linear.sampled_loop`; stable.
+    radius : float, in (0, 1)
+        Zeros in the left half plane farther out than this are not cancelled.
+
+    Raises
+    ------
+    ComponentError
+        If the loop is unstable, feeds derivatives of the reference forward, does not come to rest at the reference, has more zeros to
+        cancel than the component takes, or its polynomials miss its response by more than a part in a million.
+    """
+    if not loop.stable:
+        raise ComponentError("the loop is unstable: no zero-phase filter can be made for it")
+    a = _real_polynomial(loop.poles)
+    n = 1 << max(6, (4 * a.size - 1).bit_length())
+    # Half-way between the usual points of a discrete Fourier transform: neither 0 nor the Nyquist frequency is asked for.
+    angle = math.pi * (2.0 * np.arange(n // 2) + 1.0) / n
+    response = loop.response(angle / loop.servo_period)
+    g, z = response.modified, np.exp(1j * angle)
+    if np.abs(response.closed_loop - g).max() > 1e-9 * np.abs(g).max():
+        raise ComponentError(
+            "the controller feeds velocity or acceleration of the reference forward, which a shift of the reference does not reach: "
+            "set that feedforward to zero, or leave zpetc out"
+        )
+    delay, b = _numerator(g * _value(a, z), angle, n)
+    fitted = z**-delay * _value(b, z) / _value(a, z)
+    residual = float((np.abs(fitted - g) / np.maximum(np.abs(g), 1e-3 * np.abs(g).max())).max())
+    if not residual <= RESIDUAL:
+        raise ComponentError(
+            f"the loop's polynomials miss its response by a part of {residual:.2g}: it has too many poles near each other for them; "
+            "design on a model of lower order with zpetc_from_polynomials"
+        )
+    made = zpetc_from_polynomials(b, a, delay, radius=radius)
+    return ZeroPhaseDesign(made.numerator, made.denominator, made.lead, delay, made.cancelled, made.kept, residual)
+
+
+def zpetc_from_polynomials(numerator: ArrayLike, denominator: ArrayLike, delay: int = 0, *, radius: float = 0.9) -> ZeroPhaseDesign:
+    """Return the zero-phase filter of z^-delay (b_0 + b_1 z^-1 + ...)/(a_0 + a_1 z^-1 + ...).
+
+    Parameters
+    ----------
+    numerator, denominator : array_like
+        b and a, with b_0 and a_0 other than zero; a's zeros inside the unit circle; b(1) = a(1).
+    delay : int, >= 0
+        Servo periods.
+    radius : float, in (0, 1)
+        Zeros in the left half plane farther out than this are not cancelled.
+
+    Raises
+    ------
+    ParameterError, ComponentError
+
+    >>> made = zpetc_from_polynomials([0.06, 0.04], [1.0, -0.9], 1)
+    >>> made.lead, made.cancelled.real.round(6).tolist(), made.numerator.round(6).tolist()
+    (1, [-0.666667], [16.666667, -15.0])
+    """
+    b, a = (np.trim_zeros(np.atleast_1d(np.asarray(values, dtype=float)), "b") for values in (numerator, denominator))
+    for name, values in (("numerator", b), ("denominator", a)):
+        if values.ndim != 1 or values.size == 0 or values[0] == 0.0 or not np.isfinite(values).all():
+            raise ParameterError(name, "a list", "of finite numbers of which the first is not zero")
+    if not 0.0 < radius < 1.0:
+        raise ParameterError("radius", f"{radius:g}", "> 0 and < 1")
+    if delay < 0 or delay != int(delay):
+        raise ParameterError("delay", f"{delay:g}", "a whole number that is >= 0")
+    if np.abs(np.roots(a)).max(initial=0.0) >= 1.0:
+        raise ComponentError("the closed loop is unstable: no zero-phase filter can be made for it")
+    steady = b.sum() / a.sum()
+    if not abs(steady - 1.0) <= 1e-6:
+        raise ComponentError(f"at rest the loop comes to {steady:.9g} of the reference, not to the reference itself")
+    zeros = np.roots(b)
+    cancel = (np.abs(zeros) < 1.0) & ((zeros.real > 0.0) | (np.abs(zeros) <= radius))
+    cancelled, kept = zeros[cancel], zeros[~cancel]
+    if cancelled.size > MAX_ORDER:
+        raise ComponentError(f"the loop has {cancelled.size} zeros to cancel; {MAX_ORDER} are as many as the filter takes")
+    below, mirrored = _real_polynomial(cancelled), _real_polynomial(kept)
+    above = np.convolve(a, mirrored[::-1])
+    # Scaled to 1 at rest by what stands below, so that nothing of the gain's rounding is left there.
+    above *= below.sum() / above.sum()
+    return ZeroPhaseDesign(above, below, int(delay) + kept.size, int(delay), cancelled, kept)
+
+
+def _value(coefficients: Array, z: Complex) -> Complex:
+    """Return c_0 + c_1 z^-1 + ... at each z."""
+    return np.asarray(np.polyval(coefficients[::-1], 1.0 / z))
+
+
+def _real_polynomial(roots: Complex) -> Array:
+    """Return the coefficients of the product of 1 - root z^-1; roots that end at once (zero) leave no trace.
+
+    By its values on the unit circle: multiplied out root by root, the many poles that a delay spreads over a circle would lose all digits.
+    """
+    n = 1 << max(4, (2 * roots.size).bit_length())
+    around = np.exp(2j * math.pi * np.arange(n) / n)
+    values = np.ones(n, dtype=complex)
+    for root in roots:
+        values *= 1.0 - root / around
+    found = np.real(np.fft.ifft(values))[: roots.size + 1]
+    last = np.flatnonzero(np.abs(found) > 1e-15 * np.abs(found).max())[-1]
+    return np.asarray(found[: last + 1], dtype=float)
+
+
+def _numerator(values: Complex, angle: Array, n: int) -> tuple[int, Array]:
+    """Return delay and coefficients of a polynomial in z^-1 known at the upper half of n points of the unit circle.
+
+    Its degree is far below n, so that what is found at the high powers is rounding, and tells how much of it there is.
+    """
+    # The points lie half a step off those of the transform, which turns each power by its own angle.
+    found = np.real(np.exp(1j * angle[0] * np.arange(n)) * np.fft.ifft(np.concatenate([values, values[::-1].conj()])))
+    largest = np.abs(found).max()
+    floor = max(10.0 * np.abs(found[n // 2 :]).max(), 1e-13 * largest)
+    kept = np.flatnonzero(np.abs(found) > floor)
+    if kept.size == 0 or kept[-1] >= n // 2:
+        raise ComponentError("the loop's response to its reference is no rational function of z that can be inverted")
+    return int(kept[0]), np.asarray(found[kept[0] : kept[-1] + 1], dtype=float)

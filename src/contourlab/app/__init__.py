@@ -1,0 +1,1 @@
+"""What features share as an application: staging of results, checkpoints, progress, inputs."""

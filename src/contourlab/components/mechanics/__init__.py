@@ -1,0 +1,1 @@
+"""Integrators of plants with friction, contact and lag."""

@@ -1,0 +1,200 @@
+"""Two masses joined by a shaft with backlash, and the bristles of a friction on either or both: one step through time.
+
+Bristles are stiff, so that nothing is explicit: the implicit midpoint rule carries both masses and the shaft, and each bristle is carried
+exactly under the mean velocity of its body with the rate of its slip held. All forces are then linear in the two mean velocities: two
+equations. They are solved twice, with the rate of slip at the start and at the mean velocity, which makes the method of second order.
+
+The work of a force is its mean times the mean velocity, exactly. The shaft gives back what it takes, and what a bristle z takes is at least
+what it stores, since s0 z' z <= s0 z v at any rate of slip: whatever the step, nothing here gives energy, as long as the damping of the
+bristles is one with which their friction takes energy at all (s1 |v| <= 4 g).
+
+The ends of contacts are located as in `two_mass_mechanics`, on the step itself, taken anew for each trial of where. A
+contact keeps the second order.
+
+References
+----------
+Canudas de Wit, Olsson, Astrom & Lischinsky, "A new model for control of systems with friction", IEEE TAC 40 (1995); Barahanov & Ortega,
+"Necessary and sufficient conditions for passivity of the LuGre friction model", IEEE TAC 45 (2000) (the bound on s1).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from functools import cache
+from typing import Any
+
+from contourlab.components.mechanics.located import first_zero
+from contourlab.components.mechanics.two_mass_laws import contact_guard_of, shaft_of, unwound
+from contourlab.primitives import exp, fabs, select
+
+__all__ = ["two_mass_bristle_step"]
+
+STRETCHES = 6
+"""Parts of a step that are ended by a contact; what is left then is carried in one piece."""
+
+TRIALS = 6
+"""Of where a contact ends, from a first guess on a cubic; each is a step of its own."""
+
+SETTLED = 1e-12
+"""Part of a step that the end of a contact is known to."""
+
+SHORTEST = 1e-12
+"""Way of the load [m] below which the slope of the gap is that of the place."""
+
+SLOWEST = 1e-12
+"""Speed [m/s] below which a smooth friction is taken as its slope at rest."""
+
+
+def _relaxation(x: float) -> tuple[float, float, float]:
+    """Return exp(-x), its mean over [0, x], and (1 - that mean)/x; x >= 0."""
+    keep = exp(-x)
+    safe = select(x < 0.03, 1.0, x)
+    mean = select(x < 0.03, 1.0 - x / 2.0 * (1.0 - x / 3.0 * (1.0 - x / 4.0 * (1.0 - x / 5.0 * (1.0 - x / 6.0)))), (1.0 - keep) / safe)
+    rest = select(x < 0.03, 0.5 * (1.0 - x / 3.0 * (1.0 - x / 4.0 * (1.0 - x / 5.0 * (1.0 - x / 6.0)))), (1.0 - mean) / safe)
+    return keep, mean, rest
+
+
+@cache
+def _resistance_of(friction: Any) -> Callable[..., Any]:
+    """Return ``resistance(par, z, v, h)``: (a, b, p, q) of its mean force a + b w and its bristle p z + q w after h at a mean velocity w.
+
+    v is a guess of w.
+    """
+    if friction.law == "smooth":
+        force = friction.force
+
+        def smooth(par: Any, z: float, v: float, h: float) -> Any:
+            w = select(fabs(v) < SLOWEST, SLOWEST, v)
+            return 0.0, force(par, w) / w, 1.0, 0.0
+
+        return smooth
+    level = friction.level
+
+    def bristle(par: Any, z: float, v: float, h: float) -> Any:
+        rate = par.stiffness * fabs(v) / level(par, v)
+        keep, mean, rest = _relaxation(rate * h)
+        fixed = (par.stiffness - par.bristle_damping * rate) * mean * z
+        return fixed, par.stiffness * h * rest + par.bristle_damping * mean + par.viscous, keep, h * mean
+
+    return bristle
+
+
+@cache
+def _advance_of(gap: Any, motor: Any, load: Any, motor_view: Any, load_view: Any) -> Callable[..., Any]:
+    """Return ``advance(par, side, push, y, h)``: motor position and velocity, those of the load, and both bristles after h on one side."""
+    resist_motor, resist_load = _resistance_of(motor), _resistance_of(load)
+
+    def mean_velocities(par: Any, side: float, push: Any, y: Any, v: Any, h: float) -> Any:
+        half, slope = gap(par, y[2])
+        way = h * v[1]
+        # A gap that bends within the step has its mean slope: then the shaft gives back what it takes there too, but for the guess.
+        slope = select(fabs(way) < SHORTEST, slope, (gap(par, y[2] + way)[0] - half) / select(fabs(way) < SHORTEST, 1.0, way))
+        turned = 1.0 + side * slope
+        spring = par.stiffness_value * (y[0] - y[2] - side * half)
+        joint = par.stiffness_value * 0.5 * h + par.damper_value
+        touching = fabs(side)
+        spring, joint = touching * spring, touching * joint
+        am, bm, pm, qm = resist_motor(motor_view(par), y[4], v[0], h)
+        al, bl, pl, ql = resist_load(load_view(par), y[5], v[1], h)
+        hm, hl = 0.5 * h * par.motor_mobility, 0.5 * h * par.load_mobility
+        m11 = 1.0 + 0.5 * h * par.motor_decay + hm * (bm + joint)
+        m22 = 1.0 + 0.5 * h * par.load_decay + hl * (bl + joint * turned * turned)
+        m12, m21 = -hm * joint * turned, -hl * joint * turned
+        r1 = y[1] + hm * (push[0] - am - spring)
+        r2 = y[3] + hl * (push[1] - al + turned * spring)
+        # Both are above the products of the others: the determinant is positive.
+        determinant = m11 * m22 - m12 * m21
+        w = (m22 * r1 - m12 * r2) / determinant, (m11 * r2 - m21 * r1) / determinant
+        return w, pm * y[4] + qm * w[0], pl * y[5] + ql * w[1]
+
+    def advance(par: Any, side: float, push: Any, y: Any, h: float) -> Any:
+        guess, _, _ = mean_velocities(par, side, push, y, (y[1], y[3]), h)
+        w, zm, zl = mean_velocities(par, side, push, y, guess, h)
+        return y[0] + h * w[0], 2.0 * w[0] - y[1], y[2] + h * w[1], 2.0 * w[1] - y[3], zm, zl
+
+    return advance
+
+
+@cache
+def _stretch_of(gap: Any, physical: bool, motor: Any, load: Any, motor_view: Any, load_view: Any) -> Callable[..., Any]:
+    """Return ``stretch(par, side, twist, push, y, h)``: the same at the next end of a contact or of the step, and the time that is left."""
+    advance, (guard, falling) = _advance_of(gap, motor, load, motor_view, load_view), contact_guard_of(gap, physical)
+
+    def stretch(par: Any, side: float, twist: float, push: Any, y: Any, h: float) -> Any:
+        y1, twist1 = advance(par, side, push, y, h), unwound(par, twist, h)
+        flank = select(y1[0] - y1[2] - twist1 > 0.0, 1.0, -1.0)
+        last = guard(par, side, flank, y1, twist1)
+        if not last < 0.0 or par.bonded > 0.5:
+            return side, twist1, y1, 0.0
+        a = (y1[1] - y[1]) / h, (y1[3] - y[3]) / h
+        d0, d1 = falling(par, side, flank, y, a, twist), falling(par, side, flank, y1, a, twist1)
+        u = first_zero(guard(par, side, flank, y, twist), last, h * d0, h * d1)
+        low, high, was, before = 0.0, 1.0, 1.0, last
+        for _ in range(TRIALS):
+            y1 = advance(par, side, push, y, u * h)
+            value = guard(par, side, flank, y1, unwound(par, twist, u * h))
+            low, high = select(value > 0.0, u, low), select(value > 0.0, high, u)
+            # The secant through the last two trials, as long as it stays where the sign changes.
+            rise = value - before
+            wanted = u - value * (u - was) / select(rise == 0.0, 1.0, rise)
+            inside = select(wanted >= low, select(wanted <= high, 1.0, 0.0), 0.0)
+            # Where nothing but rounding is left, the sign of a trial says nothing.
+            settled = fabs(wanted - u) < SETTLED
+            was, before = u, value
+            u = select(settled, u, select(inside > 0.5, wanted, 0.5 * (low + high)))
+        y1 = advance(par, side, push, y, u * h)
+        # A damped shaft leaves its flank with the twist it has; one that reaches a flank has lost it.
+        left_twist = select(par.unwinding > 0.0, y1[0] - y1[2] - side * gap(par, y1[2])[0], 0.0)
+        twist1 = select(side == 0.0, 0.0, left_twist)
+        return select(side == 0.0, flank, 0.0), twist1, y1, (1.0 - u) * h
+
+    return stretch
+
+
+@cache
+def _kept(on_motor: bool, on_load: bool) -> Callable[..., Any]:
+    """Return what makes a tuple of the bristles that there are, the load's first."""
+    if on_motor and on_load:
+        return lambda zl, zm: (zl, zm)
+    return (lambda zl, zm: (zm,)) if on_motor else (lambda zl, zm: (zl,))
+
+
+@cache
+def two_mass_bristle_step(gap: Any, physical: bool, motor: Any, load: Any, motor_view: Any, load_view: Any) -> Callable[..., Any]:
+    """Return the step of a two-mass plant with bristles.
+
+    Parameters
+    ----------
+    gap : callable
+        ``gap(par, position)``: half of the free travel where the load stands, and its slope.
+    physical : bool
+        Which of the two models of contact.
+    motor, load : friction classes
+        The law of one or both is "bristle"; that of the other may be "smooth".
+    motor_view, load_view : callable
+        Pick the parameters of their frictions out of ``par``.
+    """
+    shaft, stretch = shaft_of(gap), _stretch_of(gap, physical, motor, load, motor_view, load_view)
+    advance = _advance_of(gap, motor, load, motor_view, load_view)
+    on_motor, on_load = bool(motor.states), bool(load.states)
+    kept = _kept(on_motor, on_load)
+
+    def step(par: Any, x: Any, inp: Any, clock: Any) -> Any:
+        push = (par.force_value * inp.command, inp.load)
+        side, twist, left = select(par.bonded > 0.5, 1.0, x.side), x.twist, clock.dt
+        zm = x.motor_friction_bristle if on_motor else 0.0
+        zl = x.load_friction_bristle if on_load else 0.0
+        y = (x.motor_position, x.motor_velocity, x.position, x.velocity, zm, zl)
+        for _ in range(STRETCHES):
+            side, twist, y, left = stretch(par, side, twist, push, y, left)
+            if left <= 0.0:
+                break
+        if left > 0.0:
+            y = advance(par, side, push, y, left)
+        pm, vm, pl, vl, zm, zl = y
+        force, _ = shaft(par, side, y)
+        out = (pl, vl, (vl - x.velocity) / clock.dt, pm, vm, side, force)
+        moved = (pm, vm, pl, vl, side, twist)
+        return moved + kept(zl, zm), out
+
+    return step

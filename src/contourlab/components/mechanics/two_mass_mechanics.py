@@ -1,0 +1,222 @@
+"""Two masses joined by a shaft with backlash, and a friction on either: one step through time, with every contact located.
+
+Between two events the motion is smooth, and a classical Runge-Kutta step of fourth order follows it. An event ends the stretch: a flank of
+the gap is reached or left, a body comes to rest or breaks loose. It is located on the cubic through both ends of the stretch, and from
+there the next one begins. So nothing chatters, the order is kept through contacts, and neither contact nor friction gives energy. A step
+with more events than `STRETCHES` is ended with the gap looked up at every stage, which is of second order.
+
+The shaft pushes with T = k theta + c theta', theta being its twist. In the model of Nordin, Galic & Gutman a flank is left where T falls to
+zero, and the shaft unwinds behind it at the rate k/c; in the older dead-zone model it is left at the edge of the gap, up to which a damped
+shaft pulls. Without damping the two are one.
+
+References
+----------
+Nordin, Galic & Gutman, "New models for backlash and gear play", Int. J. Adaptive Control and Signal Processing 11 (1997) 49-63.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from functools import cache
+from typing import Any
+
+from contourlab.components.mechanics.located import first_dip, first_zero, hermite
+from contourlab.components.mechanics.two_mass_laws import UNKNOWN, body_guard, contact_guard_of, friction_of, shaft_of, unwound
+from contourlab.primitives import fabs, select
+
+__all__ = ["CONTACT", "END", "LOAD", "MOTOR", "STRETCHES", "body_event_of", "two_mass_step", "ways_of"]
+
+STRETCHES = 6
+"""Smooth stretches of a step whose ends are located; a gap that is crossed whole within a step takes three."""
+
+END, CONTACT, MOTOR, LOAD = 0.0, 1.0, 2.0, 3.0
+"""Why a stretch ends: the step does, a flank is reached or left, a body stops or breaks loose."""
+
+
+def _way(v: float, push: float, held: float, released: float) -> float:
+    """Return which way a body slides, 0 where it is held; one that has just been released slides."""
+    rest = select(fabs(push) <= held, released, select(push > 0.0, 1.0, -1.0))
+    return select(v == 0.0, rest, select(v > 0.0, 1.0, -1.0))
+
+
+def _between(u: float, h: float, y: Any, y1: Any, a: Any, a1: Any) -> Any:
+    """Return the state at the part u of a stretch."""
+    return (
+        hermite(u, y[0], y1[0], h * y[1], h * y1[1]),
+        hermite(u, y[1], y1[1], h * a[0], h * a1[0]),
+        hermite(u, y[2], y1[2], h * y[3], h * y1[3]),
+        hermite(u, y[3], y1[3], h * a[1], h * a1[1]),
+    )
+
+
+@cache
+def _slide_of(gap: Any, motor: Any, load: Any, motor_view: Any, load_view: Any) -> Callable[..., Any]:
+    """Return ``slide(par, side, ways, push, y, h)``: where a smooth stretch ends, and the accelerations at its start and its end."""
+    shaft, resist_motor, resist_load = shaft_of(gap), friction_of(motor)[0], friction_of(load)[0]
+
+    def rates(par: Any, side: float, ways: Any, push: Any, y: Any) -> Any:
+        back, forth = shaft(par, side, y)
+        am = par.motor_mobility * (push[0] - back - resist_motor(motor_view(par), y[1], ways[0])) - par.motor_decay * y[1]
+        al = par.load_mobility * (push[1] + forth - resist_load(load_view(par), y[3], ways[1])) - par.load_decay * y[3]
+        return select(ways[0] == 0.0, 0.0, am), select(ways[1] == 0.0, 0.0, al)
+
+    def slide(par: Any, side: float, ways: Any, push: Any, y: Any, h: float) -> Any:
+        pm, vm, pl, vl = y
+        half, sixth = 0.5 * h, h / 6.0
+        a1, b1 = rates(par, side, ways, push, y)
+        vm2, vl2 = vm + half * a1, vl + half * b1
+        a2, b2 = rates(par, side, ways, push, (pm + half * vm, vm2, pl + half * vl, vl2))
+        vm3, vl3 = vm + half * a2, vl + half * b2
+        a3, b3 = rates(par, side, ways, push, (pm + half * vm2, vm3, pl + half * vl2, vl3))
+        vm4, vl4 = vm + h * a3, vl + h * b3
+        a4, b4 = rates(par, side, ways, push, (pm + h * vm3, vm4, pl + h * vl3, vl4))
+        end = (
+            pm + sixth * (vm + 2.0 * (vm2 + vm3) + vm4),
+            vm + sixth * (a1 + 2.0 * (a2 + a3) + a4),
+            pl + sixth * (vl + 2.0 * (vl2 + vl3) + vl4),
+            vl + sixth * (b1 + 2.0 * (b2 + b3) + b4),
+        )
+        return end, (a1, b1), (a4, b4)
+
+    return slide
+
+
+@cache
+def ways_of(motor: Any, load: Any, motor_view: Any, load_view: Any) -> Callable[..., Any]:
+    """Return ``ways(par, net, y, released)``: which way either body slides, given all that pushes on it but its friction."""
+    (_, held_motor, motor_sticks), (_, held_load, load_sticks) = friction_of(motor), friction_of(load)
+
+    def ways(par: Any, net: Any, y: Any, released: Any) -> Any:
+        way_motor, way_load = 1.0, 1.0
+        if motor_sticks:
+            way_motor = _way(y[1], net[0], held_motor(motor_view(par)), released[0])
+        if load_sticks:
+            way_load = _way(y[3], net[1], held_load(load_view(par)), released[1])
+        return way_motor, way_load
+
+    return ways
+
+
+@cache
+def body_event_of(friction: Any, view: Any, why: float) -> Callable[..., Any]:
+    """Return ``event(par, way, v, a, net, rise, h, found)``: `found`, or the stop or release of a body where that comes first.
+
+    v, a, net and rise (velocity, acceleration, push without friction, and its slope) are pairs: at the start and the end of the stretch.
+    """
+    _, held, sticks = friction_of(friction)
+
+    def event(par: Any, way: float, v: Any, a: Any, net: Any, rise: Any, h: float, found: Any) -> Any:
+        u, reason, loose = found
+        if sticks:
+            most = held(view(par))
+            toward = select(net[1] > 0.0, 1.0, -1.0)
+            first, last = body_guard(way, v[0], net[0], toward, most), body_guard(way, v[1], net[1], toward, most)
+            d0, d1 = body_guard(way, a[0], rise[0], toward, 0.0), body_guard(way, a[1], rise[1], toward, 0.0)
+            # A body that turns back and forth again within a step would be pushed by its friction in between.
+            at = first_zero(first, last, h * d0, h * d1) if last < 0.0 else first_dip(way * v[0], way * v[1], h * d0, h * d1)
+            if at < u:
+                u, reason, loose = at, why, select(way == 0.0, toward, 0.0)
+        return u, reason, loose
+
+    return event
+
+
+@cache
+def _stretch_of(gap: Any, physical: bool, motor: Any, load: Any, motor_view: Any, load_view: Any) -> Callable[..., Any]:
+    """Return ``stretch(par, side, twist, released, push, y, h)``: the same at the next event or at the end, and the time that is left."""
+    shaft, (guard, falling), ways_at = shaft_of(gap), contact_guard_of(gap, physical), ways_of(motor, load, motor_view, load_view)
+    slide = _slide_of(gap, motor, load, motor_view, load_view)
+    motor_event, load_event = body_event_of(motor, motor_view, MOTOR), body_event_of(load, load_view, LOAD)
+
+    def net_of(par: Any, side: float, push: Any, y: Any) -> Any:
+        back, forth = shaft(par, side, y)
+        return push[0] - back, push[1] + forth
+
+    def rise_of(par: Any, side: float, y: Any, a: Any) -> float:
+        slope = par.stiffness_value * (y[1] - y[3]) + par.damper_value * (a[0] - a[1])
+        return select(side == 0.0, 0.0, slope)
+
+    def stretch(par: Any, side: float, twist: float, released: Any, push: Any, y: Any, h: float) -> Any:
+        net = net_of(par, side, push, y)
+        ways = ways_at(par, net, y, released)
+        y1, a, a1 = slide(par, side, ways, push, y, h)
+        net1 = net_of(par, side, push, y1)
+        rise, rise1 = rise_of(par, side, y, a), rise_of(par, side, y1, a1)
+        twist1 = unwound(par, twist, h)
+        flank = select(y1[0] - y1[2] - twist1 > 0.0, 1.0, -1.0)
+        u, why, loose = 1.0, END, 0.0
+        last = guard(par, side, flank, y1, twist1)
+        if last < 0.0 and par.bonded < 0.5:
+            d0, d1 = falling(par, side, flank, y, a, twist), falling(par, side, flank, y1, a1, twist1)
+            u, why = first_zero(guard(par, side, flank, y, twist), last, h * d0, h * d1), CONTACT
+        found = (u, why, loose)
+        found = motor_event(par, ways[0], (y[1], y1[1]), (a[0], a1[0]), (net[0], net1[0]), (-rise, -rise1), h, found)
+        u, why, loose = load_event(par, ways[1], (y[3], y1[3]), (a[1], a1[1]), (net[1], net1[1]), (rise, rise1), h, found)
+        if why == END:
+            return side, twist1, (0.0, 0.0), y1, 0.0
+        pm, vm, pl, vl = _between(u, h, y, y1, a, a1)
+        left_twist = select(par.unwinding > 0.0, pm - pl - side * gap(par, pl)[0], 0.0)
+        kept = select(side == 0.0, unwound(par, twist, u * h), left_twist)
+        side = select(why == CONTACT, select(side == 0.0, flank, 0.0), side)
+        released = (select(why == MOTOR, loose, 0.0), select(why == LOAD, loose, 0.0))
+        y = (pm, select(why == MOTOR, 0.0, vm), pl, select(why == LOAD, 0.0, vl))
+        return side, select(side == 0.0, kept, 0.0), released, y, (1.0 - u) * h
+
+    return stretch
+
+
+@cache
+def _ending_of(gap: Any, motor: Any, load: Any, motor_view: Any, load_view: Any) -> Callable[..., Any]:
+    """Return ``ending(par, push, y, h)``: the rest of a step without locating, bodies stopped where they reverse; and where it ends."""
+    shaft, ways_at, slide = shaft_of(gap), ways_of(motor, load, motor_view, load_view), _slide_of(gap, motor, load, motor_view, load_view)
+    motor_sticks, load_sticks = friction_of(motor)[2], friction_of(load)[2]
+
+    def ending(par: Any, push: Any, y: Any, h: float) -> Any:
+        back, forth = shaft(par, UNKNOWN, y)
+        ways = ways_at(par, (push[0] - back, push[1] + forth), y, (0.0, 0.0))
+        (pm, vm, pl, vl), _, _ = slide(par, UNKNOWN, ways, push, y, h)
+        if motor_sticks:
+            vm = select(ways[0] * vm < 0.0, 0.0, vm)
+        if load_sticks:
+            vl = select(ways[1] * vl < 0.0, 0.0, vl)
+        half = gap(par, pl)[0]
+        return (pm, vm, pl, vl), select(pm - pl > half, 1.0, select(pm - pl < -half, -1.0, 0.0))
+
+    return ending
+
+
+@cache
+def two_mass_step(gap: Any, physical: bool, motor: Any, load: Any, motor_view: Any, load_view: Any) -> Callable[..., Any]:
+    """Return the step of a two-mass plant.
+
+    Parameters
+    ----------
+    gap : callable
+        ``gap(par, position)``: half of the free travel where the load stands, and its slope.
+    physical : bool
+        Which of the two models of contact.
+    motor, load : friction classes
+        Their laws are "smooth" or "sticking".
+    motor_view, load_view : callable
+        Pick the parameters of their frictions out of ``par``.
+    """
+    shaft = shaft_of(gap)
+    stretch, ending = _stretch_of(gap, physical, motor, load, motor_view, load_view), _ending_of(gap, motor, load, motor_view, load_view)
+
+    def step(par: Any, x: Any, inp: Any, clock: Any) -> Any:
+        push = (par.force_value * inp.command, inp.load)
+        # Without a gap there is nothing to leave: the shaft pulls as it pushes.
+        side, twist, released = select(par.bonded > 0.5, 1.0, x.side), x.twist, (0.0, 0.0)
+        y, left = (x.motor_position, x.motor_velocity, x.position, x.velocity), clock.dt
+        for _ in range(STRETCHES):
+            side, twist, released, y, left = stretch(par, side, twist, released, push, y, left)
+            if left <= 0.0:
+                break
+        if left > 0.0:
+            y, side = ending(par, push, y, left)
+            twist = 0.0
+        force, _ = shaft(par, side, y)
+        pm, vm, pl, vl = y
+        return (pm, vm, pl, vl, side, twist), (pl, vl, (vl - x.velocity) / clock.dt, pm, vm, side, force)
+
+    return step

@@ -1,0 +1,1 @@
+"""How far are the loops from instability, and does learning converge?"""

@@ -1,0 +1,1 @@
+"""Is a part program sound, and what does it move?"""

@@ -1,0 +1,1 @@
+"""Which model of an axis follows from its logs?"""

@@ -1,0 +1,1 @@
+"""What each model of `identify` asks of its logs and options."""

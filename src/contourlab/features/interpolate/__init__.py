@@ -1,0 +1,1 @@
+"""What position do the signals of an encoder give?"""

@@ -1,0 +1,275 @@
+"""The run over trials: simulate, judge, learn, until it has converged, has gone astray, or the trials are used up."""
+
+from __future__ import annotations
+
+import math
+import time
+from collections.abc import Callable
+from dataclasses import dataclass, field
+from typing import Literal
+
+import numpy as np
+from numpy.typing import NDArray
+
+from contourlab.components.learning.law import LearningLaw
+from contourlab.errors import ParameterError, ResultError
+from contourlab.features.learn.growth import Growth, growth_of
+from contourlab.features.learn.model import learning_problem
+from contourlab.features.learn.split import Memory, Split
+from contourlab.features.learn.stopping import Stopping, Verdict, best_of, verdict
+from contourlab.features.learn.table import LearnedTable
+from contourlab.features.learn.trial import TrialFigures, figures_of, part_error, record_of
+from contourlab.feed import Reference
+from contourlab.geometry.view import PathView
+from contourlab.loop import Controller, Machine
+from contourlab.loop.trials import Trial, Trials, feedforward_command
+
+__all__ = ["LearningRun", "learn"]
+
+Array = NDArray[np.float64]
+Part = Literal["ends", "all", "none"]
+
+
+@dataclass(frozen=True, eq=False)
+class LearningRun:
+    """What came of learning.
+
+    Attributes
+    ----------
+    status : str
+        ``"converged"``, ``"trials used up"``, ``"diverged, rolled back to trial k"``, ``"diverged, no trial came to its end"``, or
+        ``"interrupted, trial k kept"``: Ctrl-C ends learning, and what has been learned until then stands.
+    reason : str
+        In a sentence.
+    trials : tuple of TrialFigures
+    best : int
+        The trial with the smallest error.
+    table : LearnedTable
+        What the best trial ran with.
+    split : Split or None
+        What does not repeat, over the last trials; None after fewer than four.
+    growth : Growth or None
+        Where the error grew, if it diverged.
+    first_position, best_position : ndarray (n_sample, n_axis) [m]
+        True positions of the tool in the first and in the best trial.
+    first_contour, best_contour : ndarray (n_sample,) [m]
+        Their contour errors.
+    seconds, engine_seconds, judge_seconds : float [s]
+        Time taken by all, by the runs of the machine, and by the judge.
+    """
+
+    status: str
+    reason: str
+    trials: tuple[TrialFigures, ...]
+    best: int
+    table: LearnedTable
+    split: Split | None
+    growth: Growth | None
+    first_position: Array
+    best_position: Array
+    first_contour: Array
+    best_contour: Array
+    seconds: float = field(default=0.0)
+    engine_seconds: float = field(default=0.0)
+    judge_seconds: float = field(default=0.0)
+
+    @property
+    def diverged(self) -> bool:
+        """Whether it was rolled back."""
+        return self.status.startswith("diverged")
+
+    @property
+    def gain(self) -> float:
+        """Error of the first trial over that of the best; NaN where the first did not come to its end."""
+        first, best = self.trials[0].merit, self.trials[self.best].merit
+        return float("inf") if best == 0.0 else first / best
+
+
+@dataclass(eq=False)
+class _Course:
+    """What is kept while the trials run."""
+
+    memory: Memory
+    figures: list[TrialFigures] = field(default_factory=list)
+    best_table: Array | None = None
+    first: tuple[Array, Array] | None = None
+    best: tuple[Array, Array] | None = None
+
+
+def learn(
+    machine: Machine,
+    controller: Controller,
+    reference: Reference,
+    law: LearningLaw,
+    *,
+    trials: int = 30,
+    seed: int = 0,
+    start: LearnedTable | None = None,
+    stopping: Stopping | None = None,
+    part: Part = "ends",
+    window: tuple[int, int] | None = None,
+    jit: bool | None = None,
+    view: PathView | None = None,
+    progress: Callable[[int], None] | None = None,
+    on_trial: Callable[[TrialFigures], None] | None = None,
+) -> LearningRun:
+    """Repeat a motion and learn from trial to trial.
+
+    Parameters
+    ----------
+    machine, controller, reference
+        What runs; any coupling, any number of axes.
+    law : LearningLaw
+    trials : int, >= 0
+        Largest number of trials after the first.
+    seed : int
+        Of all noise, which differs from trial to trial.
+    start : LearnedTable, optional
+        What the first trial runs with; nothing by default.
+    stopping : Stopping, optional
+    part : {"ends", "all", "none"}
+        For which trials the distance to the programmed path is worked out: the first and the best, all, or none.
+    window : (int, int), optional
+        Samples [start, stop) that count; by default the last whole lap, or all.
+    jit, view
+        As of `simulate`.
+    progress : callable, optional
+        Told the number of samples done in all.
+    on_trial : callable, optional
+        Told the figures of each trial.
+
+    Returns
+    -------
+    LearningRun
+
+    Raises
+    ------
+    ParameterError
+        If the number of trials is negative, or a controller has no port for what is learned.
+    ResultError
+        If the table given belongs to another program, machine or controller, or is added elsewhere than the law's.
+    ComponentError
+        If the law needs a linear model and there is none.
+    """
+    if trials < 0:
+        raise ParameterError("trials", f"{trials}", "0 or more")
+    _check_start(start, law, machine, controller, reference)
+    _check_reach(law, reference)
+    began = time.perf_counter()
+    settings = stopping or Stopping()
+    given = {"target": law.target, "vector": law.needs_contour_error, "seed": seed, "window": window, "jit": jit, "view": view}
+    runner = Trials(machine, controller, reference, **given)  # type: ignore[arg-type]
+    problem = learning_problem(machine, controller, reference, law.target, runner.arc_length)
+    beforehand = feedforward_command(machine, controller, reference, jit=jit)
+    nothing = np.zeros((reference.n_sample, reference.n_axis))
+    course = _Course(Memory(settings.patience))
+
+    def run_all(table: Array) -> Verdict | None:
+        for i in range(trials + 1):
+            run = runner.run(table, i, None if progress is None else _counted(progress, i * reference.n_sample))
+            record = record_of(run, runner, table if law.target == "command" else nothing, beforehand)
+            _note(course, run, runner, i, table, part, reference)
+            if run.status.ok:
+                course.figures[-1] = course.figures[-1].having(change=course.memory.change(record.tracking_error, runner.window))
+                course.memory.add(record.feedback_command, record.tracking_error, run.contour_error)
+            if on_trial is not None:
+                on_trial(course.figures[-1])
+            found = verdict(course.figures, settings, settings.explained and course.memory.explained())
+            if found is not None or i == trials:
+                return found
+            table = law.update(table, record, problem)
+        return None
+
+    try:
+        found = run_all(nothing if start is None else start.values)
+    except KeyboardInterrupt:
+        if course.best is None:
+            raise
+        found = Verdict("interrupted", f"after trial {len(course.figures) - 1}")
+    growth = growth_of(course.memory.tracking, machine.servo_period, machine.axis_names) if found and found.word == "diverged" else None
+    split = course.memory.split(law, problem)
+    return _ended(course, found, growth, split, runner, law, part, began)
+
+
+def _check_start(start: LearnedTable | None, law: LearningLaw, machine: Machine, controller: Controller, reference: Reference) -> None:
+    if start is None:
+        return
+    start.check(machine, controller, reference)
+    if start.target != law.target:
+        raise ResultError(f'the learned table is added to the {start.target}: give the law target = "{start.target}", not "{law.target}"')
+
+
+def _check_reach(law: LearningLaw, reference: Reference) -> None:
+    """Refuse a law that looks further than a trial is long: it would learn next to nothing, and say that it has converged."""
+    known, n, period = law.values(), reference.n_sample, reference.servo_period
+    if 2.0 * known.get("half_width", 0.0) >= n:
+        raise ParameterError("half_width", f"{known['half_width']:g}", f"less than half of the {n} samples of a trial")
+    if known.get("lead", 0.0) >= n * period:
+        raise ParameterError("lead", f"{known['lead']:g} s", f"less than the {n * period:.4g} s that a trial takes")
+
+
+def _counted(progress: Callable[[int], None], before: int) -> Callable[[int], None]:
+    return lambda done: progress(before + done)
+
+
+def _note(course: _Course, run: Trial, runner: Trials, i: int, table: Array, part: Part, reference: Reference) -> None:
+    """Add a trial to the course of learning."""
+    figures = figures_of(i, run, runner)
+    if run.status.ok and part == "all" and math.isnan(figures.part_max):
+        figures = figures.having(part_max=part_error(run.tool, runner, reference))
+    course.figures.append(figures)
+    if i == 0 or (run.status.ok and best_of(course.figures) == i):
+        kept = (run.tool, run.contour_error)
+        course.first = course.first or kept
+        course.best, course.best_table = kept, table
+
+
+def _ended(
+    course: _Course,
+    found: Verdict | None,
+    growth: Growth | None,
+    split: Split | None,
+    runner: Trials,
+    law: LearningLaw,
+    part: Part,
+    began: float,
+) -> LearningRun:
+    assert course.first is not None
+    assert course.best is not None
+    assert course.best_table is not None
+    figures, best = course.figures, best_of(course.figures)
+    if part == "ends":
+        for i, (tool, _) in ((0, course.first), (best, course.best)):
+            if not figures[i].failed and math.isnan(figures[i].part_max):
+                figures[i] = figures[i].having(part_max=part_error(tool, runner, runner.reference))
+    n, held = len(figures) - 1, figures[-1].saturated
+    status, reason = "trials used up", f"{n} trial{'s have' if n != 1 else ' has'} been run"
+    reason += f"; the drives saturate at {held} samples" if held else ""
+    if found is not None:
+        status, reason = found.word, found.reason
+    if status == "diverged" and figures[best].failed:
+        status += ", no trial came to its end"
+    elif status == "diverged":
+        status += f", rolled back to trial {best}"
+    elif status == "interrupted":
+        status += f", trial {best} kept"
+    reason += f"; {growth}" if growth is not None else ""
+    table = LearnedTable.of(course.best_table.copy(), runner.machine, runner.controller, runner.reference, law, _columns(figures))
+    (first, first_contour), (at_best, best_contour) = course.first, course.best
+    times = (time.perf_counter() - began, runner.engine_seconds, runner.judge_seconds)
+    return LearningRun(status, reason, tuple(figures), best, table, split, growth, first, at_best, first_contour, best_contour, *times)
+
+
+def _columns(figures: list[TrialFigures]) -> dict[str, Array]:
+    names = (
+        "contour_rms",
+        "contour_max",
+        "contour_mean",
+        "tracking_rms",
+        "tracking_max",
+        "command_peak",
+        "saturated",
+        "part_max",
+        "change",
+    )
+    return {name: np.array([getattr(trial, name) for trial in figures], dtype=float) for name in names}

@@ -1,0 +1,1 @@
+"""What does a network between base and local controllers cost?"""

@@ -1,0 +1,1 @@
+"""Which machines are shipped, and how is a new one described?"""

@@ -1,0 +1,194 @@
+"""``contourlab machines``: the shipped machines, axes, controllers and runs, where their numbers are from, and copies to start from."""
+
+from __future__ import annotations
+
+import os
+import re
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from contourlab.errors import OutputError
+from contourlab.features.run.provenance import NOT_STATED, Number, numbers_of_axis, numbers_of_machine
+from contourlab.features.run.trust import stated_of
+from contourlab.result import write_bytes_atomic
+from contourlab.scenario import BUILTIN, builtin_file, builtin_names, load_axis, load_machine, load_scenario
+from contourlab.scenario.tree import read_tree
+
+__all__ = ["KINDS", "Shipped", "copy_shipped", "shipped", "shipped_one"]
+
+KINDS = ("machine", "axis", "controller", "scenario", "program")
+"""What a shipped file can be, in the order in which they are listed."""
+
+
+@dataclass(frozen=True)
+class Shipped:
+    """A shipped file.
+
+    Attributes
+    ----------
+    name : str
+        As after ``builtin:``.
+    kind : str
+        Of `KINDS`.
+    axes : tuple of str
+        Of a machine or a run; empty otherwise.
+    about : str
+        The first sentence of the file.
+    file : Path
+    numbers : tuple of Number
+        Of a machine or an axis, with where they are from.
+    """
+
+    name: str
+    kind: str
+    axes: tuple[str, ...]
+    about: str
+    file: Path
+    numbers: tuple[Number, ...] = ()
+
+    @property
+    def sources(self) -> dict[str, int]:
+        """How many of its numbers are from where."""
+        found: dict[str, int] = {}
+        for number in self.numbers:
+            found[number.source] = found.get(number.source, 0) + 1
+        return dict(sorted(found.items(), key=lambda item: (item[0] == NOT_STATED, -item[1])))
+
+    @property
+    def references(self) -> tuple[str, ...]:
+        """The logs, papers and tables that its numbers are from."""
+        named = (name for number in self.numbers if number.origin for name in _names(number.origin.reference))
+        return tuple(dict.fromkeys(named))
+
+    def as_dict(self) -> dict[str, Any]:
+        """Return it for JSON."""
+        told = {"name": self.name, "kind": self.kind, "axes": list(self.axes), "about": self.about, "file": str(self.file)}
+        return told | {"sources": self.sources, "references": list(self.references), "provenance": stated_of(self.numbers)}
+
+
+def shipped() -> list[Shipped]:
+    """Return all shipped files: machines first, then axes, controllers, scenarios and programs."""
+    found = [shipped_one(name) for name in builtin_names()]
+    return sorted(found, key=lambda one: (KINDS.index(one.kind), one.name))
+
+
+def shipped_one(name: str) -> Shipped:
+    """Return a shipped file by its name, with or without ``builtin:``.
+
+    Raises
+    ------
+    ScenarioError
+        If there is none; says the nearest name.
+    """
+    file = builtin_file(name)
+    short = name.removeprefix(BUILTIN).removesuffix(".toml")
+    about = _about(file)
+    if file.suffix == ".ngc":
+        return Shipped(short, "program", (), about, file)
+    content = set(read_tree(file).entries)
+    if "controller" in content and "machine" in content:
+        return Shipped(short, "scenario", load_scenario(file).machine.axis_names, about, file)
+    if "machine" in content:
+        machine = load_machine(file)
+        return Shipped(short, "machine", machine.axis_names, about, file, numbers_of_machine(machine))
+    if "plant" in content:
+        return Shipped(short, "axis", (), about, file, numbers_of_axis(load_axis(file)))
+    return Shipped(short, "controller", (), about, file)
+
+
+def _names(reference: str) -> list[str]:
+    """Return the authors, or the files, that a reference begins with, without page or column."""
+    first, *others = reference.split(", ")
+    names = [first] if first else []
+    for part in others:
+        if " & " in part:  # the last of several authors
+            names[-1] += f", {part}"
+        elif re.search(r"\.\w+\Z", part):
+            names.append(part)
+        else:
+            break
+    return names
+
+
+def _about(file: Path) -> str:
+    """Return the first sentence of the comment that a file begins with."""
+    words: list[str] = []
+    for line in file.read_text(encoding="utf-8").splitlines():
+        text = line.strip()
+        if not text.startswith(("#", "(")):
+            if words or (text and text != "%"):
+                break
+            continue
+        if not text.strip("#() "):
+            break
+        words += text.strip("#()").split()
+    return _sentence(" ".join(words))
+
+
+def _sentence(text: str) -> str:
+    """Return the first sentence; a stop behind a single letter is none."""
+    place = 0
+    while True:
+        place = text.find(". ", place + 1)
+        if place < 0:
+            return text.rstrip(".")
+        if not (len(word := text[:place].split()[-1]) == 1 and word.isalpha()):
+            return text[:place]
+
+
+def copy_shipped(name: str, folder: str | Path, *, force: bool = False) -> list[Path]:
+    """Copy a shipped file into a folder, with the files that it names.
+
+    Parameters
+    ----------
+    name : str
+        With or without ``builtin:``.
+    folder : str or Path
+        Made if it is not there.
+    force : bool
+        Whether files that are there already may be overwritten.
+
+    Returns
+    -------
+    list of Path
+        What was written, the file itself first.
+
+    Raises
+    ------
+    ScenarioError
+        If none of that name is shipped.
+    OutputError
+        If one of the files is there already, before anything is written; or if one cannot be written.
+    """
+    files = list(dict.fromkeys(_with_parts(builtin_file(name).resolve())))
+    base = os.path.commonpath([file.parent for file in files])  # what lies beside its folder stays beside it
+    targets = {Path(folder) / file.relative_to(base): file for file in files}
+    there = [target.name for target in targets if target.exists()]
+    if there and not force:
+        listed = f"{', '.join(there)} {'is' if len(there) == 1 else 'are'}"
+        raise OutputError(f"{folder}: {listed} there already: choose another folder, or use --force")
+    for target, file in targets.items():
+        write_bytes_atomic(target, file.read_bytes())
+    return list(targets)
+
+
+def _with_parts(file: Path) -> Iterator[Path]:
+    yield file
+    if file.suffix == ".toml":
+        for text in _texts(read_tree(file).plain()):
+            part = (file.parent / text).resolve()
+            if Path(text).suffix in (".toml", ".ngc", ".csv") and part.is_file():
+                yield from _with_parts(part)
+
+
+def _texts(value: Any) -> Iterator[str]:
+    if isinstance(value, str):
+        yield value
+    elif isinstance(value, Mapping):
+        for item in value.values():
+            yield from _texts(item)
+    elif isinstance(value, list):
+        for item in value:
+            yield from _texts(item)

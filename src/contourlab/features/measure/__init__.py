@@ -1,0 +1,1 @@
+"""How well did a measured run follow its path?"""

@@ -1,0 +1,1 @@
+"""Which parameters bring the simulated run onto the measured one?"""

@@ -1,0 +1,1 @@
+"""How far does the tool stray from the path, why, and what helps?"""

@@ -1,0 +1,155 @@
+"""What the report is given: the outcomes of a session, turned into its own terms."""
+
+from __future__ import annotations
+
+import math
+import platform
+from collections.abc import Sequence
+from dataclasses import replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from contourlab import __version__
+from contourlab.features.run.compare import AxisBode, Outcome
+from contourlab.features.run.margin_words import gain_words, phase_words
+from contourlab.features.run.trust import trust_of
+from contourlab.feed.binding import Binding, limiting
+from contourlab.metrics.circles import CircleFigures, pairs
+from contourlab.report.data import AxisBounds, CircleRun, FrequencyResponse, Provenance, ReportData, SchemeReport
+from contourlab.report.feed_picture import FeedRun
+from contourlab.report.trials import TrialCourse
+
+__all__ = ["report_data"]
+
+FEED_POINTS = 4000
+PER_SPAN = 3
+GAP_POINTS = 201
+MOST_POINTS = 200_000
+"""Above, a span is looked at where it begins only: long motions have many."""
+_HELD_BY = {
+    Binding.REST: "at rest",
+    Binding.FEEDRATE: "programmed feed",
+    Binding.VELOCITY: "axis velocity",
+    Binding.ACCELERATION: "axis acceleration",
+    Binding.JERK: "axis jerk",
+    Binding.CURVATURE_STEP: "step of curvature",
+    Binding.PLANNER: "planner's distance",
+}
+
+
+def report_data(title: str, outcomes: Sequence[Outcome], *, scenario: str, command: str) -> ReportData:
+    """Return the data of a report.
+
+    Parameters
+    ----------
+    title : str
+    outcomes : sequence of Outcome
+        At least one, all along one path.
+    scenario : str
+        The scenario as TOML.
+    command : str
+        As typed.
+    """
+    first = outcomes[0]
+    reference = first.reference
+    programmed = None if reference.programmed is reference.path else reference.programmed
+    system = f"{platform.system()} {platform.machine()}, Python {platform.python_version()}"
+    again = "save the scenario below as scenario.toml, then: contourlab run scenario.toml"
+    provenance = Provenance(__version__, command, again, scenario, first.case.seed, system)
+    schemes = [_scheme(outcome) for outcome in outcomes]
+    notes = [*first.case.notes]
+    others = [outcome.name for outcome in outcomes if outcome.reference.digest != reference.digest]
+    if others:
+        notes.append(f"the feed along the path is that of {first.name}; planned otherwise: {', '.join(others)}")
+    return ReportData(title, schemes, reference.path, provenance, programmed, first.case.lines, first.case.tolerance, notes, _feed(first))
+
+
+def _feed(outcome: Outcome) -> FeedRun | None:
+    """Return the planned motion at even times and within each of its spans; None where it was not planned within limits."""
+    reference, profile, route = outcome.reference, outcome.reference.profile, outcome.case.route()
+    if profile is None or route is None:
+        return None
+    # Evenly over time, and within the ramps, which a rapid passes between two even places.
+    ends = np.append(profile.t0[1:], profile.duration)
+    per_span = PER_SPAN if PER_SPAN * ends.size <= MOST_POINTS else 1
+    ramps = np.linspace(profile.t0, ends, per_span, endpoint=False).ravel()
+    time = np.unique(np.concatenate([np.linspace(0.0, profile.duration, FEED_POINTS), ramps]))
+    motion = profile.motion(time)
+    codes = limiting(route, outcome.case.limits, profile, motion.arc_length, curvature_step=outcome.case.curvature_step)
+    asked = route.feedrate[reference.path.curve_index(motion.arc_length)]
+    return FeedRun(motion.arc_length, motion.speed, asked, time, codes, [_HELD_BY[code] for code in Binding])
+
+
+def _scheme(outcome: Outcome) -> SchemeReport:
+    axes = outcome.case.machine.axes
+    bounds = AxisBounds(
+        velocity=np.array([a.limits.velocity for a in axes]),
+        acceleration=np.array([a.limits.acceleration for a in axes]),
+        jerk=np.array([a.limits.jerk for a in axes]),
+        command=np.array([float(getattr(a.drive, "limit", math.inf)) for a in axes]),
+    )
+    return SchemeReport(
+        name=outcome.name,
+        result=outcome.result,
+        metrics=outcome.metrics,
+        bounds=bounds,
+        verdict=outcome.verdict,
+        bode={axis: replace(_response(bode), meant=outcome.loop_meant(axis)) for axis, bode in outcome.bode.items()},
+        circles=[_circle(circle, outcome) for circle in outcome.circles],
+        spikes=outcome.spikes,
+        bidirectional=pairs(outcome.circles),
+        limits=outcome.limits,
+        trials=_course(outcome),
+        foretold=outcome.foretold,
+        tick=outcome.tick,
+        switches=outcome.switches,
+        gaps=_gaps(outcome),
+        trust=trust_of(outcome),
+    )
+
+
+def _circle(circle: CircleFigures, outcome: Outcome) -> CircleRun:
+    """Return a circle with the places of its reversal spikes."""
+    period, start = outcome.result.servo_period, outcome.result.start
+    highest = [round(spike.peak_time / period) - start for spike in outcome.spikes if math.isfinite(spike.angle)]
+    marked = np.flatnonzero(np.isin(circle.samples, highest)).tolist()
+    return CircleRun(circle.name, circle.clockwise, circle.radius, circle.angle, circle.deviation, circle.figures(), marked)
+
+
+def _gaps(outcome: Outcome) -> dict[str, tuple[NDArray[np.float64], NDArray[np.float64]]]:
+    """Return the free travel of each axis with a motor and a load, over the part of its travel that was used."""
+    found = {}
+    for i, axis in enumerate(outcome.case.machine.axes):
+        free_travel = getattr(axis.plant, "gap_at", None)
+        if axis.plant.two_sided and free_travel is not None and "axis_position" in outcome.result:
+            used = outcome.result["axis_position"][:, i]
+            places = np.linspace(float(used.min()), float(used.max()), GAP_POINTS)
+            found[axis.name] = places, np.array([free_travel(float(place)) for place in places])
+    return found
+
+
+def _course(outcome: Outcome) -> TrialCourse | None:
+    run = outcome.learning
+    if run is None:
+        return None
+    contour = np.array([trial.contour_rms for trial in run.trials])
+    tracking = np.array([trial.tracking_rms for trial in run.trials])
+    return TrialCourse(contour, tracking, run.best, run.status, run.reason)
+
+
+def _response(bode: AxisBode) -> FrequencyResponse:
+    hertz = bode.response.frequency / (2.0 * math.pi)
+    m = bode.margins
+    if not m.stable:
+        said = {"loop": "unstable, so it has no margins; the curve is no response of a run"}
+        return FrequencyResponse(hertz, bode.response.closed_loop, said, stable=False)
+    size = np.abs(bode.response.closed_loop)
+    below = np.flatnonzero(size < math.sqrt(0.5))
+    notes = {"bandwidth (-3 dB)": f"{hertz[below[0]]:.3g} Hz" if below.size else f"above {hertz[-1]:.3g} Hz"}
+    if math.isfinite(m.phase):
+        notes["phase margin"] = f"{phase_words(m.phase)} at {m.crossover / (2.0 * math.pi):.3g} Hz"
+    if math.isfinite(m.gain):
+        notes["gain margin"] = f"{gain_words(m.gain)} at {m.phase_crossover / (2.0 * math.pi):.3g} Hz"
+    notes["modulus margin"] = f"{m.modulus:.3g}"
+    return FrequencyResponse(hertz, bode.response.closed_loop, notes)

@@ -1,0 +1,1 @@
+"""EMPS: Janot, Gautier & Brunot, identification of an electro-mechanical positioning system."""

@@ -1,0 +1,203 @@
+"""Reproduction of Janot, Gautier & Brunot, "Data set and reference models of EMPS", 2019 nonlinear benchmark, from its logs."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass, replace
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from contourlab.analysis.identification.filtered_motion import filtered_motion
+from contourlab.analysis.identification.inverse_dynamics import (
+    InverseDynamicsFit,
+    InverseDynamicsSettings,
+    Validation,
+    cross_validate,
+    identify_inverse_dynamics,
+)
+from contourlab.errors import LogError
+from contourlab.papers.emps.engine import simulate_in_engine
+from contourlab.papers.emps.log import WANTED, EmpsLog, read_emps
+from contourlab.papers.emps.simulation import EmpsRun, axis_of, percent_errors, simulate_as_published, simulate_emps
+from contourlab.papers.rows import Part, Row, Stage, in_parts, ours, printed
+
+__all__ = ["SETTINGS", "Identified", "identified", "reproduce"]
+
+SETTINGS = InverseDynamicsSettings(cutoff=100.0, order=4, decimation=10, dropped=(49, 0), lost_degrees=1)
+"""As published: samples are dropped at the start alone, and deviations are those of the residual about its mean."""
+UNITS = {"M": "kg", "Fv": "N s/m", "Fc": "N", "offset": "N"}
+
+SYMMETRIC = {"M": (95.1089, 0.1085), "Fv": (203.5034, 1.1460), "Fc": (20.3935, 0.1012), "offset": (-3.1648, 0.0444)}
+ASYMMETRIC = {
+    "M": (95.1540, 0.0827),
+    "Fv+": (166.7061, 1.2326),
+    "Fc+": (20.1440, 0.1088),
+    "Fv-": (240.4236, 1.2346),
+    "Fc-": (20.6277, 0.1091),
+}
+"""Published values and standard deviations."""
+JUDGED = ("condition number", "residual norm", "relative error", "residual deviation")
+JUDGED_UNITS = ("", "N", "%", "N")
+ON_SYMMETRIC, ON_ASYMMETRIC = (25.9883, 108.7569, 4.0834, 2.1843), (26.0197, 82.8778, 3.1117, 1.6646)
+ON_VALIDATION = (26.0217, 169.4876, 5.9824, 3.4039)
+SIMULATED = {"position": 0.013752, "velocity": 0.22911, "acceleration": 8.6036, "force": 5.848}
+SIMULATED_VALIDATION = {"position": 0.0080248, "velocity": 0.47888, "acceleration": 19.8152, "force": 8.9409}
+"""Published errors of the simulated closed loop [percent]."""
+LAST_DIGIT = 5e-5
+"""Half of the last printed digit, four decimals."""
+SOLVER = 0.005
+"""Share within which our fixed steps count as the published solver's, which chooses its own."""
+CLOCK = (
+    "here the clock is the log's, and the axis sticks: the published run has t_10 - t_9 for its clock, which drifts against the log "
+    "(0.4 ms over the 24.8 s for estimation), friction that chatters at rest, and pulses that rise in ramps"
+)
+FROM_REST = "the axis and the controller of builtin:emps from rest, while the log starts on the way: the rest of the run is the same"
+LATE = "the published model delays the command by a tick, and the logged voltage obeys the law without (see controller law)"
+
+
+@dataclass(frozen=True, eq=False)
+class Identified:
+    """A log, and the axis found from it with friction alike in both directions and by direction."""
+
+    log: EmpsLog
+    symmetric: InverseDynamicsFit
+    asymmetric: InverseDynamicsFit
+
+
+def identified(log: str | Path | None) -> Identified:
+    """Return the axis identified from a log.
+
+    Parameters
+    ----------
+    log : str or Path, or None
+        DATA_EMPS.mat; None is refused with what is wanted.
+
+    Raises
+    ------
+    LogError
+        If there is none, or it cannot be read.
+    """
+    if log is None:
+        raise LogError(f"no log given: {WANTED}", file="--log")
+    held = read_emps(log)
+    record = held.time, held.position, held.force
+    fits = (identify_inverse_dynamics(*record, replace(SETTINGS, friction=friction)) for friction in ("symmetric", "asymmetric"))
+    return Identified(held, *fits)
+
+
+def reproduce(log: str | Path | None = None, validation: str | Path | None = None, *, stage: Stage | None = None) -> list[dict[str, Any]]:
+    """Return every published figure beside ours: rows with the keys of `contourlab.papers.rows.Row.as_dict`.
+
+    Parameters
+    ----------
+    log : str or Path
+        DATA_EMPS.mat.
+    validation : str or Path, optional
+        DATA_EMPS_PULSES.mat, a second record with pulses on the drive: the parameters of the first are held against it.
+    stage : callable, optional
+        Told in words what is begun.
+
+    Raises
+    ------
+    LogError
+        If a log is not given or cannot be read.
+    """
+    second = None if validation is None else read_emps(validation)  # a file that is not there is told ahead of the work
+    if stage is not None:
+        stage("identifying")
+    found = identified(log)
+    parts: list[Part] = [
+        ("parameters", lambda: _parameters(found)),
+        ("simulating the closed loop", lambda: _simulated(found, found.log, SIMULATED, "")),
+        ("tracking in the engine", lambda: _tracking(found)),
+    ]
+    if second is not None:
+        parts += [
+            ("the second record", lambda: _validated(found, second)),
+            ("simulating the second record", lambda: _simulated(found, second, SIMULATED_VALIDATION, "validation: ")),
+        ]
+    return list(in_parts(parts, stage))
+
+
+def _parameters(found: Identified) -> Iterator[Row]:
+    fit = found.symmetric
+    alike, directed = "friction alike in both directions", "friction by direction"
+    note = f"{len(fit.force)} rows; " + ("; ".join(fit.remarks) or "nothing remarked")
+    for name, (value, _) in SYMMETRIC.items():
+        yield printed(name, alike, value, fit[name], UNITS[name], LAST_DIGIT, note)
+    yield from _judged(fit, ON_SYMMETRIC, "", alike)
+    yield from _deviations(fit, SYMMETRIC, alike)
+    fit = found.asymmetric
+    for name, (value, _) in ASYMMETRIC.items():
+        yield printed(f"asymmetric {name}", directed, value, fit[name], UNITS[name.rstrip("+-")], LAST_DIGIT)
+    yield from _judged(fit, ON_ASYMMETRIC, "asymmetric ", directed)
+    yield from _deviations(fit, ASYMMETRIC, directed)
+
+
+def _judged(told: Validation, published: tuple[float, ...], prefix: str, case: str) -> Iterator[Row]:
+    here = (told.condition_number, told.residual_norm, told.relative_error, told.residual_deviation)
+    for name, unit, paper, value in zip(JUDGED, JUDGED_UNITS, published, here, strict=True):
+        yield printed(f"{prefix}{name}", case, paper, value, unit, LAST_DIGIT)
+    yield ours(f"{prefix}fit", case, told.fit, "%", "100 (1 - |residual|/|force - its mean|)")
+
+
+def _deviations(fit: InverseDynamicsFit, published: dict[str, tuple[float, float]], case: str) -> Iterator[Row]:
+    note = "allows for the correlation of the residual, which is not white: the printed ones, and ours beside them, take it for white"
+    for i, (name, (_, paper)) in enumerate(published.items()):
+        unit, of = UNITS[name.rstrip("+-")], f"{name}, {case}"
+        yield printed("standard deviation", of, paper, fit.deviations[i], unit, LAST_DIGIT)
+        yield ours("relative standard deviation", of, fit.relative_deviations[i], "%")
+        yield ours("standard deviation, residual as it is", of, fit.robust_deviations[i], unit, note)
+
+
+def _simulated(found: Identified, log: EmpsLog, published: dict[str, float], prefix: str) -> Iterator[Row]:
+    """The closed loop in simulation against the log: as published, then as the log has it."""
+    motion = filtered_motion(log.position, log.period, cutoff=SETTINGS.cutoff, order=SETTINGS.order)
+    alike, directed = axis_of(found.symmetric), axis_of(found.asymmetric)
+
+    def errors(run: EmpsRun) -> dict[str, float]:
+        return percent_errors(log, motion, run, SETTINGS.dropped[0])
+
+    def row(name: str, case: str, here: float, note: str, reason: str) -> Row:
+        paper = published[name]
+        return printed(f"simulated {name}", f"{prefix}{case}", paper, here, "%", SOLVER * paper, note, reason=reason)
+
+    for name, here in errors(simulate_as_published(log, alike)).items():
+        yield row(name, "the published clock, delay and solver", here, "error against the log", "")
+    for delay, case in ((1, "one tick of control delay"), (0, "no control delay")):
+        for name, here in errors(simulate_emps(log, alike, delay=delay)).items():
+            yield row(name, case, here, "", CLOCK if delay or name == "position" else LATE)
+    for delay, case in ((1, "one tick of control delay"), (0, "no control delay")):
+        for name, here in errors(simulate_in_engine(log, alike, delay=delay)).items():
+            yield ours(f"simulated {name}", f"{prefix}contourlab's engine, {case}", here, "%", FROM_REST)
+    for name, here in errors(simulate_emps(log, directed)).items():
+        yield ours(f"simulated {name}", f"{prefix}no control delay, friction by direction", here, "%")
+
+
+def _tracking(found: Identified) -> Iterator[Row]:
+    log = found.log
+    runs = {"measured": log.position}
+    for delay, case in ((0, "simulated, no control delay"), (1, "simulated, one tick of control delay")):
+        runs[case] = simulate_emps(log, axis_of(found.symmetric), delay=delay).position
+    for case, position in runs.items():
+        yield ours(
+            "tracking error rms", case, 1e3 * float(np.sqrt(np.mean((log.reference - position) ** 2))), "mm", "reference less position"
+        )
+    for case, position in runs.items():
+        yield ours("tracking error peak", case, 1e3 * float(np.abs(log.reference - position).max()), "mm")
+    velocity = (log.position[2:] - log.position[:-2]) / (2.0 * log.period)
+    law = log.velocity_gain * (log.position_gain * (log.reference - log.position)[2:] - velocity) + log.pulses[2:]
+    note = "rms of the logged voltage less k_v (k_p (q_r - q) - v), v over two ticks: the loop that was measured has no delay of a tick"
+    for delay, case in ((0, "no control delay"), (1, "one tick of control delay")):
+        left = log.voltage[2 + delay :] - law[: law.size - delay]
+        yield ours("controller law", case, 1e3 * float(np.sqrt(np.mean(left**2))), "mV", note)
+
+
+def _validated(found: Identified, second: EmpsLog) -> Iterator[Row]:
+    record = second.time, second.position, second.force
+    case = "friction alike in both directions"
+    yield from _judged(cross_validate(found.symmetric, *record), ON_VALIDATION, "cross-validation ", case)
+    told = cross_validate(found.asymmetric, *record)
+    yield ours("cross-validation relative error", "friction by direction", told.relative_error, "%", "parameters of the first log")

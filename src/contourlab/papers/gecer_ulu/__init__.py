@@ -1,0 +1,1 @@
+"""Gecer Ulu, Ulu & Cakmakci: learning cross-coupled control."""

@@ -1,0 +1,1 @@
+"""Ghaffari & Ulsoy: component swapping modularity for distributed precision contouring."""

@@ -1,0 +1,137 @@
+"""Frequency response of one axis in closed loop: sampled, from the steps that run, or in continuous time.
+
+In continuous time the linear models that components give of themselves are joined at each frequency, so that a transport delay is exact,
+not approximated by a rational function. That is what a design on paper is held against; what runs is the sampled loop.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from contourlab.analysis.linear.response import AxisResponse
+from contourlab.analysis.linear.sampled_loop import sampled_loop
+from contourlab.components.conformance import SLOTS
+from contourlab.components.contract import Component, LinearModel
+from contourlab.components.velocity.true import TrueVelocity
+from contourlab.errors import ComponentError, ParameterError
+from contourlab.loop.machine import Axis, AxisController
+
+__all__ = ["axis_response", "transfer"]
+
+Array = NDArray[np.float64]
+Complex = NDArray[np.complex128]
+
+
+def transfer(model: LinearModel, s: ArrayLike) -> Complex:
+    """Return C (s I - A)^-1 B + D for each s: (n, n_output, n_input)."""
+    points = np.atleast_1d(np.asarray(s, dtype=complex))
+    if model.a.shape[0] == 0:
+        return np.broadcast_to(model.d.astype(complex), (points.size, *model.d.shape))
+    eye = np.eye(model.a.shape[0])
+    inner = np.linalg.solve(points[:, None, None] * eye - model.a, np.broadcast_to(model.b.astype(complex), (points.size, *model.b.shape)))
+    return np.asarray(model.c @ inner + model.d)
+
+
+def _model(part: Component) -> LinearModel:
+    model = part.linearize()
+    if model is None:
+        raise ComponentError(f"{part.family} {part.kind} has no linear model, so the loop has no frequency response")
+    return model
+
+
+def axis_response(
+    axis: Axis, controller: AxisController, servo_period: float, frequency: ArrayLike, carried_mass: float = 0.0
+) -> AxisResponse:
+    """Return the frequency responses of an axis under its controller, friction, quantisation and limits left out.
+
+    Parameters
+    ----------
+    axis : Axis
+    controller : AxisController
+    servo_period : float [s], >= 0
+        Of the sampled loop; 0 for continuous time.
+    frequency : array_like (n,) [rad/s], > 0
+        Of a sampled loop up to the Nyquist frequency.
+    carried_mass : float [kg]
+        What other axes put on this one.
+
+    Raises
+    ------
+    ComponentError
+        If a component has no linear model, or its step is not linear.
+    ParameterError
+        If a frequency is out of range.
+    """
+    w = np.atleast_1d(np.asarray(frequency, dtype=float))
+    if not (np.isfinite(w).all() and (w > 0.0).all()):
+        raise ParameterError("frequency", "an array", "> 0 and finite", "rad/s")
+    if servo_period > 0.0:
+        return sampled_loop(axis, controller, servo_period, carried_mass).response(w)
+    return _continuous(axis, controller, w, carried_mass)
+
+
+def _continuous(axis: Axis, controller: AxisController, w: Array, carried_mass: float) -> AxisResponse:
+    if controller.predictor is not None:
+        raise ComponentError(f"predictor {controller.predictor.kind} has no linear model in continuous time: ask for the sampled loop")
+    if axis.plant.two_sided:
+        raise ComponentError(f"plant {axis.plant.kind} has a motor and a load: ask for the sampled loop")
+    s = np.asarray(1j * w, dtype=np.complex128)
+    plant = axis.plant.loaded(carried_mass)
+    moved = transfer(_model(plant), s)
+    position, velocity, position_load, velocity_load = moved[:, 0, 0], moved[:, 1, 0], moved[:, 0, 1], moved[:, 1, 1]
+    seen = _velocity_row(controller, s)
+    measured = velocity if seen is None else seen * position
+    measured_load = velocity_load if seen is None else seen * position_load
+    of_velocity, of_applied = _observer_rows(controller, s)
+    gains = _gains(_model(controller.controller), s)
+    drive = np.exp(-s * float(getattr(axis.drive, "delay", 0.0)))
+
+    # Command per applied command with the reference at rest.
+    estimate = of_velocity * measured + of_applied
+    back = gains["position"] * position + gains["velocity"] * measured + gains["disturbance_estimate"] * estimate
+    inside = 1.0 - drive * gains["disturbance_estimate"] * of_applied
+    # Zero for a single mass, whose load acts where its drive does. Put together like this nothing large cancels at low frequencies.
+    apart = (gains["velocity"] + gains["disturbance_estimate"] * of_velocity) * (measured_load * position - measured * position_load)
+    forward = gains["reference"] + s * gains["reference_velocity"] + s * s * gains["reference_acceleration"]
+    forward = forward + gains["feedforward"] * _fed_forward(controller, s)
+    applied = drive / (1.0 - drive * back)
+    inner = drive / (1.0 - drive * gains["disturbance_estimate"] * estimate)
+    return AxisResponse(
+        frequency=w,
+        closed_loop=position * applied * forward,
+        modified=position * applied * gains["reference"],
+        loop_gain=-drive * back,
+        compliance=(position_load * inside + drive * apart) / (1.0 - drive * back),
+        compensated=velocity * inner,
+    )
+
+
+def _gains(model: LinearModel, s: Complex) -> dict[str, Complex]:
+    """Return the command over each thing that a controller may take; zero for what it does not."""
+    offered, _ = SLOTS["controller"]
+    rows = transfer(model, s)
+    return {name: rows[:, 0, model.inputs.index(name)] if name in model.inputs else np.zeros_like(s) for name in offered}
+
+
+def _fed_forward(controller: AxisController, s: Complex) -> Complex:
+    """Return the command over the reference of what feeds it forward; of a feedforward that is not linear, nothing."""
+    model = None if controller.feedforward is None else controller.feedforward.linearize()
+    if model is None or "command" not in model.outputs:
+        return np.zeros_like(s)
+    rows = transfer(model, s)[:, model.outputs.index("command")]
+    order = {"reference": 0, "reference_velocity": 1, "reference_acceleration": 2}
+    return np.asarray(sum(rows[:, i] * s ** order[name] for i, name in enumerate(model.inputs)))
+
+
+def _velocity_row(controller: AxisController, s: Complex) -> Complex | None:
+    if isinstance(controller.velocity, TrueVelocity):
+        return None
+    return transfer(_model(controller.velocity), s)[:, 0, 0]
+
+
+def _observer_rows(controller: AxisController, s: Complex) -> tuple[Complex, Complex]:
+    if controller.observer is None:
+        return np.zeros_like(s), np.zeros_like(s)
+    rows = transfer(_model(controller.observer), s)
+    return rows[:, 0, 0], rows[:, 0, 1]

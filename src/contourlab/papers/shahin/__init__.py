@@ -1,0 +1,1 @@
+"""Shahin, ElMaraghy & ElBeheiry: feed drives with backlash, and the supervisor that switches their controllers."""

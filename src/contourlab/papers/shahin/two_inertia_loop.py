@@ -1,0 +1,213 @@
+"""Two inertias with a gap between them, and the linear controllers around them, as matrices.
+
+States are motor position, motor velocity, load position, load velocity, then what the controller integrates::
+
+    J_m w_m' = u - c_m w_m - T,      J_l w_l' = T - c_l w_l
+
+after eqs (1)-(4) of Shahin, ElMaraghy & ElBeheiry. Units are neutral: (rad, N m, kg m^2) or (m, N, kg).
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from typing import Literal
+
+import numpy as np
+from numpy.typing import NDArray
+
+from contourlab.analysis.backlash.lure import N_REFERENCE, BacklashLoop
+from contourlab.errors import ParameterError
+
+__all__ = ["Feedback", "TwoInertias", "motor_pid", "p_pi_cascade", "two_inertia_loop"]
+
+Array = NDArray[np.float64]
+
+MECHANICAL = ("motor position", "motor velocity", "load position", "load velocity")
+
+
+@dataclass(frozen=True)
+class TwoInertias:
+    """The mechanics: a motor and a load, joined by a spring with a gap.
+
+    Attributes
+    ----------
+    motor_inertia, load_inertia : float, > 0
+        J_m, J_l [kg m^2] (or masses [kg]).
+    stiffness : float, > 0
+        k_s [N m/rad] (or [N/m]).
+    half_gap : float, > 0
+        Half of the total gap, beta of eq (4) [rad] (or [m]).
+    motor_damping, load_damping, shaft_damping : float, >= 0
+        Viscous friction c_m and c_l of either side, and damping of the shaft [N m s/rad] (or [N s/m]).
+    """
+
+    motor_inertia: float
+    load_inertia: float
+    stiffness: float
+    half_gap: float
+    motor_damping: float = 0.0
+    load_damping: float = 0.0
+    shaft_damping: float = 0.0
+
+    def __post_init__(self) -> None:
+        for name in ("motor_inertia", "load_inertia", "stiffness", "half_gap"):
+            if not 0.0 < getattr(self, name) < np.inf:
+                raise ParameterError(name, getattr(self, name), "above 0")
+        for name in ("motor_damping", "load_damping", "shaft_damping"):
+            if not 0.0 <= getattr(self, name) < np.inf:
+                raise ParameterError(name, getattr(self, name), "0 or more")
+
+    @property
+    def a(self) -> Array:
+        """Dynamics (4, 4) without command and torque."""
+        return np.array(
+            [
+                [0.0, 1.0, 0.0, 0.0],
+                [0.0, -self.motor_damping / self.motor_inertia, 0.0, 0.0],
+                [0.0, 0.0, 0.0, 1.0],
+                [0.0, 0.0, 0.0, -self.load_damping / self.load_inertia],
+            ]
+        )
+
+    @property
+    def command(self) -> Array:
+        """What the command does (4,)."""
+        return np.array([0.0, 1.0 / self.motor_inertia, 0.0, 0.0])
+
+    @property
+    def torque(self) -> Array:
+        """What the transmitted torque does, its sign turned (4,)."""
+        return np.array([0.0, 1.0 / self.motor_inertia, 0.0, -1.0 / self.load_inertia])
+
+    @property
+    def difference(self) -> Array:
+        """Row of the motor-load difference (4,)."""
+        return np.array([1.0, 0.0, -1.0, 0.0])
+
+    @property
+    def contact_a(self) -> Array:
+        """Dynamics (4, 4) without command, in contact, about the point of rest."""
+        rate = np.array([0.0, 1.0, 0.0, -1.0])
+        return self.a - np.outer(self.torque, self.stiffness * self.difference + self.shaft_damping * rate)
+
+
+@dataclass(frozen=True)
+class Feedback:
+    """A linear controller: u = -gain (x, z) + reference (r, r', r''), z' = integral (x, z) + integral_reference (r, r', r'').
+
+    Attributes
+    ----------
+    gain : tuple (4 + n_z,) of float
+        On motor position, motor velocity, load position, load velocity, and the integrals.
+    reference : tuple (3,) of float
+        On the reference, its velocity and its acceleration.
+    integral : tuple (n_z,) of tuples (4 + n_z,) of float
+        What is integrated.
+    integral_reference : tuple (n_z,) of tuples (3,) of float
+    """
+
+    gain: tuple[float, ...]
+    reference: tuple[float, ...] = (0.0, 0.0, 0.0)
+    integral: tuple[tuple[float, ...], ...] = ()
+    integral_reference: tuple[tuple[float, ...], ...] = ()
+
+    def __post_init__(self) -> None:
+        n = len(MECHANICAL) + len(self.integral)
+        rows = (self.gain, *self.integral)
+        references = (self.reference, *self.integral_reference)
+        if any(len(row) != n for row in rows):
+            raise ParameterError("gain and integral", [len(row) for row in rows], f"rows of {n}: 4 states and the integrals")
+        if any(len(row) != N_REFERENCE for row in references) or len(references) != len(rows):
+            raise ParameterError("reference", references, "rows of 3 (reference, velocity, acceleration), one for u and for each integral")
+
+    @property
+    def n_integral(self) -> int:
+        """Number of integrals."""
+        return len(self.integral)
+
+
+def motor_pid(proportional: float, derivative: float, integral: float = 0.0, acceleration: float = 0.0) -> Feedback:
+    """Return u = acceleration r'' - derivative (w_m - r') - proportional (theta_m - r) - integral times the integral of (theta_m - r).
+
+    Eqs (12), (13), (15) and (16) of Shahin, ElMaraghy & ElBeheiry about a target r, which has the shift by beta in it: K_1' or K_4' is
+    `derivative`, K_2' or K_5' is `proportional`, K_3 or K_6 is `integral`, J_m is `acceleration`.
+    """
+    gain, reference = (proportional, derivative, 0.0, 0.0), (proportional, derivative, acceleration)
+    if integral == 0.0:
+        return Feedback(gain, reference)
+    return Feedback((*gain, integral), reference, ((1.0, 0.0, 0.0, 0.0, 0.0),), ((-1.0, 0.0, 0.0),))
+
+
+def p_pi_cascade(
+    position_gain: float,
+    velocity_gain: float,
+    integral_gain: float = 0.0,
+    position_from: Literal["motor", "load"] = "load",
+    velocity_feedforward: float = 0.0,
+) -> Feedback:
+    """Return a position loop around a velocity loop on the motor: v = K_v (r - position) + ff r', u = K_p (v - w_m) + K_i z, z' = v - w_m.
+
+    Parameters
+    ----------
+    position_gain : float [1/s]
+        K_v.
+    velocity_gain : float [N m s/rad]
+        K_p of the velocity loop.
+    integral_gain : float [N m/rad]
+        K_i of the velocity loop; without it there is no integral state.
+    position_from : "motor" or "load"
+        Which side the position loop closes over.
+    velocity_feedforward : float
+        Share of the reference's velocity added to the velocity wanted.
+    """
+    if position_from not in ("motor", "load"):
+        raise ParameterError("position_from", position_from, "'motor' or 'load'")
+    at = (position_gain, 0.0) if position_from == "motor" else (0.0, position_gain)
+    wanted, follow = (at[0], 1.0, at[1], 0.0), (position_gain, velocity_feedforward, 0.0)
+    gain, reference = tuple(velocity_gain * x for x in wanted), tuple(velocity_gain * x for x in follow)
+    if integral_gain == 0.0:
+        return Feedback(gain, reference)
+    row = (*(-x for x in wanted), 0.0)
+    return Feedback((*gain, -integral_gain), reference, (row,), (follow,))
+
+
+def two_inertia_loop(drive: TwoInertias, feedback: Feedback, contact_feedback: Feedback | None = None) -> BacklashLoop:
+    """Return two inertias under a linear controller as a loop around a gap.
+
+    Parameters
+    ----------
+    drive : TwoInertias
+    feedback : Feedback
+        In the gap; and in contact, if nothing else is given for it.
+    contact_feedback : Feedback, optional
+        In contact, of a scheme that switches; it has the same integrals.
+
+    Raises
+    ------
+    ParameterError
+        If the controllers integrate different numbers of states.
+    """
+    a, e = _closed(drive, feedback)
+    n = len(a)
+    b, c = np.zeros(n), np.zeros(n)
+    b[:4], c[:4] = drive.torque, drive.difference
+    names = (*MECHANICAL, *(f"integral {i + 1}" for i in range(feedback.n_integral)))
+    loop = BacklashLoop(a, b, c, drive.stiffness, drive.half_gap, drive.shaft_damping, e, states=names)
+    if contact_feedback is None:
+        return loop
+    if contact_feedback.n_integral != feedback.n_integral:
+        raise ParameterError("contact_feedback", f"{contact_feedback.n_integral} integrals", f"with {feedback.n_integral}, as in the gap")
+    contact_a, contact_e = _closed(drive, contact_feedback)
+    return replace(loop, contact_a=contact_a, contact_e=contact_e)
+
+
+def _closed(drive: TwoInertias, feedback: Feedback) -> tuple[Array, Array]:
+    """Return dynamics (n, n) and reference input (n, 3) without torque."""
+    n = len(feedback.gain)
+    a, e, command = np.zeros((n, n)), np.zeros((n, N_REFERENCE)), np.zeros(n)
+    a[:4, :4], command[:4] = drive.a, drive.command
+    a -= np.outer(command, feedback.gain)
+    e += np.outer(command, feedback.reference)
+    if feedback.integral:
+        a[4:], e[4:] = np.array(feedback.integral), np.array(feedback.integral_reference)
+    return a, e

@@ -1,0 +1,1 @@
+"""Two measured contouring runs of an XY table beside their simulation."""

@@ -1,1 +1,0 @@
-"""The models of ``contourlab identify``, one file each; `contourlab.session.identification.register` names them."""

@@ -1,1 +1,0 @@
-"""Studies: the papers' reproductions, comparisons of schemes, and the verdict."""

@@ -1,0 +1,62 @@
+"""The global search, on functions whose smallest value is known."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from contourlab.design import search
+from contourlab.errors import ParameterError
+
+STARTS = np.array([[0.9, 0.1, 0.9], [0.1, 0.9, 0.5]])
+
+
+def bowl(points: np.ndarray) -> np.ndarray:
+    return 1.0 + ((points - np.array([0.3, 0.6, 0.45])) ** 2 * np.array([1.0, 30.0, 4.0])).sum(axis=1)
+
+
+def valley(points: np.ndarray) -> np.ndarray:
+    x, y, z = (4.0 * points - 2.0).T
+    return 100.0 * (y - x * x) ** 2 + (1.0 - x) ** 2 + 100.0 * (z - y * y) ** 2 + (1.0 - y) ** 2
+
+
+def test_finds_the_bottom_of_a_bowl() -> None:
+    found = search(bowl, STARTS, budget=6000, tolerance=0.0)
+    np.testing.assert_allclose(found.point, [0.3, 0.6, 0.45], atol=1e-4)
+    assert found.value == pytest.approx(1.0, abs=1e-7)
+    assert found.runs <= 6000
+    assert found.spread < 1e-6
+    assert (np.diff(found.course[:, 1]) <= 0.0).all()
+
+
+def test_follows_a_curved_valley() -> None:
+    found = search(valley, STARTS, budget=20000, tolerance=0.0)
+    np.testing.assert_allclose(found.point, [0.75, 0.75, 0.75], atol=1e-3)
+
+
+def test_bottom_on_the_border() -> None:
+    found = search(lambda p: p.sum(axis=1), STARTS, budget=6000, tolerance=0.0)
+    assert found.value == pytest.approx(0.0, abs=1e-3)
+
+
+def test_same_seed_same_search_and_no_global_state() -> None:
+    state = np.random.get_state()[1].copy()  # noqa: NPY002
+    first, second = (search(bowl, STARTS, budget=2000, seed=3) for _ in range(2))
+    np.testing.assert_array_equal(first.course, second.course)
+    np.testing.assert_array_equal(np.random.get_state()[1], state)  # noqa: NPY002
+    assert not np.array_equal(first.course, search(bowl, STARTS, budget=2000, seed=4).course)
+
+
+def test_never_worse_than_a_start() -> None:
+    found = search(bowl, np.array([[0.3, 0.6, 0.45]]), budget=1)
+    assert (found.value, found.runs) == (1.0, 1)
+
+
+def test_runs_that_fail_are_passed_by() -> None:
+    found = search(lambda p: np.where(p[:, 0] > 0.5, np.nan, bowl(p)), STARTS, budget=4000, tolerance=0.0)
+    assert found.value == pytest.approx(1.0, abs=1e-6)
+
+
+def test_nothing_that_holds_is_refused() -> None:
+    with pytest.raises(ParameterError, match="the loop holds"):
+        search(lambda p: np.full(len(p), np.nan), STARTS, budget=200)

@@ -1,0 +1,44 @@
+"""What the study of backlash tells an observer of a drive, and which gap it holds its answer against."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+import contourlab as cl
+from contourlab.components.registry import component
+from contourlab.features.backlash.study import _gap_where_it_turns, observer_of
+
+DRIVE = {"motor_inertia": 2e-4, "mass": 33.0, "lead": 0.01, "stiffness": 253.0}
+
+
+def axis(disturbance: dict[str, float] | None = None, viscous: float = 0.0, **values: object) -> cl.Axis:
+    plant = component("plant", "two-inertia")(**{**DRIVE, "backlash_gap": 40e-6, **values})
+    friction = component("friction", "coulomb")(coulomb=60.0, viscous=viscous)
+    force = None if disturbance is None else component("disturbance", "constant")(**disturbance)
+    return cl.Axis("x", plant, friction, disturbance=force)
+
+
+def test_a_force_that_is_known_is_reckoned_with_in_full() -> None:
+    assert observer_of(axis(), 1e-3).unmodelled_force == 1.0
+    assert observer_of(axis({"force": -100.0}), 1e-3).unmodelled_force == 100.0
+
+
+def test_viscous_friction_of_the_guides_is_the_load_s() -> None:
+    assert observer_of(axis(viscous=200.0), 1e-3).load_damping == pytest.approx(200.0 * (0.01 / (2.0 * np.pi)) ** 2)
+
+
+def test_guesses_reach_beyond_the_widest_gap_and_lie_close() -> None:
+    for gap in (10e-6, 100e-6, 900e-6):
+        seen = observer_of(axis(backlash_gap=gap), 1e-3)
+        assert seen.largest_gap > 1.4 * gap
+        assert (seen.largest_gap / seen.smallest_gap) ** (1.0 / (seen.hypotheses - 1.0)) < 1.15
+    varying = axis(gap_profile=(2.0, 1.0, 2.0), profile_start=-0.02, profile_step=0.02)
+    assert varying.plant.widest_gap == pytest.approx(80e-6)  # type: ignore[attr-defined]
+
+
+def test_a_gap_that_varies_is_that_of_where_the_axis_turns() -> None:
+    plant = axis(gap_profile=(2.0, 0.0, 2.0), profile_start=-0.02, profile_step=0.02).plant
+    time = np.linspace(0.0, 4.0 * np.pi, 4001)
+    assert _gap_where_it_turns(plant, -np.sin(time), 0.01 * np.cos(time)) == pytest.approx(40e-6, rel=1e-4)  # type: ignore[arg-type]
+    assert _gap_where_it_turns(plant, np.ones(5), np.linspace(0.0, 0.001, 5)) == pytest.approx(80e-6)  # type: ignore[arg-type]

@@ -1,0 +1,34 @@
+"""What logs are called: as much of their path as tells them apart."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from contourlab.errors import LogError
+from contourlab.features.measure.command import _names
+from contourlab.features.measure.log_choice import told_apart
+
+
+@pytest.mark.parametrize(
+    ("files", "names"),
+    [
+        (["a/run.csv"], ["run.csv"]),
+        (["a/run.csv", "a/other.csv"], ["run.csv", "other.csv"]),
+        (["a/run.csv", "b/run.csv", "b/other.csv"], ["a/run.csv", "b/run.csv", "other.csv"]),
+        (["a/x/run.csv", "b/x/run.csv"], ["a/x/run.csv", "b/x/run.csv"]),
+        (["run.csv", "a/run.csv"], ["run.csv", "a/run.csv"]),
+        (["/a/run.csv", "/b/run.csv"], ["a/run.csv", "b/run.csv"]),
+        (["a/run.csv", "./a/run.csv"], ["run.csv", "run.csv"]),  # one and the same
+    ],
+)
+def test_names_are_as_short_as_they_can_be(files: list[str], names: list[str]) -> None:
+    assert told_apart(files) == names
+
+
+def test_runs_are_called_without_their_endings_where_that_tells_them_apart() -> None:
+    assert _names([Path("a/run.csv"), Path("b/run.csv")]) == ["a/run", "b/run"]
+    assert _names([Path("a/run.csv"), Path("a/run.mat")]) == ["run.csv", "run.mat"]
+    with pytest.raises(LogError, match="given twice"):
+        _names([Path("a/run.csv"), Path("a/run.csv")])

@@ -1,0 +1,122 @@
+"""The one change that helps most: what is tried, and that the figure told is the one that comes out."""
+
+from __future__ import annotations
+
+import re
+from dataclasses import replace
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+import contourlab as cl
+from contourlab.components.registry import component
+from contourlab.features.run.advice import advice, candidates
+from contourlab.features.run.compare import run_case
+from contourlab.scenario import scenario_from_parts
+
+PERIOD = 1e-3
+A, B = 5.0, 4.0
+"""Acceleration per command and decay of the plant."""
+
+
+def make(family: str, kind: str, **values: Any) -> Any:
+    return component(family, kind)(**values)
+
+
+def machine(**slots: Any) -> cl.Machine:
+    plant = make("plant", "mass-damper", mass=10.0, damping=40.0, force_constant=50.0)
+    return cl.Machine("made", tuple(replace(cl.Axis(name, plant), **slots) for name in "xy"), PERIOD)
+
+
+def controller(position_gain: float = 300.0, **values: Any) -> cl.Controller:
+    part = make("controller", "position", velocity_gain=20.0, position_gain=position_gain, integral_gain=10.0, **values)
+    return cl.Controller(dict.fromkeys("xy", cl.AxisController(part)))
+
+
+def circle() -> cl.Reference:
+    return cl.uniform(cl.contour("circle", radius=0.02), 0.5, 2, PERIOD)
+
+
+def largest(one: cl.Machine, by: cl.Controller) -> float:
+    judged = cl.judge(cl.simulate(one, by, circle()), circle())
+    return float(np.abs(judged["part_error"][slice(*circle().laps[-1])]).max())
+
+
+def test_poles_are_scaled() -> None:
+    """Of s^3 + (b + a K_V) s^2 + a K_P s + a K_P K_I, whatever the gains were placed by."""
+    found = dict(candidates(machine(), controller()))
+    faster = found["raising the poles of the position loops by a quarter"].axes["x"].controller.values()
+    before = controller().axes["x"].controller.values()
+
+    def poles(c: dict[str, float]) -> np.ndarray:
+        k = A * c["position_gain"]
+        return np.sort_complex(np.roots([1.0, B + A * c["velocity_gain"], k, k * c["integral_gain"]]))
+
+    np.testing.assert_allclose(poles(faster), 1.25 * poles(before), rtol=1e-9)
+
+
+def test_models_have_what_stands_on_the_axis() -> None:
+    """A module of 30 kg on an axis of 10 kg: a quarter of the acceleration."""
+    x, y = machine().axes
+    stacked = cl.Machine("stack", (x, replace(y, mounted_on="x", stage_mass=30.0)), PERIOD)
+    found = dict(candidates(stacked, controller()))
+    forward = found["feeding forward the model that the loop really follows"].axes
+    observed = found["adding a disturbance observer"].axes
+    for part in (forward["x"].controller, observed["x"].observer):
+        assert (part.model_gain, part.model_damping) == (pytest.approx(A / 4.0), pytest.approx(B / 4.0))  # type: ignore[union-attr]
+    assert observed["y"].observer.model_gain == pytest.approx(A)  # type: ignore[union-attr]
+
+
+def test_what_there_is_already_is_not_tried() -> None:
+    part = controller(model_gain=A, model_damping=B).axes["x"]
+    watched = replace(part, observer=make("observer", "disturbance-observer", model_gain=A, model_damping=B, bandwidth=100.0))
+    full = cl.Controller(dict.fromkeys("xy", watched), make("estimator", "newton"), make("coupling", "modified-reference", weight=0.5))
+    words = [words for words, _ in candidates(machine(), full)]
+    assert not any("feeding forward" in w or "adding" in w or "coupling" in w for w in words)
+    bandwidths = [c.axes["x"].observer.bandwidth for w, c in candidates(machine(), full) if "bandwidth" in w]  # type: ignore[union-attr]
+    assert bandwidths == [150.0]
+
+
+def test_without_feedforward_the_model_is_what_helps() -> None:
+    one, by = machine(), controller()
+    before = largest(one, by)
+    said = advice(one, by, circle(), before)
+    told = re.fullmatch(r"(.*) brings the largest error from (\S+) um to (\S+) um", said)
+    assert told and told[1] == "feeding forward the model that the loop really follows"
+    trials = {words: largest(one, changed) for words, changed in candidates(one, by)}
+    assert min(trials, key=trials.__getitem__) == told[1]
+    assert (float(told[2]), float(told[3])) == (pytest.approx(1e6 * before, rel=5e-3), pytest.approx(1e6 * min(trials.values()), rel=5e-3))
+
+
+def test_against_friction_it_is_an_observer() -> None:
+    rubbing = machine(friction=make("friction", "coulomb", coulomb=30.0, breakaway=30.0, stribeck_velocity=1e-3))
+    by = controller(model_gain=A, model_damping=B)
+    assert advice(rubbing, by, circle(), largest(rubbing, by)).startswith("adding a disturbance observer brings")
+
+
+def test_where_nothing_helps_it_says_so() -> None:
+    assert advice(machine(), controller(), circle(), 0.0) == "no single change that was tried makes it smaller"
+
+
+CORNER = "G21 G17 G90 F1500\nG64 P0.2\nG1 X10\nG1 X18 Y6\nM2\n"
+
+
+def test_where_planning_is_the_cause_a_closer_plan_is_tried(tmp_path: Path) -> None:
+    """A turn of 37 degrees blended within 200 um: no controller mends that, a blend within a quarter of the tolerance does."""
+    part = tmp_path / "corner.ngc"
+    part.write_text(CORNER, encoding="ascii")
+    case = scenario_from_parts(part, "xyz", "xyz-controller", run={"tolerance": "40 um"}).base
+    found = run_case(case).verdict
+    assert found is not None and found.causes[0].name == "planning"
+    told = re.fullmatch(r"(.*), (\S+) s in all instead of (\S+) s, brings the largest error from (\S+) um to (\S+) um", found.advice)
+    assert told
+    by_words = case.closer(1e-5)
+    changed = replace(case, feed=replace(case.feed, path_control="blend", corner_tolerance=1e-5))
+    assert told[1] in by_words
+    if "blending" in told[1]:
+        assert 'G64 P0.01 in mm, or path_control = "blend", corner_tolerance = "10 um" under [feed]' in told[1]
+        assert float(told[5]) == pytest.approx(run_case(changed).metrics.part_error.max * 1e6, rel=5e-3)
+    assert float(told[5]) < 40.0 < 150.0 < float(told[4])
+    assert float(told[2]) == pytest.approx(by_words[told[1]]().duration, rel=1e-3)

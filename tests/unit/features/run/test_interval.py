@@ -1,0 +1,226 @@
+"""The interval of contour error that stated deviations imply, against closed forms."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from scipy.stats import norm, spearmanr, truncnorm
+
+from contourlab.components.controller.cascade import Cascade
+from contourlab.components.controller.position import PositionController
+from contourlab.components.disturbance.constant import ConstantLoad
+from contourlab.components.drive.saturation import Saturation
+from contourlab.components.friction.coulomb import Coulomb
+from contourlab.components.gap_observer.multiple_model import MultipleModel
+from contourlab.components.origin import Origin
+from contourlab.components.plant.mass_damper import MassDamper
+from contourlab.features.run.interval import SAMPLES, Interval, contour_interval, draw
+from contourlab.features.run.provenance import numbers_of
+from contourlab.feed import Reference
+from contourlab.geometry import Line, Path
+from contourlab.loop import Axis, AxisController, Controller, Limits, Machine, simulate_batch
+
+PERIOD = 1e-3
+GAIN, FORCE_CONSTANT = 4000.0, 50.0
+FITTED = {"source": "fitted", "reference": "log"}
+
+
+def axis(name: str, push_force: float = 0.0, /, **origins: Origin) -> Axis:
+    plant = MassDamper(mass=20.0, damping=100.0, force_constant=FORCE_CONSTANT)
+    plant = plant.traced({key: origin for key, origin in origins.items() if key in plant.parameters})
+    push = ConstantLoad(force=push_force).traced({"force": origins["force"]} if "force" in origins else {})
+    return Axis(name, plant, disturbance=push, limits=Limits(following_error=1.0))
+
+
+def machine(*axes: Axis) -> Machine:
+    return Machine("m", axes, PERIOD)
+
+
+def controller() -> Controller:
+    law = PositionController(position_gain=GAIN, velocity_gain=100.0)  # overdamped: nothing overshoots
+    return Controller({name: AxisController(law) for name in ("x", "y")})
+
+
+def along_x(n: int = 2000) -> Reference:
+    """A motion along x, so that the contour error is how far y is from zero."""
+    x = 0.1 * np.linspace(0.0, 1.0, n) ** 2
+    line = Path([Line(np.zeros(2), np.array([0.2, 0.0]))])
+    return Reference.from_samples(np.column_stack([x, np.zeros(n)]), PERIOD, line)
+
+
+def uncertain(found: Machine, law: Controller) -> list:
+    return [number for number in numbers_of(found, law) if number.drawn and number.origin and number.origin.uncertain]
+
+
+def test_a_push_across_the_path_gives_the_quantiles_of_its_normal_distribution() -> None:
+    """The loop is linear and settles at F/(K_P K_f): the largest contour error of a sample is that, and the rms goes with it."""
+    law, force, deviation = controller(), 40.0, 5.0
+    found = contour_interval(machine(axis("x"), axis("y", force, force=Origin(**FITTED, deviation=deviation))), law, along_x())
+    pushes = found.samples["axes.y.disturbance.force"]
+    assert (found.n, found.failed, found.reason) == (SAMPLES, 0, "")
+    assert found.figures["max"] == pytest.approx(pushes / (GAIN * FORCE_CONSTANT), rel=1e-9)
+    share = found.figures["rms"] / found.figures["max"]
+    assert share == pytest.approx(np.full(SAMPLES, share[0]), rel=1e-9)
+    # One point lies in each of 64 strata of equal probability, so that a quantile of the sample is at most two strata off.
+    for spread, factor in ((found.max, 1.0 / (GAIN * FORCE_CONSTANT)), (found.rms, share[0] / (GAIN * FORCE_CONSTANT))):
+        assert spread is not None
+        for value, level in ((spread.low, 0.05), (spread.median, 0.5), (spread.high, 0.95)):
+            low, high = norm.ppf([level - 2.0 / SAMPLES, level + 2.0 / SAMPLES], force, deviation) * factor
+            assert low <= value <= high
+    assert found.main == "axes.y.disturbance.force"
+    assert found.ranks[found.main] == pytest.approx((1.0, 1.0))
+
+
+def test_a_number_without_a_part_in_it_has_no_rank_that_stands_out() -> None:
+    pushed = axis("y", 40.0, force=Origin(**FITTED, deviation=5.0))
+    moving = axis("x", mass=Origin(**FITTED, deviation=1.0))
+    found = contour_interval(machine(moving, pushed), controller(), along_x())
+    assert list(found.ranks) == ["axes.y.disturbance.force", "axes.x.plant.mass"]
+    assert max(map(abs, found.ranks["axes.x.plant.mass"])) < found.noticeable
+    told = spearmanr(found.samples["axes.x.plant.mass"], found.figures["rms"]).statistic
+    assert found.ranks["axes.x.plant.mass"][0] == pytest.approx(told)
+
+
+def test_the_size_of_chance_is_that_of_a_test_at_five_percent() -> None:
+    """Of independent numbers one correlation in twenty is beyond it."""
+    found = contour_interval(machine(axis("x"), axis("y", 40.0, force=Origin(**FITTED, deviation=5.0))), controller(), along_x(50))
+    rng = np.random.default_rng(1)
+    beyond = [abs(spearmanr(*rng.standard_normal((2, SAMPLES))).statistic) > found.noticeable for _ in range(2000)]
+    assert 0.03 < np.mean(beyond) < 0.07
+
+
+def test_of_many_numbers_that_do_nothing_none_stands_out() -> None:
+    """The largest of thirty correlations by chance is beyond the size in one study of twenty, not in most of them."""
+    rng = np.random.default_rng(2)
+    named = 0
+    for _ in range(400):
+        figure, *numbers = rng.standard_normal((31, SAMPLES))
+        ranks = {f"n{i}": 2 * (float(spearmanr(values, figure).statistic),) for i, values in enumerate(numbers)}
+        named += bool(Interval("", SAMPLES, ranks=dict(sorted(ranks.items(), key=lambda one: -abs(one[1][0])))).main)
+    assert 0.02 < named / 400 < 0.08
+
+
+@pytest.mark.parametrize("threads", [1, 2, 5])
+def test_threads_change_nothing(threads: int) -> None:
+    pair = machine(axis("x", mass=Origin(**FITTED, deviation=1.0)), axis("y", 40.0, force=Origin(**FITTED, deviation=5.0)))
+    one, other = (contour_interval(pair, controller(), along_x(200), threads=n) for n in (1, threads))
+    for name in ("rms", "max"):
+        assert one.figures[name].tobytes() == other.figures[name].tobytes()
+    assert one.ranks == other.ranks
+
+
+def test_the_points_follow_from_the_seed() -> None:
+    pair = machine(axis("x"), axis("y", 40.0, force=Origin(**FITTED, deviation=5.0)))
+    law = controller()
+    points = [draw(uncertain(pair, law), pair, law, seed)["axes.y.disturbance.force"] for seed in (0, 0, 1)]
+    assert np.array_equal(points[0], points[1])
+    assert not np.array_equal(points[0], points[2])
+
+
+def test_samples_stay_within_the_bounds_of_the_component() -> None:
+    """Half of a mass of 1 kg +- 1 kg would be below none: the rest of the distribution is that of the normal one cut off."""
+    light = replace(axis("y"), plant=MassDamper(mass=1.0, damping=0.5, force_constant=1.0))
+    plant = light.plant.traced({"mass": Origin(**FITTED, deviation=1.0), "damping": Origin(**FITTED, deviation=2.0)})
+    pair, law = machine(axis("x"), replace(light, plant=plant)), controller()
+    points = draw(uncertain(pair, law), pair, law, 0, 1024)
+    mass, damping = points["axes.y.plant.mass"], points["axes.y.plant.damping"]
+    assert mass.min() > 0.0 and damping.min() >= 0.0
+    for values, mean, deviation in ((mass, 1.0, 1.0), (damping, 0.5, 2.0)):
+        cut = truncnorm(-mean / deviation, np.inf, mean, deviation)
+        assert np.quantile(values, [0.05, 0.5, 0.95]) == pytest.approx(cut.ppf([0.05, 0.5, 0.95]), rel=0.02)
+
+
+def test_a_range_is_filled_evenly() -> None:
+    ranged = axis("y", 40.0, force=Origin("datasheet", span=(30.0, 60.0)))
+    pair, law = machine(axis("x"), ranged), controller()
+    points = np.sort(draw(uncertain(pair, law), pair, law, 3)["axes.y.disturbance.force"])
+    edges = np.linspace(30.0, 60.0, SAMPLES + 1)
+    assert np.all((points >= edges[:-1]) & (points <= edges[1:]))
+
+
+def test_numbers_that_were_fitted_together_move_together() -> None:
+    origin = Origin(**FITTED, deviation=0.5)
+    fitted = replace(axis("y", 40.0, force=origin, mass=origin, damping=origin), correlations=(("plant.mass", "disturbance.force", -0.8),))
+    pair, law = machine(axis("x"), fitted), controller()
+    points = draw(uncertain(pair, law), pair, law, 0, 4096)
+    found = np.corrcoef([points[f"axes.y.{name}"] for name in ("plant.mass", "disturbance.force", "plant.damping")])
+    assert found == pytest.approx(np.array([[1.0, -0.8, 0.0], [-0.8, 1.0, 0.0], [0.0, 0.0, 1.0]]), abs=0.02)
+    assert points["axes.y.plant.mass"].std() == pytest.approx(0.5, rel=0.01)
+
+
+def test_numbers_of_two_axes_that_were_fitted_together_move_together() -> None:
+    origin = Origin(**FITTED, deviation=0.5)
+    x, y = (replace(axis(name, 40.0, force=origin, mass=origin), correlations=(("plant.mass", "disturbance.force", 0.5),)) for name in "xy")
+    pair, law = replace(machine(x, y), correlations=(("x.plant.mass", "y.plant.mass", -0.6),)), controller()
+    points = draw(uncertain(pair, law), pair, law, 0, 4096)
+    found = np.corrcoef([points[f"axes.{name}"] for name in ("x.plant.mass", "y.plant.mass", "x.disturbance.force")])
+    assert found == pytest.approx(np.array([[1.0, -0.6, 0.5], [-0.6, 1.0, 0.0], [0.5, 0.0, 1.0]]), abs=0.02)
+    assert pair.swapped("x", y).correlations == (), "another axis was fitted apart"
+
+
+def test_a_controller_computes_with_the_number_it_was_given() -> None:
+    law = controller()
+    stated = law.axes["y"].controller.traced({"position_gain": Origin(**FITTED, deviation=100.0)})
+    law = replace(law, axes={**law.axes, "y": replace(law.axes["y"], controller=stated)})
+    found = contour_interval(machine(axis("x"), axis("y", 40.0)), law, along_x(50))
+    assert (found.reason, found.n) == ("not known: no number of the machine has a deviation", 0)
+    assert found.main == "" and found.rms is None
+
+
+def test_a_machine_of_nothing_but_exact_numbers_has_no_interval_and_says_why() -> None:
+    def exact(one: Axis) -> Axis:
+        stated = {slot: getattr(one, slot) for slot in ("plant", "disturbance")}
+        return replace(one, **{slot: part.traced(dict.fromkeys(part.parameters, Origin("design"))) for slot, part in stated.items()})
+
+    found = contour_interval(machine(exact(axis("x")), exact(axis("y", 40.0))), controller(), along_x(50))
+    assert found.reason == "of no width: every number of the machine is said to be exactly what it is"
+    found = contour_interval(machine(exact(axis("x")), axis("y", 40.0)), controller(), along_x(50))
+    assert found.reason == "not known: no number of the machine has a deviation"
+
+
+def test_samples_are_those_of_a_batch_and_the_tolerance_counts_them() -> None:
+    pair, law = machine(axis("x"), axis("y", 40.0, force=Origin(**FITTED, deviation=5.0))), controller()
+    reference, tolerance = along_x(), 40.0 / (GAIN * FORCE_CONSTANT)
+    found = contour_interval(pair, law, reference, tolerance=tolerance)
+    again = simulate_batch(pair, law, reference, found.samples)
+    assert np.array_equal(again.figures["contour_error_rms"], found.figures["rms"])
+    assert found.beyond == SAMPLES // 2  # the mean is the tolerance, and the points lie evenly about it
+
+
+def test_samples_that_trip_are_counted_and_push_the_interval_out() -> None:
+    pair = machine(axis("x"), axis("y", 40.0, force=Origin(**FITTED, deviation=5.0)))
+    tripping = replace(pair, axes=(pair.axes[0], replace(pair.axes[1], limits=Limits(following_error=40.0 / (GAIN * FORCE_CONSTANT)))))
+    found = contour_interval(tripping, controller(), along_x(), tolerance=1.0)
+    assert found.failed == found.beyond == SAMPLES // 2
+    assert found.max is not None and found.max.high == np.inf and np.isfinite(found.max.low)
+
+
+def test_what_lanes_cannot_is_said_in_words() -> None:
+    pair, law = machine(axis("x"), axis("y", 40.0, force=Origin(**FITTED, deviation=5.0))), controller()
+    assert "changes controllers" in contour_interval(pair, law, along_x(50), changes=[object()]).reason
+    stiff = replace(pair.axes[0], friction=Coulomb(coulomb=1.0).traced({"stribeck_velocity": Origin("assumed", deviation=1e-3)}))
+    assert contour_interval(replace(pair, axes=(stiff, pair.axes[1])), law, along_x(50)).n == SAMPLES
+
+
+def test_a_bank_of_filters_is_left_out_unless_asked_for() -> None:
+    pair, law = machine(axis("x"), axis("y", 40.0, force=Origin(**FITTED, deviation=5.0))), controller()
+    watched = replace(law.axes["y"], gap_observer=MultipleModel(**MultipleModel.example))
+    found = contour_interval(pair, replace(law, axes={**law.axes, "y": watched}), along_x(50))
+    assert "--interval" in found.reason
+
+
+def test_what_has_changed_since_has_no_deviation_any_more() -> None:
+    stated = axis("y", 40.0, force=Origin(**FITTED, deviation=5.0), mass=Origin(**FITTED, deviation=1.0))
+    other = replace(stated, plant=stated.plant.replace(mass=30.0))
+    names = [number.name for number in uncertain(machine(axis("x"), other), controller())]
+    assert names == ["axes.y.disturbance.force"]
+    assert numbers_of(machine(axis("x"), other), controller())[1].source == "not stated"
+
+
+def test_numbers_left_at_their_defaults_are_not_told() -> None:
+    names = [number.name for number in numbers_of(machine(axis("x")), Controller({"x": AxisController(Cascade(**Cascade.example))}))]
+    assert "axes.x.plant.mass" in names and "axes.x.plant.carried_mass" not in names
+    assert "controller.axes.x.controller.position_gain" in names and "controller.axes.x.controller.anti_windup" not in names
+    assert not any("drive" in name for name in names) and Saturation().limit == np.inf

@@ -1,0 +1,224 @@
+"""Curves, small changes and kept runs: against closed forms, and against runs by themselves."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from contourlab.components.controller.position import PositionController
+from contourlab.components.friction.none import NoFriction
+from contourlab.components.sensor.ideal import IdealSensor
+from contourlab.design import Evaluator, Number, Space
+from contourlab.errors import ParameterError
+from contourlab.features.sensitivity import FIGURES, Kept, Plan, Runs, curves, distributions, local, ranking, sensitivity_study, verdict
+from contourlab.features.sensitivity.runs import CHUNK, Columns
+from contourlab.feed import uniform
+from contourlab.geometry import contour
+from contourlab.loop import AxisController, Controller, Machine, simulate
+from contourlab.metrics import judge as judged
+from contourlab.metrics import summarise
+from contourlab.papers.ghaffari.setup import TABLE_3, Reading, controller, machine
+
+KEY = FIGURES["integral"].key
+READING = Reading()
+MACHINE, CONTROLLER = machine(1, READING), controller(1, TABLE_3, READING)
+REFERENCE = uniform(contour("circle", radius=0.02), 0.5, 2, READING.servo_period)
+GAINS = Space.chosen(MACHINE, CONTROLLER, ["3.model_gain", "3.position_gain"], 2.0)
+
+
+def number(name: str, value: float, low: float, high: float, logarithmic: bool = True) -> Number:
+    return Number(f"controller.axes.x.controller.{name}", value, low, high, logarithmic=logarithmic)
+
+
+PLANE = Space((number("a", 2.0, 0.5, 8.0), number("b", 3.0, 1.0, 9.0)))
+
+
+def model(columns: Columns) -> dict[str, np.ndarray]:
+    """A product of powers, which fails beyond a = 6: J = a^2 / b + a b."""
+    a, b = columns.values()
+    value = np.where(a > 6.0, np.nan, a**2 / b + a * b)
+    return {figure.key: value for figure in FIGURES.values()}
+
+
+def test_slopes_and_interactions_are_the_derivatives() -> None:
+    a, b = 2.0, 3.0
+    figure = a**2 / b + a * b
+    found = local(PLANE, Runs(model).judge(KEY))
+    slopes = [one.sensitivity for one in found.slopes]
+    assert slopes == pytest.approx([(2 * a / b + b) * a / figure, (-(a**2) / b**2 + a) * b / figure], rel=1e-4)
+    matrix = np.array([[2 / b * a * a, (-2 * a / b**2 + 1) * a * b], [0, 2 * a**2 / b**3 * b * b]]) / figure
+    matrix[1, 0] = matrix[0, 1]
+    np.testing.assert_allclose(found.interactions, matrix, rtol=5e-3)
+    assert not any(one.remark for one in found.slopes) and all(one.step <= 0.02 for one in found.slopes)
+
+
+def test_a_corner_is_told() -> None:
+    found = local(PLANE.only([PLANE.names[0]]), lambda columns: 1.0 + 3.0 * np.abs(next(iter(columns.values())) - 2.0)).slopes[0]
+    assert "corner" in found.remark and found.sensitivity == pytest.approx(0.0, abs=1e-9)
+    assert (found.below, found.above) == (pytest.approx(-6.0), pytest.approx(6.0))
+
+
+def test_counts_are_told() -> None:
+    """A figure in steps as coarse as the changes: no two steps agree."""
+    noisy = local(PLANE.only([PLANE.names[0]]), lambda columns: 1.0 + 0.3 * np.sin(2e4 * next(iter(columns.values())) ** 2)).slopes[0]
+    assert "do not agree" in noisy.remark
+
+
+def test_a_number_on_its_bound_and_one_that_fails_are_told() -> None:
+    judge = Runs(model).judge(KEY)
+    found = local(PLANE, judge, {PLANE.names[0]: (2.0, 9.0)})
+    assert np.isnan(found.slopes[0].sensitivity) and "bound" in found.slopes[0].remark
+    assert np.isfinite(found.slopes[1].sensitivity) and np.isnan(found.interactions[0, 1])
+    near = local(PLANE.around({PLANE.names[0]: 5.9}), judge)
+    assert "fail" in near.slopes[0].remark
+
+
+def test_a_curve_has_its_minimum_its_flat_and_its_failed_stretches() -> None:
+    judge = Runs(model).judge(KEY)
+    first, second = curves(PLANE, judge, 41)
+    assert second.minimum is not None
+    # dJ/db = 0 at b = sqrt(a)
+    assert second.minimum.value == pytest.approx(np.sqrt(2.0), abs=second.minimum.within) and not second.minimum.bound
+    assert first.minimum is not None and first.minimum.bound == "lower"
+    assert len(first.failed) == 1 and first.failed[0].last and first.failed[0].low == pytest.approx(6.1, abs=0.3)
+    assert np.isnan(first.figures[first.values > 6.0]).all()
+    level = curves(PLANE.only([PLANE.names[0]]), lambda columns: 1.0 + np.exp(-3.0 * next(iter(columns.values()))), 41)[0]
+    assert level.flat is not None and level.flat.last and level.flat.low == pytest.approx(1.0, abs=0.05)
+    with pytest.raises(ParameterError, match="5 or more"):
+        curves(PLANE, judge, 4)
+
+
+def test_a_curve_is_made_of_runs_by_themselves() -> None:
+    """Of the compiled lanes, against one run at a time under the exact judge."""
+    runs = Runs(Evaluator(MACHINE, CONTROLLER, REFERENCE, effort=False))
+    curve = curves(GAINS, runs.judge(KEY), 5)[0]
+    for k in (0, 3):
+        value = float(curve.values[k])
+        part = CONTROLLER.axes["3"]
+        changed = replace(part, controller=part.controller.replace(model_gain=value))
+        made = replace(CONTROLLER, axes={**CONTROLLER.axes, "3": changed})
+        run = judged(simulate(MACHINE, made, REFERENCE), REFERENCE)
+        assert curve.figures[k] == pytest.approx(summarise(run, REFERENCE).contour_error.integral, rel=1e-6)
+
+
+def test_contour_error_of_a_circle_is_linear_in_a_mismatch() -> None:
+    """The radius error of two equal ideal axes under a soft loop is in proportion to 1 - a/a', how far the feedforward is off."""
+    axes = tuple(
+        replace(axis, plant=MACHINE.axes[0].plant, friction=NoFriction(), sensor=IdealSensor(), name=name)
+        for axis, name in zip(MACHINE.axes, "xy", strict=True)
+    )
+    gain, damping = axes[0].plant.values()["gain"], axes[0].plant.values()["damping"]
+    period, feed = 1e-4, 0.5
+    stage = Machine("equal", axes, period)
+    law = PositionController(position_gain=1.0, velocity_gain=0.0, integral_gain=0.0, model_gain=gain, model_damping=damping)
+    made = Controller({name: AxisController(law) for name in "xy"})
+    reference = uniform(contour("circle", radius=0.02), feed, 4, period)
+    name = "controller.axes.x.controller.model_gain"
+    judge = Runs(Evaluator(stage, made, reference, effort=False, moving=True)).judge(KEY)
+    values = gain * np.array([1.05, 1.1, 1.2])
+    columns = {name: values, name.replace(".x.", ".y."): values}
+    figures = judge(columns)
+    shares = 1.0 - gain / values
+    np.testing.assert_allclose(figures / figures[1], shares / shares[1], rtol=0.02)
+
+
+def test_runs_are_kept_found_again_and_never_taken_for_others(tmp_path: Path) -> None:
+    calls: list[int] = []
+
+    def counted(columns: Columns) -> dict[str, np.ndarray]:
+        calls.append(len(next(iter(columns.values()))))
+        return model(columns)
+
+    columns = {name: np.linspace(1.0, 5.0, CHUNK + 7) for name in PLANE.names}
+    first = Runs(counted, Kept(tmp_path, "one"))
+    figures = first(columns)[KEY]
+    assert (first.made, first.found, calls) == (CHUNK + 7, 0, [CHUNK, 7])
+    again = Runs(counted, Kept(tmp_path, "one"))
+    np.testing.assert_array_equal(again(columns)[KEY], figures)
+    assert (again.made, again.found) == (0, CHUNK + 7)
+    other = Runs(counted, Kept(tmp_path, "another"))
+    other(columns)
+    assert other.made == CHUNK + 7 and other.kept is not None and other.kept.others == 1
+
+
+def test_a_damaged_file_is_told_and_made_again(tmp_path: Path) -> None:
+    columns = {name: np.linspace(1.0, 5.0, 7) for name in PLANE.names}
+    kept = Kept(tmp_path, "one")
+    figures = Runs(model, kept)(columns)[KEY]
+    file = kept.file(columns)
+    data = bytearray(file.read_bytes())
+    data[len(data) // 3] ^= 0xFF
+    for spoiled in (bytes(data), data[:40], b""):
+        file.write_bytes(spoiled)
+        again = Runs(model, Kept(tmp_path, "one"))
+        np.testing.assert_array_equal(again(columns)[KEY], figures)
+        assert again.made == 7 and again.kept is not None and again.kept.damaged == 1
+
+
+def test_an_interrupted_study_goes_on_and_ends_the_same(tmp_path: Path) -> None:
+    plan = Plan(("curves", "sobol"), base=512, values=11)
+    drawn = distributions(PLANE, "log-uniform")
+    whole = sensitivity_study(PLANE, Runs(model), plan, drawn, 1e3)
+    done = 0
+
+    def stopped(columns: Columns) -> dict[str, np.ndarray]:
+        nonlocal done
+        done += len(next(iter(columns.values())))
+        if done > 1200:
+            raise KeyboardInterrupt
+        return model(columns)
+
+    with pytest.raises(KeyboardInterrupt):
+        sensitivity_study(PLANE, Runs(stopped, Kept(tmp_path, "m")), plan, drawn, 1e3)
+    runs = Runs(model, Kept(tmp_path, "m"))
+    resumed = sensitivity_study(PLANE, runs, plan, drawn, 1e3)
+    assert runs.found > 1000
+    assert whole.sobol is not None and resumed.sobol is not None
+    np.testing.assert_array_equal(resumed.sobol.total, whole.sobol.total)
+    np.testing.assert_array_equal(resumed.sobol.total_interval, whole.sobol.total_interval)
+
+
+def test_threads_change_nothing() -> None:
+    found = []
+    for threads in (1, 3):
+        runs = Runs(Evaluator(MACHINE, CONTROLLER, REFERENCE, effort=False, threads=threads))
+        found.append(sensitivity_study(GAINS, runs, Plan(("local", "sobol"), base=16), distributions(GAINS), 0.1))
+    one, three = found
+    assert one.local is not None and three.local is not None and one.sobol is not None and three.sobol is not None
+    np.testing.assert_array_equal(one.local.interactions, three.local.interactions)
+    np.testing.assert_array_equal(one.sobol.total, three.sobol.total)
+
+
+def test_words_say_what_they_rest_on() -> None:
+    """The same numbers by each of the four parts alone."""
+    flat = Space((*PLANE.numbers, number("c", 1.0, 0.5, 2.0)))
+
+    def three(columns: Columns) -> dict[str, np.ndarray]:
+        a, b, c = columns.values()
+        return {figure.key: a + b + 1e-4 * c for figure in FIGURES.values()}
+
+    grounds = {"curves": "change over its curve", "local": "local sensitivity", "morris": "mu*", "sobol": "total index"}
+    for part, ground in grounds.items():
+        study = sensitivity_study(flat, Runs(three), Plan((part,), base=64), distributions(flat), 1e3)
+        order = ranking(study)
+        assert order is not None and order.by == ground and set(order.matter) == {0, 1} and order.rest == (2,)
+        said = " ".join(verdict(study))
+        assert f"by {ground}" in said and "do not matter" in said and "x.c" in said
+    assert "near their present values" in " ".join(
+        verdict(sensitivity_study(flat, Runs(three), Plan(("local",)), distributions(flat), 1e3))
+    )
+
+
+def test_failures_are_told_in_words() -> None:
+    study = sensitivity_study(PLANE, Runs(model), Plan(("curves", "sobol"), base=64), distributions(PLANE, "log-uniform"), 1e3)
+    assert study.sobol_outcome is not None and study.sobol_outcome.failed > 0
+    said = " ".join(verdict(study))
+    assert f"({study.sobol_outcome.failed} of {len(study.sobol_outcome.values)}) failed" in said
+
+
+def test_a_run_that_fails_as_it_is_has_no_sensitivities() -> None:
+    with pytest.raises(ParameterError, match="one that holds"):
+        sensitivity_study(PLANE.around({PLANE.names[0]: 7.0}), Runs(model), Plan(("local",)), distributions(PLANE), 1.0)

@@ -1,0 +1,24 @@
+"""What linear designs of a swap are said to be."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from contourlab.analysis.linear.modular_lq import GAINS, LinearAxis, direct_design
+from contourlab.analysis.linear.modular_three_step import three_step_design
+from contourlab.features.swap.linear import LinearSwap
+from contourlab.features.swap.text import linear_remarks
+
+
+def test_a_method_that_loses_more_with_more_local_is_said_not_to_be_optimal() -> None:
+    """The raw drives of axes 1 and 2 of the stage: position local loses more than nothing local by three steps, never by `direct`."""
+    axes = (LinearAxis(1687.0, 10.0), LinearAxis(646.0, 6.44))
+    sets = ((), *((gain,) for gain in GAINS))
+    found = [
+        LinearSwap("1", "raw drive", ("a", "b"), axes, np.ones((2, 2)), tuple(method(axes, one) for one in sets))
+        for method in (three_step_design, direct_design)
+    ]
+    assert [(design.local, fewer.local) for design, fewer in found[0].not_optimal] == [(("position",), ())]
+    (said,) = linear_remarks(found[0])
+    assert said.startswith("three-step is not optimal: with position local it loses more than with nothing local")
+    assert not list(linear_remarks(found[1]))

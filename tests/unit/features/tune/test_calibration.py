@@ -1,0 +1,305 @@
+"""Calibration where the answer is known, within bounds, and the same again."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import replace
+from itertools import pairwise
+
+import numpy as np
+import pytest
+from tuned_axes import DAMPING, GAIN, circle, position_control, rigid_stage
+
+from contourlab.analysis.linear.sampled_loop import sampled_loop
+from contourlab.components.sensor.encoder import Encoder
+from contourlab.design import Evaluator, Space
+from contourlab.errors import ParameterError
+from contourlab.features.tune import (
+    Bounds,
+    Goal,
+    Guards,
+    LineRule,
+    Objective,
+    Tuned,
+    TuneSettings,
+    line_search,
+    sequential,
+    tune,
+    with_values,
+)
+from contourlab.feed import uniform
+from contourlab.geometry import contour
+from contourlab.papers.ghaffari.setup import TABLE_2, TABLE_3, Reading, controller, machine
+
+FREE = Bounds(gain_margin=0.0, phase_margin=0.0)
+BEST = LineRule(plateau="best")
+
+
+def searched(names: list[str], bounds: Bounds = FREE, rule: LineRule = BEST, goal: str = "integral", **gains: float) -> Tuned:
+    settings = TuneSettings(Goal.parse(goal), bounds, rule, parameters=tuple(names))
+    return tune(rigid_stage(), position_control(**gains), circle(), settings)
+
+
+@pytest.mark.parametrize("wrong", [0.6, 1.7])
+def test_the_feedforward_of_a_rigid_axis_becomes_its_own(wrong: float) -> None:
+    """Without friction the plant's own gain is the inverse; the tracking error takes each axis for itself. The hold is half a tick late."""
+    found = searched(["model_gain"], goal="tracking", model_gain=wrong * GAIN)
+    assert found.before.figures["tracking_error_rms"] > 20.0 * found.after.figures["tracking_error_rms"]
+    assert list(found.values.values()) == pytest.approx([GAIN] * 2, rel=0.01)
+
+
+def test_the_damping_of_a_rigid_axis_is_found() -> None:
+    found = searched(["model_damping"], goal="tracking", model_damping=0.5 * DAMPING)
+    assert found.before.figures["tracking_error_rms"] > 20.0 * found.after.figures["tracking_error_rms"]
+    assert list(found.values.values()) == pytest.approx([DAMPING] * 2, rel=0.01)
+
+
+def test_each_step_moves_one_number_and_never_up() -> None:
+    stage, made = rigid_stage(), position_control(model_gain=0.7, model_damping=4.0)
+    space, evaluator = Space.chosen(stage, made), Evaluator(stage, made, circle())
+    values = {number.name: number.value for number in space.numbers}
+    path = sequential(Objective([evaluator], Goal(), values), Guards([(stage, made)], Bounds()), space, values, LineRule(), passes=2)
+    assert [step.number.name for step in path.steps[: len(space.names)]] == list(space.names)
+    reached = [path.steps[0].objective_before, *(step.objective_after for step in path.steps)]
+    assert all(later <= earlier for earlier, later in pairwise(reached))
+    now = dict(values)
+    for step in path.steps:
+        assert step.before == now[step.number.name]
+        now[step.number.name] = step.after
+        alone = evaluator({name: np.array([value]) for name, value in now.items()})
+        assert alone["contour_error_integral"][0] == step.objective_after
+    assert now == path.values
+
+
+def test_a_guard_holds_where_the_error_would_fall_further() -> None:
+    """A wrong feedforward is fought by the position gain: the error falls with it up to the margin, and beyond."""
+    names, wrong = ["x.position_gain=1 full_scale/mm..500 full_scale/mm"], {"model_gain": 0.5 * GAIN}
+    free = searched(names, **wrong)
+    kept = searched(names, Bounds(gain_margin=0.0, phase_margin=50.0), **wrong)
+    name = next(iter(free.values))
+    assert kept.values[name] < free.values[name]
+    assert kept.after.figures["contour_error_integral"] > free.after.figures["contour_error_integral"]
+    assert kept.steps[-1].bound == "margins"
+    assert not kept.after.broken
+    phase = math.degrees(kept.after.margins["x"].phase)
+    assert 50.0 <= phase < 51.0
+    assert math.degrees(free.after.margins["x"].phase) < 50.0
+
+
+def test_a_drive_bounds_a_gain() -> None:
+    """Counts of the encoder times the position gain reach the drive: what is allowed there ends the gain, ahead of any margin."""
+    stage = rigid_stage()
+    coarse = replace(stage, axes=tuple(replace(axis, sensor=Encoder(resolution=4e-6)) for axis in stage.axes))
+    made = position_control(model_gain=0.8 * GAIN)
+    settings = TuneSettings(bounds=FREE, rule=BEST, parameters=("x.position_gain=1 full_scale/mm..30 full_scale/mm",))
+    free = tune(coarse, made, circle(), settings)
+    quiet, loud = (one.figures["command_largest"] for one in (free.before, free.after))
+    allowed = 0.5 * (quiet + loud)
+    assert quiet < allowed
+    kept = tune(coarse, made, circle(), replace(settings, bounds=replace(FREE, command=allowed)))
+    assert kept.after.figures["command_largest"] <= allowed * (1.0 + 1e-9)
+    assert kept.steps[-1].bound == "limit of a drive"
+    assert not kept.after.broken
+
+
+def test_margins_that_the_start_lacks_are_restored_first() -> None:
+    found = tune(rigid_stage(), position_control(position_gain=60000.0), circle(), TuneSettings(bounds=Bounds(6.0, 40.0)))
+    assert any("axis x: phase margin" in words for words in found.before.broken)
+    assert found.steps[0].stage == "repair"
+    assert not found.after.broken
+    assert all(math.degrees(margins.phase) >= 40.0 for margins in found.after.margins.values())
+
+
+def test_a_number_on_an_end_of_its_range_is_told_whoever_put_it_there() -> None:
+    found = tune(rigid_stage(), position_control(position_gain=60000.0), circle(), TuneSettings(bounds=Bounds(6.0, 40.0)))
+    ends = {number.short: number.end(found.values[number.name]) for number in found.space.numbers}
+    assert ends["y.velocity_gain"] == ends["x.velocity_gain"] == "upper end of its range" and sum(map(bool, ends.values())) == 2
+    for stage in ("repair", "pass 1"):
+        moved = [step for step in found.steps if step.stage == stage and step.number.short.endswith("velocity_gain")]
+        assert len(moved) == 2 and all(step.bound.endswith("upper end of its range") for step in moved)
+    (note,) = [note for note in found.notes if "range" in note]
+    assert note.startswith("y.velocity_gain, x.velocity_gain stand on an end of their ranges: a wider --width")
+    # The other number of the repair stopped at the margins, within its range.
+    assert {step.bound for step in found.steps if step.stage == "repair" and "position_gain" in step.number.name} == {"margins"}
+
+
+def test_a_start_that_runs_away_is_brought_back() -> None:
+    found = tune(rigid_stage(), position_control(position_gain=3e5), circle(), TuneSettings(width=10.0))
+    assert found.before.run is None and "runs away" in found.before.broken[0]
+    assert {step.number.short.partition(".")[0] for step in found.steps if step.stage == "repair"} == {"x", "y"}
+    assert found.after.run is not None and not found.after.broken
+    lost = tune(rigid_stage(), position_control(position_gain=5e6), circle(), TuneSettings(parameters=("x.model_gain",)))
+    assert "runs away" in lost.after.broken[0]
+
+
+def test_what_cannot_be_kept_is_said() -> None:
+    settings = TuneSettings(parameters=("x.model_gain",), bounds=Bounds(6.0, 60.0))
+    found = tune(rigid_stage(), position_control(position_gain=60000.0), circle(), settings)
+    assert any("axis x: phase margin" in words for words in found.after.broken)
+
+
+def test_margins_of_the_answer_are_those_of_the_loop_itself() -> None:
+    found = searched(["x.velocity_gain"], Bounds())
+    stage, made = with_values(rigid_stage(), position_control(), found.values)
+    assert found.controller == made
+    loop = sampled_loop(stage.axes[0], made.axes["x"], stage.servo_period)
+    assert found.after.margins["x"] == loop.margins()
+
+
+@pytest.mark.parametrize("method", ["sequential", "both"])
+def test_the_same_call_gives_the_same_answer_on_any_number_of_threads(method: str) -> None:
+    names = ("model_gain", "model_damping")
+    made = position_control(model_gain=0.8, model_damping=5.0)
+    one, two = (
+        tune(rigid_stage(), made, circle(), TuneSettings(parameters=names, method=method, budget=800, threads=threads))
+        for threads in (1, 2)
+    )
+    assert one.values == two.values
+    assert one.after.figures == two.after.figures
+    assert [step.objective_after for step in one.steps] == [step.objective_after for step in two.steps]
+
+
+def test_the_global_search_is_no_worse_and_keeps_the_bounds() -> None:
+    made = position_control(model_gain=0.8, model_damping=5.0)
+    found = tune(rigid_stage(), made, circle(), TuneSettings(method="both", budget=1500))
+    assert found.searched is not None
+    assert found.searched.value <= found.steps[-1].objective_after * (1.0 + 1e-9)  # its start is that answer, put into the box and back
+    assert not found.after.broken
+    assert len(found.searched.found.per_start) == 5
+
+
+def test_a_single_run_and_the_lanes_agree_on_the_answer() -> None:
+    found = searched(["model_gain"], model_gain=0.7)
+    evaluator = Evaluator(rigid_stage(), found.controller, circle())
+    lanes = evaluator({name: np.array([value]) for name, value in found.values.items()})
+    for name in ("contour_error_integral", "contour_error_max", "command_energy", "command_largest", "limited_share"):
+        assert found.after.figures[name] == pytest.approx(lanes[name][0], rel=1e-6, abs=1e-12), name
+
+
+def test_the_worst_of_several_machines_counts() -> None:
+    stages, made = (rigid_stage(), rigid_stage(0.8 * GAIN)), position_control()
+    name = "controller.axes.x.controller.model_gain"
+    columns = {name: np.array([0.8, 1.0, 1.2])}
+    evaluators = [Evaluator(stage, made, circle()) for stage in stages]
+    both = Objective(evaluators, Goal(), {})(columns).value
+    each = [Objective([one], Goal(), {})(columns).value for one in evaluators]
+    np.testing.assert_array_equal(both, np.maximum(*each))
+    guards = Guards([(stage, made) for stage in stages], Bounds())
+    values = {name: 1.0, "controller.axes.x.controller.position_gain": 20000.0}
+    worst = guards.exact(values)["x"]
+    alone = [Guards([(stage, made)], Bounds()).exact(values)["x"] for stage in stages]
+    assert worst in alone
+    assert worst.modulus == min(one.modulus for one in alone)
+
+
+@pytest.mark.parametrize("order", [(0, 1), (1, 0)])
+def test_of_several_machines_one_that_falls_short_counts_before_one_nearer_to_instability(order: tuple[int, int]) -> None:
+    """A loop may keep its phase margin and yet come nearer to -1 than one that does not."""
+    made, stages = position_control(), [rigid_stage(5.0 * GAIN), rigid_stage()]
+    strong, weak = (Guards([(stage, made)], FREE).exact({})["x"] for stage in stages)
+    assert strong.modulus < weak.modulus and strong.phase > weak.phase
+    wanted = Bounds(gain_margin=0.0, phase_margin=math.degrees(strong.phase + weak.phase) / 2.0)
+    assert Guards([(stages[i], made) for i in order], wanted).exact({})["x"] == weak
+
+
+def test_a_drive_without_a_limit_is_never_at_it() -> None:
+    """Its commands are large numbers, in the plant's own unit."""
+    gains = {"velocity_gain": 4e4, "position_gain": 1.5e6, "model_gain": 1e-3 * GAIN}
+    settings = TuneSettings(parameters=("x.integral_gain",), bounds=FREE)
+    found = tune(rigid_stage(1e-3 * GAIN, 1e-3 * GAIN), position_control(**gains), circle(), settings)
+    assert found.before.figures["command_largest"] > 100.0
+    assert found.before.figures["limited_share"] == found.after.figures["limited_share"] == 0.0
+    assert not found.after.broken
+
+
+def test_a_machine_is_not_calibrated() -> None:
+    with pytest.raises(ParameterError, match=r"x\.plant\.gain.*a number of the controller"):
+        searched(["x.plant.gain"])
+
+
+def test_margins_that_nothing_keeps_leave_a_placed_start_all_the_same() -> None:
+    """The slowest parts of the fastest poles may not be placed at all: these are passed over."""
+    reading = Reading()
+    settings = TuneSettings(start="placed", parameters=("3.integral_gain",), bounds=Bounds(gain_margin=50.0), rule=BEST)
+    laps = uniform(contour("circle", radius=0.02), 0.5, 2, 1e-3)
+    found = tune(machine(1, reading), controller(1, TABLE_3, reading), laps, settings)
+    assert any("gain margin" in words for words in found.after.broken)
+
+
+def test_weights_count_in_parts_of_the_start() -> None:
+    stage, made = rigid_stage(), position_control(model_gain=0.8)
+    name = "controller.axes.x.controller.model_gain"
+    goal = Goal.parse("integral=1,energy=0.5")
+    judged = Objective([Evaluator(stage, made, circle())], goal, {name: 0.8})({name: np.array([0.8, 1.2])})
+    assert judged.value[0] == pytest.approx(1.5)
+    parts = judged.figures[0]
+    energy, error = (parts[key][1] / parts[key][0] for key in ("command_energy", "contour_error_integral"))
+    assert judged.value[1] == pytest.approx(error + 0.5 * energy)
+
+
+@pytest.mark.parametrize("plateau", ["robust", "largest"])
+def test_on_a_plateau_the_rule_decides(plateau: str) -> None:
+    """With the right feedforward the gains hardly matter: there the rule says which is taken."""
+    stage, made = rigid_stage(), position_control(model_gain=0.9 * GAIN)
+    space = Space.chosen(stage, made, ["x.integral_gain"])
+    values, evaluator = {space.names[0]: 5.0}, Evaluator(stage, made, circle())
+    objective, guards = Objective([evaluator], Goal(), values), Guards([(stage, made)], Bounds())
+    best = line_search(objective, guards, space.numbers[0], values, BEST)
+    found = line_search(objective, guards, space.numbers[0], values, LineRule(plateau=plateau, within=0.2))
+    assert found.objective_after <= 1.2 * best.objective_after * (1.0 + 1e-12)
+    good = found.values[found.objectives <= min(1.2 * found.objectives.min(), found.objective_before)]
+    if plateau == "largest":
+        assert found.after == good.max()
+    else:
+        assert found.after == good.min()  # less integral, more margin
+
+
+def test_placed_poles_keep_the_margins_and_are_a_start() -> None:
+    made = position_control(position_gain=100.0)
+    found = tune(rigid_stage(), made, circle(), TuneSettings(start="placed"))
+    assert not found.after.broken
+    assert found.space.numbers[0].value != made.axes["y"].controller.values()["velocity_gain"]
+    assert found.gain > 5.0
+
+
+@pytest.mark.parametrize(
+    ("settings", "said"),
+    [
+        ({"method": "magic"}, "sequential, global, both"),
+        ({"start": "here"}, "scenario, placed"),
+        ({"passes": 0}, "passes"),
+        ({"starts": 0}, "starts"),
+        ({"budget": 1}, "budget"),
+        ({"width": 1.0}, "width"),
+    ],
+)
+def test_settings_out_of_range_are_refused(settings: dict[str, object], said: str) -> None:
+    with pytest.raises(ParameterError, match=said):
+        TuneSettings(**settings)  # type: ignore[arg-type]
+
+
+@pytest.mark.parametrize("text", ["", "speed", "integral=0", "integral=x", "integral,integral", "integral=nan"])
+def test_objectives_that_mean_nothing_are_refused(text: str) -> None:
+    with pytest.raises(ParameterError, match="objective"):
+        Goal.parse(text)
+
+
+@pytest.mark.parametrize("bounds", [{"gain_margin": -1.0}, {"phase_margin": 91.0}, {"limited": 1.1}, {"command": 0.0}])
+def test_bounds_out_of_range_are_refused(bounds: dict[str, float]) -> None:
+    with pytest.raises(ParameterError, match=next(iter(bounds))):
+        Bounds(**bounds)
+
+
+def test_a_controller_with_nothing_to_calibrate_is_refused() -> None:
+    nothing = position_control(velocity_gain=0.0, position_gain=0.0, integral_gain=0.0, model_gain=math.inf, model_damping=0.0)
+    with pytest.raises(ParameterError, match="each with its bounds"):
+        tune(rigid_stage(), nothing, circle())
+
+
+def test_tenfold_on_the_paper_s_circle() -> None:
+    reading = Reading()
+    stage, made = machine(1, reading), controller(1, TABLE_2, reading)
+    found = tune(stage, made, uniform(contour("circle", radius=0.02), 0.5, 2, reading.servo_period))
+    assert found.before.figures["contour_error_integral"] == pytest.approx(272.9e-6, rel=1e-3)
+    assert found.gain > 10.0
+    assert not found.after.broken

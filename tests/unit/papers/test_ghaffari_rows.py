@@ -1,0 +1,166 @@
+"""Rows of a reproduction: what counts as agreement, what differs and says why, what fails; and what the command makes of it."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Callable
+
+import numpy as np
+import pytest
+
+from contourlab.cli.main import main
+from contourlab.components.contract import Component, LinearModel
+from contourlab.components.controller.position import PositionController
+from contourlab.components.observer.disturbance_observer import DisturbanceObserver
+from contourlab.papers.ghaffari import study as ghaffari
+from contourlab.papers.ghaffari.bench import PERIOD, drive_open_loop, rise_time
+from contourlab.papers.ghaffari.linear import closed_loop, crossing, equation_16, linear_rows
+from contourlab.papers.ghaffari.observer import compensated_axis, exact_compensated, first_order_fit, observer_rows
+from contourlab.papers.ghaffari.setup import AXES, TABLE_2, TABLE_3, Gains, Reading
+from contourlab.papers.rows import Row, asked, derived, measured, ours, printed, tally
+
+AGREES = printed("gain", "axis 1", 2.0, 2.1, "1/s", 0.1000001, "as printed", reason="unused")
+DIFFERS = printed("gain", "axis 2", 2.0, 2.2, "1/s", 0.1, "as printed", reason="other parameters")
+FAILS = derived("gain", "axis 3", 2.0, 2.2, "1/s", 0.1, "by eq 1")
+OURS = ours("gain", "axis 4", 2.0, "1/s", "nobody else has it")
+
+
+def test_a_row_agrees_differs_or_fails() -> None:
+    found = [(row.source, row.verdict, row.as_dict()["pass"], row.note) for row in (AGREES, DIFFERS, FAILS, OURS)]
+    assert found == [
+        ("printed", "agrees", True, "as printed"),
+        ("printed", "differs", None, "other parameters"),
+        ("derived", "fails", False, "by eq 1"),
+        ("ours", "", None, "nobody else has it"),
+    ]
+
+
+def test_a_lower_limit_is_not_met_from_below() -> None:
+    above, below = (printed("fit", "", 95.0, here, "%", 5.0, at_least=True) for here in (99.0, 94.9))
+    assert (above.verdict, below.verdict) == ("agrees", "fails")
+
+
+def test_what_is_no_number_never_agrees_and_is_null_in_json() -> None:
+    row = printed("gain", "", 2.0, float("nan"), "1/s", 0.1)
+    assert row.verdict == "fails"
+    assert row.as_dict()["here"] is None
+
+
+def test_the_tally_keeps_the_kinds_apart() -> None:
+    said = tally(row.as_dict() for row in (AGREES, DIFFERS, FAILS, OURS))
+    assert said == (
+        "1 of 2 figures printed in the paper agree, 1 differ for the reason beside them; "
+        "0 of 1 figures derived from its equations agree, 1 fail without one. 1 are ours alone."
+    )
+
+
+def test_figures_of_a_log_and_figures_asked_for_are_called_what_they_are(
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    beside = measured("contour rms", "seen", 84.8, 84.6, "um", 1.0), measured("contour rms", "unseen", 84.8, 60.0, "um", None)
+    rows = (*beside, asked("explained", "x", 80.0, 98.7, "%", 100.0), asked("explained", "y", 80.0, 79.9, "%", 100.0))
+    assert [row.verdict for row in rows] == ["agrees", "", "agrees", "fails"]
+    monkeypatch.setattr(ghaffari, "reproduce", lambda stage: [row.as_dict() for row in rows])
+    assert main(["reproduce", "ghaffari"]) == 1
+    lines = [" ".join(line.split()) for line in capsys.readouterr().out.splitlines()]
+    assert "case measured here difference its source verdict" in lines
+    assert "case asked for here difference its source verdict" in lines
+    assert lines[-1] == (
+        "1 of 1 figures beside measured ones agree; 1 of 2 figures that are asked for are reached, 1 do not. 0 are ours alone."
+    )
+    assert tally([]) == "0 are ours alone."
+
+
+@pytest.mark.parametrize(("rows", "code"), [((AGREES, DIFFERS, OURS), 0), ((AGREES, FAILS), 1)])
+@pytest.mark.parametrize("words", [[], ["--json"]])
+def test_only_a_failure_without_a_reason_changes_the_exit_code(
+    rows: tuple[Row, ...], code: int, words: list[str], monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.setattr(ghaffari, "reproduce", lambda stage: [row.as_dict() for row in rows])
+    assert main(["reproduce", "ghaffari", *words]) == code
+    shown = capsys.readouterr().out
+    if words:
+        assert json.loads(shown) == [row.as_dict() for row in rows]
+    else:
+        lines = shown.splitlines()
+        assert lines[-1] == tally(row.as_dict() for row in rows)
+        for row in rows:  # each case has its verdict and its own note in its line
+            (line,) = (line for line in lines if line.strip().startswith(row.case))
+            assert row.verdict in line
+            assert row.note in line
+
+
+@pytest.mark.parametrize("table", [TABLE_2, TABLE_3], ids=["II", "III"])
+@pytest.mark.parametrize("number", [1, 2, 3])
+def test_the_observers_responses_solve_its_two_equations(number: int, table: dict[int, Gains]) -> None:
+    """s v = -b v + a (u_c - e + d) and e = w_d/(s + w_d) ((w_z s/(s + w_z) + b_hat) v/a_hat - (u_c - e)), for (v, e) at each s."""
+    w = np.geomspace(0.01, 5000.0, 25)
+    gains, plant, reading = table[number], AXES[number], Reading()
+    response = compensated_axis(number, gains, w)
+    exact = exact_compensated(number, gains, reading, 1j * w)
+    for i, s in enumerate(1j * w):
+        low = reading.bandwidth / (s + reading.bandwidth)
+        inverse = (reading.filter_bandwidth * s / (s + reading.filter_bandwidth) + gains.observer_damping) / gains.observer_gain
+        matrix = np.array([[s + plant.damping, plant.gain], [-low * inverse, 1.0 - low]])
+        driven, loaded = (np.linalg.solve(matrix, right)[0] for right in ([plant.gain, -low], [plant.gain, 0.0]))
+        assert response.compensated[i] * 1e3 == pytest.approx(driven, rel=1e-8)
+        assert s * response.compliance[i] * 1e3 == pytest.approx(loaded, rel=1e-8)
+        assert (exact[0][i], exact[1][i]) == (pytest.approx(driven, rel=1e-8), pytest.approx(loaded, rel=1e-8))
+
+
+def test_the_closed_loop_follows_slow_references_and_falls_off_with_the_cube() -> None:
+    """P/R' of eq (16): 1 as s -> 0, a' K_P K_I/s^3 as s -> infinity."""
+    w = np.array([1e-4, 1e6])
+    far = TABLE_3[1].model_gain * TABLE_3[1].position_gain * TABLE_3[1].integral_gain / (1j * w[1]) ** 3
+    for closed in (closed_loop, equation_16):
+        assert closed(TABLE_3[1], w)[0] == pytest.approx(1.0, abs=1e-4)
+        assert closed(TABLE_3[1], w)[1] == pytest.approx(far, rel=1e-3)
+
+
+@pytest.mark.parametrize(
+    ("part", "name", "rows", "noticed"),
+    [
+        (PositionController, "position_gain", linear_rows, {"Fig 8 P/R'": 9, "Fig 8 change": 16, "Table III": 9}),
+        (DisturbanceObserver, "model_damping", observer_rows, {"V/U_c": 6, "V/D": 6, "attenuation": 6}),
+        (DisturbanceObserver, "filter_bandwidth", observer_rows, {"V/U_c": 6, "V/D": 6}),
+    ],
+)
+def test_a_component_that_is_one_percent_off_fails_its_rows(
+    part: type[Component], name: str, rows: Callable[[], list[Row]], noticed: dict[str, int], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    true = part.linearize
+
+    def wrong(self: Component) -> LinearModel | None:
+        return true(self.replace(**{name: 1.01 * getattr(self, name)}))
+
+    assert not any(row.verdict == "fails" for row in rows())
+    monkeypatch.setattr(part, "linearize", wrong)
+    failed = [row.name for row in rows() if row.verdict == "fails"]
+    assert {head: sum(its.startswith(head) for its in failed) for head in noticed} == noticed
+
+
+def test_a_first_order_loop_is_fitted_exactly() -> None:
+    w = np.linspace(0.5, 50.0, 40)
+    assert first_order_fit(w, 873.0 / (1j * w + 19.7)) == (pytest.approx(873.0, rel=1e-12), pytest.approx(19.7, rel=1e-12))
+
+
+def test_an_axis_on_the_bench_answers_a_step_as_its_model_does() -> None:
+    """v = u a/b (1 - exp(-b t)), and nothing below the stiction."""
+    command = np.full(500, 0.07)
+    _, velocity = drive_open_loop(command)
+    time = PERIOD * np.arange(500.0)
+    for column, plant in enumerate(AXES.values()):
+        wanted = 0.07e-3 * plant.gain / plant.damping * -np.expm1(-plant.damping * time)
+        np.testing.assert_allclose(velocity[:, column], wanted, rtol=1e-9, atol=1e-15)
+    position, _ = drive_open_loop(command, friction=True)
+    assert position[-1, 0] > 0.0  # stiction 0.055
+    assert (position[:, 1:] == 0.0).all()  # 0.088 and 0.077
+
+
+def test_the_rise_time_of_an_exponential_is_its_time_constant() -> None:
+    time = PERIOD * np.arange(2000.0)
+    assert rise_time(1.0 - np.exp(-time / 0.15)) == pytest.approx(0.15, rel=1e-5)
+
+
+def test_a_crossing_is_found_to_a_millionth() -> None:
+    assert crossing(lambda x: x**3 - 40.0**3, 1.0, 1e4) == pytest.approx(40.0, rel=1.1e-6)

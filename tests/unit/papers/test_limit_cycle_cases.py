@@ -1,0 +1,93 @@
+"""The stated cases of limit cycles: shooting, exact simulation, an integrator, and the describing function side by side."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from backlash_loops import integrated
+
+from contourlab.papers.shahin.limit_cycle_cases import CASES, CASES_WITHOUT, LimitCycleCase, compare, comparison_table
+
+# Amplitude over half of the gap and frequency [rad/s] of the orbits, as shooting gave them, with residuals below 1e-10; DOP853 settles on
+# the same (below). They are properties of the piecewise linear loops, so they move only if a case or its maker changes.
+MEASURED = {
+    "load side, K_v 180, K_p 5": (24.1782, 452.22),
+    "motor side, K_v 300, K_p 4, K_i 1950": (16.8307, 381.98),
+    "load side, K_v 150, K_p 5": (5.9985, 411.74),
+    "load side, K_v 120, K_p 5, shaft damped": (2.7812, 338.37),
+    "load side, K_v 60, K_p 5, K_i 200, load damped": (1.6625, 227.26),
+    "load side, K_v 20, K_p 5, load damped": (1.1320, 76.27),
+}
+
+
+def named(case: LimitCycleCase) -> str:
+    return case.name
+
+
+def check(case: LimitCycleCase) -> None:
+    """Check that shooting and simulation agree within 1 %, and the describing function within 5 % from two half-gaps on."""
+    found = compare(case)
+    assert found.orbit is not None
+    assert found.predicted is not None
+    ratio, frequency = MEASURED[case.name]
+    assert found.orbit.ratio == pytest.approx(ratio, rel=1e-4)
+    assert found.orbit.frequency == pytest.approx(frequency, rel=1e-4)
+    assert found.simulated_ratio == pytest.approx(found.orbit.ratio, rel=0.01)
+    assert found.simulated_frequency == pytest.approx(found.orbit.frequency, rel=0.01)
+    if found.orbit.ratio >= 2.0:
+        assert abs(found.frequency_error) < 0.05
+        assert abs(found.amplitude_error) < 0.05
+    else:
+        # Elsewhere the error is shown, and it is as large as the validity says: no such prediction is called good.
+        assert abs(found.frequency_error) > 0.05
+        assert not found.predicted.validity.startswith("good")
+
+
+def test_cases_are_as_stated() -> None:
+    """Six of them, from 1.1 to 24 half-gaps, one with a damped shaft, one on the motor side."""
+    assert [case.name for case in CASES] == list(MEASURED)
+    assert sum(case.drive.shaft_damping > 0.0 for case in CASES) == 1
+    assert sum(case.feedback.gain[0] != 0.0 for case in CASES) == 1
+
+
+def test_one_case() -> None:
+    check(CASES[2])
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("case", CASES, ids=named)
+def test_every_case(case: LimitCycleCase) -> None:
+    check(case)
+
+
+@pytest.mark.parametrize("case", CASES_WITHOUT[1:2], ids=named)
+def test_none_where_none_exists(case: LimitCycleCase) -> None:
+    """The describing function says that there is one; motions come to rest, and no shot closes."""
+    found = compare(case)
+    assert found.orbit is None
+    assert found.simulated_ratio == 0.0
+    assert found.predicted is None or found.predicted.validity.startswith("poor")
+    assert "none" in comparison_table((found,))
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("case", CASES_WITHOUT, ids=named)
+def test_every_case_without(case: LimitCycleCase) -> None:
+    test_none_where_none_exists(case)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("case", [case for case in CASES if case.drive.shaft_damping == 0.0], ids=named)
+def test_an_integrator_settles_on_the_same_orbit(case: LimitCycleCase) -> None:
+    """From a fifth beyond the orbit, by DOP853 without any knowledge of modes."""
+    ratio, frequency = MEASURED[case.name]
+    loop = case.loop
+    start = np.zeros(loop.n)
+    start[2] = -1.2 * ratio * loop.half_gap
+    period = 2.0 * np.pi / frequency
+    times = np.linspace(0.0, 240.0 * period, 240 * 100 + 1)
+    difference = integrated(loop, start, times, 1e-9) @ loop.c
+    last = difference[-40 * 100 :]
+    assert 0.5 * np.ptp(last) / loop.half_gap == pytest.approx(ratio, rel=0.01)
+    rises = times[-40 * 100 + 1 :][(last[1:] > 0.0) & (last[:-1] <= 0.0)]
+    assert 2.0 * np.pi / np.mean(np.diff(rises)) == pytest.approx(frequency, rel=0.01)
