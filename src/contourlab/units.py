@@ -18,8 +18,6 @@ if TYPE_CHECKING:
     import pint
     from numpy.typing import NDArray
 
-__all__ = ["from_si", "in_si", "same_dimension", "show", "si_unit", "split", "to_si"]
-
 Numbers = TypeVar("Numbers", float, "NDArray[np.float64]")
 
 _CLOSE = re.compile(r"(?P<number>[+-]?(\d+\.?\d*|\.\d+)([eE][+-]?\d+)?)(?P<unit>[A-Za-zµμ°%Ω].*)\Z")

@@ -14,8 +14,6 @@ from numpy.typing import ArrayLike
 
 from contourlab.result.atomic import write_bytes_atomic
 
-__all__ = ["KeptFolder"]
-
 Found = TypeVar("Found")
 
 

@@ -11,8 +11,6 @@ from typing import TYPE_CHECKING
 if TYPE_CHECKING:
     from contourlab.loop import Controller, Machine
 
-__all__ = ["plugin_digests"]
-
 
 def plugin_digests(machines: Iterable[Machine], controller: Controller) -> list[str]:
     """Return name and SHA-256 of the file of each component of machines and their controller that comes from a plugin or another package.

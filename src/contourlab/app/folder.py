@@ -15,8 +15,6 @@ from typing import Any
 from contourlab.app.written_files import LIST, OURS, SINGLE, WrittenFiles
 from contourlab.errors import OutputError, ParameterError
 
-__all__ = ["check_file", "spared", "staged"]
-
 
 def check_file(file: str | Path, inputs: Iterable[str | Path] = (), option: str = "--out") -> None:
     """See that a file can be written, ahead of the work that it is to hold; nothing is left behind, and an older one stays as it is.

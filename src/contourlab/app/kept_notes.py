@@ -10,8 +10,6 @@ from typing import TYPE_CHECKING
 if TYPE_CHECKING:
     from contourlab.app.checkpoint import KeptFolder
 
-__all__ = ["kept_notes", "taken_up_again"]
-
 
 def kept_notes(kept: KeptFolder, found: int, pieces: str, piece: str, decides: str) -> list[str]:
     """Return what was taken from an earlier time, and what was not, in words.

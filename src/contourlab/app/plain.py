@@ -7,8 +7,6 @@ import os
 from collections.abc import Mapping
 from typing import Any
 
-__all__ = ["plain"]
-
 
 def plain(value: Any) -> Any:
     """Return a value that JSON can hold: numbers of NumPy become Python's, nan and infinities null, tuples lists.

@@ -6,8 +6,6 @@ import hashlib
 from collections.abc import Iterable
 from pathlib import Path
 
-__all__ = ["DECIDES_RUNS", "program_version"]
-
 DECIDES_RUNS = ("native", "primitives", "geometry", "feed", "engine", "components", "metrics", "loop")
 """Rooms that decide the figures of a run."""
 

@@ -8,8 +8,6 @@ from numpy.typing import NDArray
 from contourlab.errors import ResultError
 from contourlab.geometry import Path
 
-__all__ = ["farthest", "progress_along", "size_of"]
-
 Array = NDArray[np.float64]
 PLACES = 200_000
 """Places at which a path is looked at, at most."""

@@ -10,8 +10,6 @@ if TYPE_CHECKING:
     from rich.console import Console
     from rich.progress import Progress, TaskID
 
-__all__ = ["Stages", "shown"]
-
 
 class Stages:
     """One stage of a run after another; says nothing where nobody looks.

@@ -7,8 +7,6 @@ from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
 
-__all__ = ["LIST", "OURS", "SINGLE", "WrittenFiles"]
-
 LIST = ".contourlab.json"
 """Name of the list."""
 OURS = (

@@ -7,8 +7,6 @@ from typing import Annotated, TypeAlias
 
 import typer
 
-__all__ = ["ColumnFile", "ColumnTexts", "LogFormat", "SamplePeriod"]
-
 ColumnTexts: TypeAlias = Annotated[
     list[str] | None,
     typer.Option("--column", help="What a column is, as position.x='NAME \\[mm]'; may be given again.", show_default=False),

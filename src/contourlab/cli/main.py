@@ -37,8 +37,6 @@ from contourlab.cli.commands.tune import tune
 from contourlab.cli.output import say, silence
 from contourlab.errors import ContourlabError, ParameterError
 
-__all__ = ["app", "main"]
-
 NAME = "contourlab"
 BAD_INPUT, INTERNAL, INTERRUPTED = 2, 70, 130
 

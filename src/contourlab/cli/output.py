@@ -14,8 +14,6 @@ if TYPE_CHECKING:
 
     from contourlab.features.run.command import RunOutcome
 
-__all__ = ["conclude", "emit_json", "say", "show", "silence", "wants_progress"]
-
 PIPE_WIDTH = 200
 """Columns of a table that goes to a file or a pipe, where nothing says how wide the reader is."""
 

@@ -10,8 +10,6 @@ import typer
 if TYPE_CHECKING:
     from contourlab.program import Reading
 
-__all__ = ["BlockDelete", "Dialect", "Part", "ToolTable", "reading_of"]
-
 Part: TypeAlias = Annotated[Path, typer.Argument(metavar="PART", help="A part program in G-code.", show_default=False)]
 Dialect: TypeAlias = Annotated[str, typer.Option(help="linuxcnc, or grbl, which is more lenient and says where.")]
 BlockDelete: TypeAlias = Annotated[bool, typer.Option("--block-delete", help="Pass over lines that begin with /.")]

@@ -7,8 +7,6 @@ from typing import Annotated, TypeAlias
 
 import typer
 
-__all__ = ["Json", "Out", "Plots", "Plugins", "ScenarioFile", "Schemes", "Signals", "Trials", "WithInterval", "listed"]
-
 ScenarioFile: TypeAlias = Annotated[
     str, typer.Argument(metavar="SCENARIO", help="A scenario (.toml), or the name of a shipped one.", show_default=False)
 ]

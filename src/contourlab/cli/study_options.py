@@ -6,8 +6,6 @@ from typing import Annotated, TypeAlias
 
 import typer
 
-__all__ = ["GainMargin", "Parameters", "PhaseMargin", "Seed", "Threads", "Width"]
-
 Parameters: TypeAlias = Annotated[
     list[str] | None,
     typer.Option(

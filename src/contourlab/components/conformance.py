@@ -18,8 +18,6 @@ from contourlab.engine.step import Bank, Step, rows
 from contourlab.errors import ComponentError, ContourlabError, EngineError
 from contourlab.primitives import Table
 
-__all__ = ["check_component"]
-
 Array = NDArray[np.float64]
 PERIOD = 1e-3
 TICKS = 160

@@ -33,8 +33,6 @@ from contourlab.errors import ComponentError, ParameterError
 if TYPE_CHECKING:
     from collections.abc import Callable
 
-__all__ = ["FAMILIES", "Component", "LinearModel", "Parameter", "Port", "param", "text_param"]
-
 FAMILIES = (
     "plant",
     "friction",

@@ -10,8 +10,6 @@ from numpy.typing import NDArray
 from contourlab.components.contract import Parameter
 from contourlab.components.learning.law import LearningLaw, LearningProblem, TrialRecord
 
-__all__ = ["learning_fault"]
-
 Array = NDArray[np.float64]
 PERIOD = 1e-3
 SAMPLES = 400

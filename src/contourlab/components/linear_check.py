@@ -12,8 +12,6 @@ from contourlab.components.contract import LinearModel
 from contourlab.engine.step import Step, record
 from contourlab.primitives import Clock
 
-__all__ = ["linear_fault"]
-
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
 

@@ -8,8 +8,6 @@ from typing import Any, ClassVar
 
 from contourlab.errors import ComponentError, ParameterError
 
-__all__ = ["SOURCES", "Origin", "Traced"]
-
 SOURCES = {
     "measured": "read off an instrument",
     "fitted": "worked out from a log",

@@ -21,21 +21,6 @@ from numpy.typing import NDArray
 from contourlab.engine.step import Port
 from contourlab.primitives import clip, copysign, dot, fabs, lincomb, lookup, maximum, minimum, rint, select, sqrt
 
-__all__ = [
-    "DERIVED",
-    "LEAST_COVARIANCE",
-    "STATES",
-    "TABLES",
-    "TUNING",
-    "arctangents",
-    "constants",
-    "corrected",
-    "ellipse",
-    "followed",
-    "in_turns",
-    "updated",
-]
-
 INTERVALS = 1024.0
 TINY = 1e-300
 PER_TURN = 1.0 / (2.0 * math.pi)

@@ -17,8 +17,6 @@ from types import ModuleType
 from contourlab.components.contract import FAMILIES, Component
 from contourlab.errors import ComponentError
 
-__all__ = ["ENTRY_POINT_GROUP", "component", "components", "load_plugin"]
-
 ENTRY_POINT_GROUP = "contourlab.components"
 _plugins: dict[tuple[str, str], type[Component]] = {}
 

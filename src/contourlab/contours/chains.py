@@ -13,8 +13,6 @@ from numpy.typing import NDArray
 from contourlab.errors import GeometryError
 from contourlab.geometry import Curve, Line, Path, backwards, with_ends
 
-__all__ = ["Chain", "Strand", "chains_of"]
-
 Array = NDArray[np.float64]
 CLOSE = 2e-10
 """Ends [m] that are left as they are: a path accepts 1e-9 m."""

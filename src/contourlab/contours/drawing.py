@@ -16,8 +16,6 @@ from contourlab.contours.shapes import Shape
 from contourlab.errors import GeometryError, UnitError
 from contourlab.units import to_si
 
-__all__ = ["Drawing", "LeftOut", "drawing_of", "strand_of", "unit_size"]
-
 TOLERANCE = 1e-6
 """Largest gap [m] between ends that meet, where none is stated."""
 OUTERMOST = 1e9

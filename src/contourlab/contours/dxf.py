@@ -15,8 +15,6 @@ from contourlab.contours.drawing import Drawing, LeftOut, drawing_of, strand_of,
 from contourlab.contours.shapes import ConicShape, LineShape, Shape, SplineShape
 from contourlab.errors import ContourlabError, GeometryError
 
-__all__ = ["read_dxf"]
-
 Array = NDArray[np.float64]
 FLAT = 1e-9
 """Heights [m] that differ by less lie in one plane."""

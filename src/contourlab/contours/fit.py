@@ -16,8 +16,6 @@ from contourlab.errors import GeometryError
 from contourlab.geometry import BSpline, Curve, Path
 from contourlab.geometry.spline_cut import split_at
 
-__all__ = ["PointFit", "fit_points"]
-
 Array = NDArray[np.float64]
 SAME_PLACE = 1e-9
 """Ends [m] that make a closed contour."""

@@ -12,8 +12,6 @@ from numpy.typing import NDArray
 
 from contourlab.geometry import BSpline, Curve, Line
 
-__all__ = ["Laid", "interpolated", "smoothed"]
-
 Array = NDArray[np.float64]
 Ends = tuple[Array | None, Array | None]
 DEGREE = 5

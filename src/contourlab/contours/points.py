@@ -13,8 +13,6 @@ from contourlab.contours.drawing import unit_size
 from contourlab.contours.fit import PointFit, fit_points
 from contourlab.errors import GeometryError, UnitError
 
-__all__ = ["CORNER_ANGLE", "read_points"]
-
 Array = NDArray[np.float64]
 CORNER_ANGLE = math.radians(30.0)
 """Turn of the polygon of points that is a corner, where none is stated."""

@@ -8,8 +8,6 @@ from typing import TypeVar
 import numpy as np
 from numpy.typing import NDArray
 
-__all__ = ["Polygon"]
-
 Array = NDArray[np.float64]
 Kind = TypeVar("Kind", np.float64, np.bool_)
 LONG = 4.0

@@ -15,8 +15,6 @@ from contourlab.contours.svg import read_svg
 from contourlab.errors import GeometryError
 from contourlab.geometry import Path
 
-__all__ = ["SUFFIXES", "ContourReading", "read_contour", "study_contour"]
-
 SUFFIXES = {
     ".dxf": ("unit", "tolerance", "layer", "chain", "scale", "axes", "ignore", "reverse"),
     ".svg": ("unit", "tolerance", "chain", "scale", "ignore", "reverse"),

@@ -12,8 +12,6 @@ from numpy.typing import NDArray
 from contourlab.contours.splines import spline_curves
 from contourlab.geometry import Arc, Curve, EllipticalArc, Line
 
-__all__ = ["ConicShape", "LineShape", "Shape", "SplineShape"]
-
 Array = NDArray[np.float64]
 ROUND = 1e-12
 """Half-diameters that differ by less than this part of themselves are those of a circle."""

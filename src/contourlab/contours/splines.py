@@ -9,8 +9,6 @@ from contourlab.errors import GeometryError
 from contourlab.geometry import BSpline, Curve, Line, Nurbs
 from contourlab.geometry.spline_cut import cut_where_curvature_jumps, inner_knots, split_at
 
-__all__ = ["spline_curves"]
-
 Array = NDArray[np.float64]
 SAME_KNOT = 1e-10
 """Knots closer than this part of their range are one knot that was rounded in writing."""

@@ -23,8 +23,6 @@ from contourlab.contours.svg_path import path_shapes
 from contourlab.contours.svg_tree import DATA, HIDDEN, NUMBER, SIZES, VISIBLE, Plain, length_match, tag_of
 from contourlab.errors import GeometryError
 
-__all__ = ["read_svg"]
-
 Array = NDArray[np.float64]
 PIXEL = 0.0254 / 96.0
 """A user unit [m] where nothing else is said; CSS Values 3, section 5.2."""

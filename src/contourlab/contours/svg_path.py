@@ -11,8 +11,6 @@ from numpy.typing import NDArray
 
 from contourlab.contours.shapes import ConicShape, LineShape, Shape, SplineShape
 
-__all__ = ["path_shapes"]
-
 Array = NDArray[np.float64]
 LARGEST = 1e12
 """Numbers beyond this [user units] are errors of writing; their squares would be lost."""

@@ -11,8 +11,6 @@ from xml.etree.ElementTree import Element, SubElement
 from contourlab.contours.svg_style import StyleSheet
 from contourlab.errors import GeometryError
 
-__all__ = ["DATA", "FOREIGN", "HIDDEN", "NUMBER", "SIZES", "VISIBLE", "Plain", "length_match", "tag_of"]
-
 SIZES = {"": 1.0, "px": 1.0, "in": 96.0, "cm": 96.0 / 2.54, "mm": 96.0 / 25.4, "q": 96.0 / 101.6, "pt": 96.0 / 72.0, "pc": 16.0}
 """Pixels of 1/96 inch in the units of length."""
 DATA, HIDDEN, VISIBLE, NUMBER = "contour-data", "contour-hidden", "contour-visible", "contour-number"

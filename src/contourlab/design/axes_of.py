@@ -4,8 +4,6 @@ from __future__ import annotations
 
 from contourlab.loop import Machine
 
-__all__ = ["axes_of"]
-
 
 def axes_of(name: str, machine: Machine) -> tuple[str, ...]:
     """Return the axes that a number has to do with: its own, or all where it belongs to what couples them."""

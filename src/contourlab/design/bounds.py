@@ -10,8 +10,6 @@ from contourlab.analysis.linear.sampled_loop import sampled_loop
 from contourlab.errors import ComponentError, ParameterError
 from contourlab.loop import Controller, Machine
 
-__all__ = ["ROUNDING", "SLACK", "Bounds", "without_model"]
-
 SLACK = (0.02, 0.05)
 """Margins of a search, read off a grid, are asked for with this much more: dB, degrees."""
 ROUNDING = 1e-9

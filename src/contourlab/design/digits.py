@@ -8,8 +8,6 @@ from numpy.typing import ArrayLike, NDArray
 from contourlab.design.bounds import ROUNDING
 from contourlab.units import from_si, in_si
 
-__all__ = ["DIGITS", "with_digits"]
-
 Array = NDArray[np.float64]
 DIGITS = 6
 """Of a value as it is written in a file."""

@@ -12,8 +12,6 @@ from contourlab.feed import Reference
 from contourlab.geometry.view import PathView, view_of
 from contourlab.loop import Controller, Machine, simulate_batch
 
-__all__ = ["Evaluator"]
-
 Array = NDArray[np.float64]
 CHUNK = 1024
 """Variants that are in memory at once."""

@@ -19,8 +19,6 @@ from contourlab.design.values import with_values
 from contourlab.errors import ComponentError
 from contourlab.loop import Controller, Machine
 
-__all__ = ["Guards"]
-
 Array = NDArray[np.float64]
 
 

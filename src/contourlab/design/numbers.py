@@ -20,8 +20,6 @@ from contourlab.loop import Controller, Machine, parameter_names
 from contourlab.scenario.quantities import read_number
 from contourlab.units import from_si
 
-__all__ = ["Number", "Space"]
-
 Array = NDArray[np.float64]
 WIDTH = 4.0
 """Bounds are this factor either side of the value where none are given."""

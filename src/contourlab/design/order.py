@@ -5,8 +5,6 @@ from __future__ import annotations
 from contourlab.components.contract import Component
 from contourlab.loop import Controller, Machine
 
-__all__ = ["calibration_order"]
-
 
 def calibration_order(machine: Machine, controller: Controller) -> tuple[str, ...]:
     """Return the dotted names of what is calibrated, from the innermost loop to the outermost, feedforward last.

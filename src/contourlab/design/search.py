@@ -13,8 +13,6 @@ from numpy.typing import NDArray
 
 from contourlab.errors import ParameterError
 
-__all__ = ["Found", "search"]
-
 Array = NDArray[np.float64]
 Objective = Callable[[Array], Array]
 SPREAD = 0.2

@@ -10,8 +10,6 @@ from contourlab.components.contract import Component
 from contourlab.errors import ParameterError
 from contourlab.loop import Axis, AxisController, Controller, Machine
 
-__all__ = ["controller_with", "machine_with", "with_values"]
-
 
 def with_values(machine: Machine, controller: Controller, values: Mapping[str, float]) -> tuple[Machine, Controller]:
     """Return machine and controller with values [SI] in place of theirs.

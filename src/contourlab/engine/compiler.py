@@ -24,8 +24,6 @@ from contourlab.engine.step import Bank, Port, Step, record, rows
 from contourlab.errors import EngineError
 from contourlab.native import store
 
-__all__ = ["compile_step", "source_key"]
-
 STEP_SIGNATURE = types.void(*(types.int64,) * 5, *(types.float64,) * 3)
 _PRIMITIVES = {getattr(primitives, name): name for name in primitives.__all__ if callable(getattr(primitives, name))}
 _PLAIN = (int, float, bool, str, tuple, type(None))

@@ -10,8 +10,6 @@ from contourlab.engine.intrinsics import OPTIONS
 from contourlab.engine.memory import call_step, load, load_word, store
 from contourlab.native.door import compiled
 
-__all__ = ["NODE_FIELDS", "kernel"]
-
 NODE_FIELDS = ("function", "parameters", "tables", "state", "inputs", "outputs", "every", "phase", "repeat")
 _FIELDS = len(NODE_FIELDS)
 _WORDS = 13

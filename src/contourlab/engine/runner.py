@@ -12,8 +12,6 @@ from numpy.typing import NDArray
 from contourlab.engine.schedule import Schedule
 from contourlab.engine.step import Port
 
-__all__ = ["Group", "make_group"]
-
 Array = NDArray[np.float64]
 _NUMBER = (float, int)
 _CACHE_LINE = 64

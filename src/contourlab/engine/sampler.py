@@ -14,8 +14,6 @@ from contourlab.engine.intrinsics import OPTIONS, maximum, minimum, poly_cos, po
 from contourlab.engine.memory import load_input, load_parameter, store_output, truncate
 from contourlab.native.door import compiled
 
-__all__ = ["CURVE_FIELDS", "SPAN_FIELDS", "along_curves", "along_spans"]
-
 Array = NDArray[np.float64]
 SPAN_FIELDS = ("first", "last", "t0", "s0", "v0", "a0", "j", "end")
 """Samples [first, last); start of the span: time, progress, speed, acceleration; its jerk; progress that it does not pass."""

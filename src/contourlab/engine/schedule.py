@@ -17,8 +17,6 @@ from numpy.typing import NDArray
 from contourlab.engine.step import Port, Step
 from contourlab.errors import EngineError
 
-__all__ = ["Late", "Node", "Schedule"]
-
 Array = NDArray[np.float64]
 _NUMBER = (float, int)
 

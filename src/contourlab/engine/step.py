@@ -8,8 +8,6 @@ from dataclasses import dataclass, field
 from functools import cache
 from typing import Any
 
-__all__ = ["Bank", "Port", "Step", "record"]
-
 StepFunction = Callable[..., tuple[tuple[Any, ...], tuple[Any, ...]]]
 
 

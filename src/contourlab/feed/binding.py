@@ -14,8 +14,6 @@ from contourlab.feed.pieces import joint_speed
 from contourlab.feed.profile import Profile
 from contourlab.feed.route import Route
 
-__all__ = ["Binding", "limiting"]
-
 Array = NDArray[np.float64]
 
 NEAR_FEED = 0.98  # of the programmed feedrate: what is as fast is held by it

@@ -18,8 +18,6 @@ from contourlab.geometry import Arc, Curve, Line, Path
 from contourlab.geometry.blend import blends, halves, quintic_bezier
 from contourlab.geometry.path import CORNER_ANGLE
 
-__all__ = ["blended", "rounded"]
-
 Array = NDArray[np.float64]
 Index = NDArray[np.int64]
 

@@ -29,8 +29,6 @@ from numpy.typing import NDArray
 from contourlab.feed.limits import AxisLimits
 from contourlab.feed.scurve import peak_speed, ramps
 
-__all__ = ["Bounds", "Samples", "Share", "piece_bounds", "speed_limit"]
-
 Array = NDArray[np.float64]
 
 

@@ -23,8 +23,6 @@ from numpy.typing import NDArray
 
 from contourlab.geometry import Path
 
-__all__ = ["LEAST_REACH", "MOST_TURN", "control_points", "largest_reach", "shape"]
-
 Array = NDArray[np.float64]
 Index = NDArray[np.int64]
 

@@ -16,8 +16,6 @@ from contourlab.feed.route import Route
 from contourlab.feed.scurve import peak_speed, ramps
 from contourlab.geometry.blend import quintic_bezier, shapes
 
-__all__ = ["quicker_blended"]
-
 Array = NDArray[np.float64]
 Index = NDArray[np.int64]
 

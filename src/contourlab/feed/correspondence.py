@@ -10,8 +10,6 @@ from numpy.typing import ArrayLike, NDArray
 from contourlab.errors import FeedError
 from contourlab.geometry import Path
 
-__all__ = ["Correspondence", "place_on_programmed"]
-
 Array = NDArray[np.float64]
 
 

@@ -11,8 +11,6 @@ from contourlab.feed.route import Route
 from contourlab.geometry import Path
 from contourlab.geometry.path import CORNER_ANGLE
 
-__all__ = ["KINK_TIME", "MOST_KINK", "NUDGE", "Joints", "curvature_jump", "direction_jump", "joints"]
-
 Array = NDArray[np.float64]
 
 NUDGE = 1e-7  # of a curve's length: the ends are looked at from inside the curve

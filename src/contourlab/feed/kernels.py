@@ -10,8 +10,6 @@ from __future__ import annotations
 
 import math
 
-__all__ = ["LOWERED", "MOVED", "flatten", "lower", "reach", "spread"]
-
 LIMITED, BEHIND, LOWERED, MOVED = 1, 2, 4, 8  # flags of a sample; see `reach`
 TINY = 1e-9  # of a tangent: an axis that moves less has no say in the acceleration
 N_NEWTON = 60

@@ -9,8 +9,6 @@ from numpy.typing import ArrayLike, NDArray
 
 from contourlab.errors import FeedError, ParameterError
 
-__all__ = ["AxisLimits"]
-
 Array = NDArray[np.float64]
 
 

@@ -8,8 +8,6 @@ from __future__ import annotations
 
 import math
 
-__all__ = ["clock", "demand", "steps"]
-
 
 def clock(arc_length, square, first, last, free, period, time, lasting, count):
     """Fill the time at each sample, counted from the start of its block.

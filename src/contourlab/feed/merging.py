@@ -21,8 +21,6 @@ from contourlab.feed.correspondence import Correspondence
 from contourlab.feed.route import Route
 from contourlab.geometry import Line, Path
 
-__all__ = ["LONGEST_RUN", "merged", "run_starts"]
-
 Array = NDArray[np.float64]
 Index = NDArray[np.int64]
 Flags = NDArray[np.bool_]

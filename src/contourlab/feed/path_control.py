@@ -10,8 +10,6 @@ import numpy as np
 from contourlab.errors import FeedError
 from contourlab.feed.route import Route
 
-__all__ = ["PathControl", "controlled"]
-
 PathControl: TypeAlias = Literal["program", "exact_path", "exact_stop", "blend"]
 
 

@@ -20,8 +20,6 @@ from contourlab.feed.route import Route
 from contourlab.geometry import Arc, Curve, Line
 from contourlab.geometry.blend import Blend
 
-__all__ = ["Nodes", "Pieces", "Survey", "chosen_nodes", "cut", "joint_speed", "look", "nodes_of", "survey"]
-
 Array = NDArray[np.float64]
 Flags = NDArray[np.bool_]
 Index = NDArray[np.intp]

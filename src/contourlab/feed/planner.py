@@ -24,8 +24,6 @@ from contourlab.feed.scurve import N_SPAN, move_spans, peak_speed, reachable_spe
 from contourlab.feed.smooth import shaped
 from contourlab.feed.stretches import Stretches, ranges, sampled, stretches
 
-__all__ = ["plan", "plan_profile"]
-
 Array = NDArray[np.float64]
 Index = NDArray[np.intp]
 

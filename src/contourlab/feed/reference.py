@@ -16,8 +16,6 @@ from contourlab.feed.correspondence import Correspondence, place_on_programmed
 from contourlab.feed.profile import Profile
 from contourlab.geometry import Path
 
-__all__ = ["Reference", "ReferenceBlock", "lap_ranges", "whole_samples"]
-
 Array = NDArray[np.float64]
 CHUNK = 4096
 """How many samples are worked out at once."""

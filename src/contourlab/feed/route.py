@@ -16,8 +16,6 @@ from contourlab.geometry.spline_cut import cut_where_curvature_jumps
 from contourlab.program import Arc as ArcMove
 from contourlab.program import Dwell, Program, Spline, Traverse
 
-__all__ = ["Route", "route_from_path", "route_from_program"]
-
 Array = NDArray[np.float64]
 _PER_CURVE: dict[str, Any] = {
     "feedrate": float,

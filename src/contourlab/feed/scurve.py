@@ -19,8 +19,6 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-__all__ = ["N_SPAN", "Ramps", "move_spans", "peak_speed", "ramp_distance", "ramps", "reachable_speed", "spans_end"]
-
 Array = NDArray[np.float64]
 
 N_BISECTION = 80  # halvings: enough to reach the last bit of any speed within 1e-8 of the bracket

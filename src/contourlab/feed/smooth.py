@@ -30,8 +30,6 @@ from contourlab.feed.limits import AxisLimits
 from contourlab.feed.stretches import Samples
 from contourlab.geometry import Path
 
-__all__ = ["Shaped", "shaped"]
-
 Array = NDArray[np.float64]
 Index = NDArray[np.intp]
 

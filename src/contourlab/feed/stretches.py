@@ -12,8 +12,6 @@ from contourlab.feed.limits import AxisLimits
 from contourlab.feed.pieces import FLAT, Nodes, Survey, chosen_nodes, look, nodes_of
 from contourlab.feed.route import Route
 
-__all__ = ["Samples", "Stretches", "sampled", "stretches"]
-
 Array = NDArray[np.float64]
 Index = NDArray[np.intp]
 

@@ -11,8 +11,6 @@ from contourlab.feed.profile import Profile
 from contourlab.feed.reference import Reference, checked_period
 from contourlab.geometry import Path
 
-__all__ = ["uniform"]
-
 
 def uniform(path: Path, frequency: float, laps: int, servo_period: float) -> Reference:
     """Return laps of a closed path at constant speed: progress = length * frequency * t.

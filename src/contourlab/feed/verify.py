@@ -18,8 +18,6 @@ from contourlab.feed.limits import AxisLimits
 from contourlab.feed.reference import Reference
 from contourlab.geometry import Path
 
-__all__ = ["LimitReport", "Worst", "limit_report"]
-
 Array = NDArray[np.float64]
 
 BLOCK = 65536  # samples looked at together

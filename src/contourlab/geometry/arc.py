@@ -11,8 +11,6 @@ from numpy.typing import ArrayLike, NDArray
 from contourlab.errors import GeometryError
 from contourlab.geometry.curve import Curve, Together, ends, of_each, rows, vector
 
-__all__ = ["Arc", "Arcs"]
-
 Array = NDArray[np.float64]
 Index = NDArray[np.int64]
 

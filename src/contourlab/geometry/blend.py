@@ -11,8 +11,6 @@ from numpy.typing import ArrayLike, NDArray
 from contourlab.errors import GeometryError
 from contourlab.geometry.curve import Curve, Together, by_arc_length, ends, rows
 
-__all__ = ["Blend", "Blends", "blends", "halves", "quintic_bezier", "shapes"]
-
 Array = NDArray[np.float64]
 Index = NDArray[np.int64]
 

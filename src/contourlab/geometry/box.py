@@ -10,8 +10,6 @@ from contourlab.geometry.curve import Curve
 from contourlab.geometry.line import Line
 from contourlab.geometry.path import Path
 
-__all__ = ["box"]
-
 Array = NDArray[np.float64]
 _SAMPLES = 513
 _HALVINGS = 45

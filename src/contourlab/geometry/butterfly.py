@@ -6,8 +6,6 @@ would leave the contour open. Length 382.86 mm; smallest radius 0.023 mm, at the
 
 from __future__ import annotations
 
-__all__ = ["DEGREE", "KNOTS", "POINTS", "WEIGHTS"]
-
 DEGREE = 3
 POINTS = (
     (54.493, 52.139),

@@ -11,8 +11,6 @@ from contourlab.errors import GeometryError
 from contourlab.geometry.curve import vector
 from contourlab.geometry.parametric import Parametric
 
-__all__ = ["Ellipse", "EllipticalArc", "Lemniscate", "Lissajous", "Spiral", "Star"]
-
 Array = NDArray[np.float64]
 
 

@@ -11,8 +11,6 @@ from numpy.typing import ArrayLike, NDArray
 
 from contourlab.errors import GeometryError
 
-__all__ = ["Curve", "Together", "by_arc_length", "ends", "of_each", "rows"]
-
 Array = NDArray[np.float64]
 Index = NDArray[np.int64]
 

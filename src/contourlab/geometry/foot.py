@@ -18,8 +18,6 @@ from contourlab.geometry.reach import curves_in_reach
 from contourlab.geometry.search import Bends, brackets
 from contourlab.geometry.table import PathTable
 
-__all__ = ["FootPoint", "foot_point"]
-
 Array = NDArray[np.float64]
 Index = NDArray[np.int64]
 _CHUNK = 1 << 17

@@ -18,8 +18,6 @@ from contourlab.geometry.line import Line
 from contourlab.geometry.nurbs import Nurbs
 from contourlab.geometry.path import Path
 
-__all__ = ["contour", "contour_names", "contour_parameters"]
-
 
 def circle(radius: float = 0.02, start_angle: float = 0.0, clockwise: float = 0.0) -> Path:
     """Circle around the origin; `clockwise` 1 turns its sense. The papers use 20 mm and 25 mm."""

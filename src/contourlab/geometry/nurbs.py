@@ -8,8 +8,6 @@ from numpy.typing import ArrayLike, NDArray
 from contourlab.errors import GeometryError
 from contourlab.geometry.parametric import Parametric
 
-__all__ = ["BSpline", "Nurbs"]
-
 Array = NDArray[np.float64]
 
 

@@ -11,8 +11,6 @@ from numpy.typing import ArrayLike, NDArray
 from contourlab.errors import GeometryError
 from contourlab.geometry.curve import Curve, by_arc_length
 
-__all__ = ["Parametric"]
-
 Array = NDArray[np.float64]
 Index = NDArray[np.int64]
 Flags = NDArray[np.bool_]

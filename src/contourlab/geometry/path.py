@@ -20,8 +20,6 @@ if TYPE_CHECKING:
     from contourlab.geometry.foot import FootPoint
     from contourlab.geometry.table import PathTable
 
-__all__ = ["CORNER_ANGLE", "JOIN_TOLERANCE", "Path"]
-
 Array = NDArray[np.float64]
 JOIN_TOLERANCE = 1e-9
 """Largest gap [m] between the end of a curve and the start of the next."""

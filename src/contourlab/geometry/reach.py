@@ -16,8 +16,6 @@ from numpy.typing import NDArray
 
 from contourlab.geometry.path import Path
 
-__all__ = ["curves_in_reach", "search"]
-
 Array = NDArray[np.float64]
 Index = NDArray[np.int64]
 _FEW = 4

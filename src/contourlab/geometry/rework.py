@@ -14,8 +14,6 @@ from contourlab.geometry.curve import Curve, vector
 from contourlab.geometry.line import Line
 from contourlab.geometry.nurbs import BSpline, Nurbs
 
-__all__ = ["backwards", "with_ends"]
-
 Array = NDArray[np.float64]
 
 

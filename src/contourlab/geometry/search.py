@@ -9,8 +9,6 @@ from numpy.typing import NDArray
 
 from contourlab.geometry.table import PathTable
 
-__all__ = ["Bends", "brackets"]
-
 Array = NDArray[np.float64]
 Index = NDArray[np.int64]
 Near = Callable[[Index, Array, int], Array]

@@ -12,8 +12,6 @@ from numpy.typing import NDArray
 from contourlab.geometry.curve import Curve, by_arc_length
 from contourlab.geometry.nurbs import BSpline, Nurbs
 
-__all__ = ["cut_where_curvature_jumps", "inner_knots", "split_at"]
-
 Array = NDArray[np.float64]
 JUMP = 1e-7
 """Of the curvature, or of one over the curve's length: smaller jumps are rounding."""

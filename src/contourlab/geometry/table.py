@@ -17,8 +17,6 @@ from contourlab.errors import GeometryError
 from contourlab.geometry.curve import Together
 from contourlab.geometry.path import Path
 
-__all__ = ["MOST_CELLS", "PathTable", "path_table"]
-
 Array = NDArray[np.float64]
 Index = NDArray[np.int64]
 MOST_CELLS = 8_000_000

@@ -11,8 +11,6 @@ from numpy.typing import NDArray
 
 from contourlab.errors import GeometryError
 
-__all__ = ["corners", "polygon_corners"]
-
 
 def polygon_corners(points: NDArray[np.float64], tolerance: float) -> NDArray[np.int64]:
     """Return which points a polygon needs so that no other is further than a tolerance from it, each line as long as it can be found.

@@ -18,8 +18,6 @@ from contourlab.geometry.arc import Arc
 from contourlab.geometry.path import Path
 from contourlab.primitives import clip, cos, floor, lookup, maximum, select, sin
 
-__all__ = ["PathView", "view_of"]
-
 
 @dataclass(frozen=True)
 class PathView:

@@ -11,8 +11,6 @@ from numpy.typing import NDArray
 from contourlab.errors import LogError
 from contourlab.units import show
 
-__all__ = ["ClockReport", "Gap", "common_clock", "look_at_clock", "repeats_too_often", "resampled"]
-
 Array = NDArray[np.float64]
 GAP = 1.5
 """Periods between two samples from which on one is missing."""

@@ -15,8 +15,6 @@ from contourlab.logs.moments import EXAMPLE, Moments, moments_of
 from contourlab.logs.reading import CUT, called, cells_of, is_empty, is_unit, name_and_unit, number, numbers, shown, text_of
 from contourlab.logs.record import Channel, Record
 
-__all__ = ["matches", "read"]
-
 Array = NDArray[np.float64]
 MARKS = (";", "\t", ",")
 ENDINGS = (".csv", ".tsv", ".txt", ".dat", ".log")

@@ -11,8 +11,6 @@ from contourlab.logs import delimited, halsampler, halscope, matlab, parquet, si
 from contourlab.logs.reading import head_of
 from contourlab.logs.record import Record
 
-__all__ = ["FORMATS", "Format", "format_of", "read_record"]
-
 
 @dataclass(frozen=True)
 class Format:

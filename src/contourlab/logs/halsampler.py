@@ -11,8 +11,6 @@ from contourlab.errors import LogError
 from contourlab.logs.reading import lines_of, numbers
 from contourlab.logs.record import Channel, Record
 
-__all__ = ["matches", "read"]
-
 Array = NDArray[np.float64]
 OVERRUN = "overrun"
 MOSTLY = 0.9

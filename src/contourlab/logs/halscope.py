@@ -9,8 +9,6 @@ from contourlab.errors import LogError
 from contourlab.logs.reading import lines_of, numbers
 from contourlab.logs.record import Channel, Record
 
-__all__ = ["matches", "read"]
-
 _FIRST = re.compile(r"(#\s*)?Sampling period is (\d+) (ns|nSec)\s*\Z")
 
 

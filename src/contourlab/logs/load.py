@@ -20,8 +20,6 @@ from contourlab.logs.record import said as names_said
 from contourlab.result import Result, Signal
 from contourlab.units import from_si, show, si_unit, to_si
 
-__all__ = ["Log", "load_log", "result_of"]
-
 Array = NDArray[np.float64]
 FARTHEST, FASTEST = 50.0, 50.0
 """Positions [m] and speeds [m/s] beyond these are no machine's: the unit is wrong, or a position jumps."""

@@ -15,8 +15,6 @@ from contourlab.logs.reading import name_and_unit
 from contourlab.logs.record import Channel, Record, said
 from contourlab.units import same_dimension, to_si
 
-__all__ = ["SIGNALS", "Column", "Columns", "guessed", "once", "parse_columns", "read_columns", "unknown"]
-
 SIGNALS = {
     "reference": "m",
     "position": "m",

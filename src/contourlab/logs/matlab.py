@@ -13,8 +13,6 @@ from contourlab.errors import LogError
 from contourlab.logs.reading import name_and_unit
 from contourlab.logs.record import Channel, Record
 
-__all__ = ["matches", "read"]
-
 Array = NDArray[np.float64]
 HDF = b"\x89HDF\r\n\x1a\n"
 SHORTEST = 2

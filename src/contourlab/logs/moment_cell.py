@@ -6,8 +6,6 @@ import re
 from functools import lru_cache
 from typing import NamedTuple
 
-__all__ = ["DAY", "DAY_FIRST", "MONTH_FIRST", "NAMED", "SECOND", "UNTOLD", "YEAR_FIRST", "Cell", "is_moment", "taken_apart"]
-
 SECOND, MINUTE, HOUR, DAY = 10**9, 60 * 10**9, 3600 * 10**9, 86400 * 10**9
 """In nanoseconds."""
 YEAR_FIRST, DAY_FIRST, MONTH_FIRST, UNTOLD = "year first", "day first", "month first", "day or month first"

@@ -14,8 +14,6 @@ from contourlab.errors import LogError
 from contourlab.logs.moment_cell import DAY, DAY_FIRST, MONTH_FIRST, NAMED, SECOND, UNTOLD, YEAR_FIRST, Cell, is_moment, taken_apart
 from contourlab.logs.reading import called, is_empty, number, shown
 
-__all__ = ["EXAMPLE", "RIGHT", "Moments", "moments_of"]
-
 Array = NDArray[np.float64]
 _PLACES = {YEAR_FIRST: (0, 1, 2), DAY_FIRST: (2, 1, 0), MONTH_FIRST: (2, 0, 1), NAMED: (2, 1, 0)}
 EXAMPLE = "2024-05-31T14:03:21.250"

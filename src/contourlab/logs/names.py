@@ -7,8 +7,6 @@ import re
 
 from contourlab.logs.record import AXIS_LETTERS
 
-__all__ = ["TIME", "meant"]
-
 TIME = "time"
 _TIME = {"t", "time", "zeit", "timestamp", "seconds", "datetime"}
 _VELOCITY = {"vel", "velo", "velocity", "speed", "geschwindigkeit"}

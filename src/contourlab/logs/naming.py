@@ -9,8 +9,6 @@ from pathlib import Path
 
 from contourlab.errors import FeedError, GeometryError, LogError, ParameterError, ResultError
 
-__all__ = ["about"]
-
 
 @contextmanager
 def about(*files: str | Path, options: Container[str] = ()) -> Iterator[None]:

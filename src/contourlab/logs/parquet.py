@@ -11,8 +11,6 @@ from contourlab.errors import LogError
 from contourlab.logs.reading import name_and_unit
 from contourlab.logs.record import Channel, Record
 
-__all__ = ["matches", "read"]
-
 MAGIC = b"PAR1"
 
 

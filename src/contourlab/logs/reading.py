@@ -14,8 +14,6 @@ from numpy.typing import NDArray
 from contourlab.errors import LogError, UnitError
 from contourlab.units import same_dimension
 
-__all__ = ["called", "cells_of", "head_of", "is_empty", "is_unit", "lines_of", "name_and_unit", "number", "numbers", "shown", "text_of"]
-
 Array = NDArray[np.float64]
 HEAD = 1 << 16
 """Bytes of a file that its format is told from."""

@@ -12,8 +12,6 @@ from numpy.typing import NDArray
 
 from contourlab.errors import LogError
 
-__all__ = ["AXIS_LETTERS", "Channel", "Record"]
-
 Array = NDArray[np.float64]
 AXIS_LETTERS = "xyzabcuvw"
 """Axes in the order of their joints."""

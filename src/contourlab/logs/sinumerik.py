@@ -19,8 +19,6 @@ from contourlab.errors import LogError
 from contourlab.logs.reading import is_unit, number, shown
 from contourlab.logs.record import Channel, Record
 
-__all__ = ["matches", "read"]
-
 Array = NDArray[np.float64]
 NOTHING = 9.2e18
 """Larger numbers are the bits of a number that is none, written as a whole one."""

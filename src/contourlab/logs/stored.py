@@ -8,8 +8,6 @@ from contourlab.errors import LogError, ResultError
 from contourlab.logs.record import Channel, Record
 from contourlab.result import Result
 
-__all__ = ["matches", "read"]
-
 
 def matches(file: Path, head: bytes) -> bool:
     """Tell whether it is an HDF5 file whose name ends in .nc."""

@@ -13,8 +13,6 @@ from contourlab.errors import LogError
 from contourlab.logs.reading import called, cells_of, lines_of, number, shown
 from contourlab.logs.record import Channel, Record
 
-__all__ = ["matches", "read"]
-
 Array = NDArray[np.float64]
 MARKS = "\t;:, "
 TICK = 1e-7

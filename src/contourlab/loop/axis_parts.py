@@ -12,8 +12,6 @@ from numpy.typing import NDArray
 from contourlab.components.origin import Origin
 from contourlab.errors import ParameterError
 
-__all__ = ["AxisError", "Limits"]
-
 
 @dataclass(frozen=True)
 class Limits:

@@ -27,8 +27,6 @@ from contourlab.loop.template import Loop, Signals, build
 from contourlab.loop.watch import NAME
 from contourlab.metrics.streaming import SUMS
 
-__all__ = ["LANES", "BatchResult", "simulate_batch"]
-
 Array = NDArray[np.float64]
 LANES = 32
 

@@ -22,8 +22,6 @@ from contourlab.primitives import select
 if TYPE_CHECKING:
     from contourlab.loop.template import Builder
 
-__all__ = ["add_taken", "compensated_in_axis", "controlled_from_base", "cross", "subtract_node", "taken_wire"]
-
 BASE = "base"
 _IN_AXIS = ("plant", "drive", "sensor", "motor_sensor", "kept", "compensated")
 _STANDING = re.compile(r"(^|_)(position|reference|reference_total|reference_ahead)$")

@@ -8,8 +8,6 @@ from contourlab.components.contract import Component
 from contourlab.components.link.ideal import IdealLink
 from contourlab.errors import ParameterError
 
-__all__ = ["DIVISIONS", "Division"]
-
 DIVISIONS = {
     "drive": "drive and sensors in the axis, all else in the base: commands go down",
     "observer": "the disturbance observer in the axis with them: commands go down, and the axis takes its own estimate off",

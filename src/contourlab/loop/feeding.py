@@ -13,8 +13,6 @@ from contourlab.errors import ParameterError
 from contourlab.feed import Reference, ReferenceBlock
 from contourlab.loop.machine import Controller, Machine
 
-__all__ = ["AHEAD", "LEARNED_COMMAND", "LEARNED_REFERENCE", "SOURCE_LINE", "Feed", "Learned", "extra_externals"]
-
 Array = NDArray[np.float64]
 
 LEARNED_COMMAND, LEARNED_REFERENCE, AHEAD = "learned_command", "learned_reference", "reference_ahead"

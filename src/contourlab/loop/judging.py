@@ -17,8 +17,6 @@ from contourlab.loop.machine import Axis, Machine
 from contourlab.metrics.effort import EFFORT_SUMS, effort_step
 from contourlab.metrics.streaming import SUMS, corner_parts, judge_step
 
-__all__ = ["counted", "effort_figures", "effort_node", "error_figures", "judge_node", "sums_of"]
-
 Array = NDArray[np.float64]
 Window = tuple[int, int]
 

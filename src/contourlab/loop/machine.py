@@ -22,8 +22,6 @@ from contourlab.feed import AxisLimits
 from contourlab.loop.axis_parts import AxisError, Limits
 from contourlab.loop.division import Division
 
-__all__ = ["CONTROLLER_SLOTS", "Axis", "AxisController", "Controller", "Machine"]
-
 
 @dataclass(frozen=True)
 class Axis:

@@ -8,8 +8,6 @@ from typing import Any
 from contourlab.engine.schedule import Node
 from contourlab.engine.step import Port, Step
 
-__all__ = ["constant_node", "sum_step"]
-
 
 @cache
 def sum_step(n: int) -> Step:

@@ -19,8 +19,6 @@ from contourlab.loop.machine import Axis
 if TYPE_CHECKING:
     from contourlab.loop.template import Builder
 
-__all__ = ["add_plants"]
-
 Array = NDArray[np.float64]
 
 

@@ -26,8 +26,6 @@ from contourlab.loop.machine import Controller, Machine
 from contourlab.loop.template import Loop, build
 from contourlab.primitives import Clock
 
-__all__ = ["Change", "Prepared", "prepared", "taken_over"]
-
 
 @dataclass(frozen=True)
 class Change:

@@ -10,8 +10,6 @@ from contourlab.loop.mixing import constant_node
 if TYPE_CHECKING:
     from contourlab.loop.template import Builder
 
-__all__ = ["recorded"]
-
 NOTHING = "none.value"
 """Signal of an axis that has not got what others have: zero."""
 

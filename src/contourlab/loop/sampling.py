@@ -11,8 +11,6 @@ from contourlab.feed.profile import Profile
 from contourlab.feed.reference import along_path
 from contourlab.geometry import Path
 
-__all__ = ["sample_compiled"]
-
 Array = NDArray[np.float64]
 
 

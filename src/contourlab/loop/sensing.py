@@ -15,8 +15,6 @@ from contourlab.primitives import select
 if TYPE_CHECKING:
     from contourlab.loop.template import Builder
 
-__all__ = ["SURE", "Sensing"]
-
 
 class Sensing:
     """The sensors of one axis and what its controller makes of them: adds the nodes, and knows the wires.

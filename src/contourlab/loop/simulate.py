@@ -23,8 +23,6 @@ from contourlab.loop.tool import ToolPosition
 from contourlab.loop.watch import watched
 from contourlab.result import Result, Signal, Status
 
-__all__ = ["UNITS", "jit_enabled", "result_of", "simulate", "simulate_blocks"]
-
 Array = NDArray[np.float64]
 BLOCK = 1 << 16
 """Samples of a block: a whole number of the blocks in which a batch looks for what runs away."""

@@ -18,8 +18,6 @@ from contourlab.components.contract import Component
 from contourlab.engine.step import Port, Step
 from contourlab.primitives import select
 
-__all__ = ["TOLD", "conditioned", "handover_parameters", "handover_step"]
-
 
 def conditioned(part: Component) -> Component:
     """Return a controller fit to run beside others: an integral that is only held would not follow what is carried out."""

@@ -19,8 +19,6 @@ from contourlab.loop.machine import AxisController, Controller
 from contourlab.loop.reconfigure import Change
 from contourlab.result import Result
 
-__all__ = ["RECORDED", "SwitchKind", "SwitchLog", "Switches", "switches_of"]
-
 Array = NDArray[np.float64]
 Index = NDArray[np.int64]
 RECORDED = ("active_controller", "switch_reason")

@@ -46,8 +46,6 @@ from contourlab.loop.supervision import TOLD, conditioned, handover_parameters, 
 from contourlab.loop.tool import stream_of
 from contourlab.loop.watch import watch_node
 
-__all__ = ["Loop", "Signals", "build"]
-
 Array = NDArray[np.float64]
 Overrides = Mapping[str, Array]
 Signals = Mapping[str, tuple[str, ...]]

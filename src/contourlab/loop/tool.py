@@ -10,8 +10,6 @@ from numpy.typing import NDArray
 from contourlab.loop.machine import Machine
 from contourlab.primitives import normal
 
-__all__ = ["ToolPosition", "stream_of"]
-
 Array = NDArray[np.float64]
 
 

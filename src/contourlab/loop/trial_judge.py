@@ -19,8 +19,6 @@ from contourlab.geometry.view import PathView
 from contourlab.loop.judging import judge_node
 from contourlab.loop.machine import Machine
 
-__all__ = ["TrialJudge"]
-
 Array = NDArray[np.float64]
 STRETCHES = 8
 """Always as many, so that the foot points are the same on any number of processors."""

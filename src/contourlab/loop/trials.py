@@ -30,8 +30,6 @@ from contourlab.loop.watch import watched
 from contourlab.metrics.judge import reach
 from contourlab.result import Status
 
-__all__ = ["Trial", "Trials", "feedforward_command"]
-
 Array = NDArray[np.float64]
 MOST_DOUBTFUL = 0.002
 """Part of the samples in doubt beyond which a trial is judged again as a whole."""

@@ -15,8 +15,6 @@ from contourlab.loop.machine import Machine
 from contourlab.primitives import fabs, select
 from contourlab.result import Status
 
-__all__ = ["NAME", "watch_node", "watched"]
-
 NAME = "watch"
 _STATES = (Port("first"), Port("axis"), Port("gap"))
 

@@ -33,8 +33,6 @@ from numpy.typing import ArrayLike, NDArray
 from contourlab.errors import ParameterError, ResultError
 from contourlab.metrics.circles import CircleFigures
 
-__all__ = ["CircleBacklash", "QuadrantStep", "backlash_from_circle", "backlash_of_runs"]
-
 Array = NDArray[np.float64]
 
 SHARED = ("radius", "centre_x", "centre_y", "scale")

@@ -25,16 +25,6 @@ from contourlab.geometry import Arc
 from contourlab.metrics.figures import evaluation_window
 from contourlab.result import Result
 
-__all__ = [
-    "Bidirectional",
-    "CircleFigures",
-    "bidirectional",
-    "circle_figures",
-    "circles_of",
-    "least_squares_centre",
-    "minimum_zone",
-]
-
 Array = NDArray[np.float64]
 
 

@@ -7,8 +7,6 @@ import numpy as np
 from contourlab.feed import Reference
 from contourlab.result import Result
 
-__all__ = ["left_out"]
-
 
 def left_out(result: Result, reference: Reference, window: tuple[int, int]) -> tuple[float, float]:
     """Return the longest piece [m] of the programmed path, as far as it was asked for, on which no foot point of the tool lies.

@@ -8,8 +8,6 @@ from typing import Any
 from contourlab.engine.step import Port, Step
 from contourlab.primitives import fabs, maximum, select
 
-__all__ = ["EFFORT_SUMS", "effort_step"]
-
 EFFORT_SUMS = ("count", "sum_square", "largest", "limited")
 """States of the step, in order."""
 

@@ -14,8 +14,6 @@ from contourlab.feed import Reference
 from contourlab.metrics.coverage import left_out
 from contourlab.result import Result
 
-__all__ = ["AxisFigures", "ErrorFigures", "Metrics", "Place", "evaluation_window", "summarise"]
-
 Array = NDArray[np.float64]
 
 

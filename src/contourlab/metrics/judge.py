@@ -18,8 +18,6 @@ from contourlab.feed import Reference
 from contourlab.geometry import Path
 from contourlab.result import Result, Signal
 
-__all__ = ["judge", "reach"]
-
 Array = NDArray[np.float64]
 _MARGIN = 1e-4
 

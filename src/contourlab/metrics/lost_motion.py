@@ -16,8 +16,6 @@ from numpy.typing import ArrayLike, NDArray
 
 from contourlab.errors import ParameterError, ResultError
 
-__all__ = ["LostMotion", "lost_motion_from_pair"]
-
 Array = NDArray[np.float64]
 
 MARGIN = 1.2

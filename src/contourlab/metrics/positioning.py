@@ -20,8 +20,6 @@ from numpy.typing import ArrayLike, NDArray
 
 from contourlab.errors import ParameterError, ResultError
 
-__all__ = ["ReversalTest", "bidirectional_positioning", "reversal_test"]
-
 Array = NDArray[np.float64]
 
 

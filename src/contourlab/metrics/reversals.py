@@ -14,8 +14,6 @@ from contourlab.geometry import Arc, Curve
 from contourlab.metrics.judge import reach
 from contourlab.result import Result
 
-__all__ = ["ReversalFigures", "Spike", "reversal_figures", "reversal_spikes"]
-
 Array = NDArray[np.float64]
 _BEFORE = 5
 

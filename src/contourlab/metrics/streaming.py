@@ -17,8 +17,6 @@ from contourlab.geometry import Path
 from contourlab.geometry.view import PathView
 from contourlab.primitives import clip, copysign, dot, fabs, floor, lookup, maximum, select, sqrt, sub
 
-__all__ = ["SUMS", "corner_parts", "judge_step"]
-
 SUMS = (
     "count",
     "sum_magnitude",

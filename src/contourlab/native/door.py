@@ -24,8 +24,6 @@ from numba.core.runtime import rtsys
 from contourlab.errors import EngineError
 from contourlab.native import store
 
-__all__ = ["INNER", "compiled", "kernel"]
-
 OPTIONS: dict[str, Any] = {"error_model": "numpy", "boundscheck": False}
 INNER: dict[str, Any] = {"no_cpython_wrapper": True, "no_cfunc_wrapper": True}
 """Of functions that compiled code alone calls: making doors to them for Python and C is half of a compiler's time."""

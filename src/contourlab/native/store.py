@@ -23,8 +23,6 @@ import llvmlite.binding as llvm
 import numba
 from numba.core.registry import cpu_target
 
-__all__ = ["address", "folder", "toolchain"]
-
 _FORMAT = 2
 _addresses: dict[str, int] = {}
 _alive: list[Any] = []  # libraries whose code is in use: dropping one would free the code

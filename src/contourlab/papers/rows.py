@@ -7,8 +7,6 @@ from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import asdict, dataclass
 from typing import Any
 
-__all__ = ["KINDS", "Part", "Row", "Stage", "asked", "derived", "in_parts", "measured", "ours", "printed", "tally"]
-
 PRINTED, DERIVED, MEASURED, ASKED, OURS = "printed", "derived", "measured", "asked", "ours"
 KINDS = {
     PRINTED: ("paper", "printed in the paper agree"),

@@ -12,8 +12,6 @@ from contourlab.report.charts import Chart, PolarChart
 from contourlab.report.plots import write_charts
 from contourlab.report.reproduction_pictures import circle_chart, course_chart, sweep_chart, traces_chart, turn_chart
 
-__all__ = ["check_choice", "write_emps", "write_gecer_ulu", "write_ghaffari", "write_shahin", "write_ubc"]
-
 RATIO = "contour rms of FB CCC ILC over FB ILC, over kappa"
 
 

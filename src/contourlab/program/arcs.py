@@ -19,8 +19,6 @@ from contourlab.program.lexer import Word
 from contourlab.program.moves import PLANE_AXES, Arc, Point
 from contourlab.program.state import ModalState
 
-__all__ = ["LARGEST_RADIUS", "RADIUS_TOLERANCE", "SPIRAL_RELATIVE", "make_arc"]
-
 RADIUS_TOLERANCE = 50e-6 * 0.0254
 """Least radius, and most that an R may be too small [m]."""
 SPIRAL_INCH, SPIRAL_MILLIMETRE = 0.002 * math.sqrt(2.0) * 0.0254, 0.02 * math.sqrt(2.0) * 1e-3

@@ -17,8 +17,6 @@ from contourlab.program.vocabulary import (
     refuse_m,
 )
 
-__all__ = ["Block", "Code", "read_block"]
-
 _END_OF_MOTION = 800
 
 

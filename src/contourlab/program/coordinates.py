@@ -14,8 +14,6 @@ from dataclasses import dataclass
 from contourlab.program.moves import Point
 from contourlab.program.parameters import Parameters
 
-__all__ = ["ORIGIN", "SHIFT_APPLIED", "Frame", "add", "less", "load_shift", "origin_of", "store_origin", "store_shift"]
-
 ORIGIN: Point = (0.0, 0.0, 0.0)
 SHIFT_APPLIED = 5210
 _FIRST_OF_SYSTEM = 5201

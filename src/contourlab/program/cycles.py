@@ -15,8 +15,6 @@ from contourlab.program.moves import PLANE_AXES, Move, Point
 from contourlab.program.state import ModalState
 from contourlab.program.vocabulary import g_name
 
-__all__ = ["drill"]
-
 PECK_CLEARANCE = 0.010 * 0.0254
 """How far above the last depth a pecking tool comes back to feed [m]."""
 LEAST_STROKE = 1e-10

@@ -9,8 +9,6 @@ from contourlab.program.offsets import show_tool
 from contourlab.program.state import ModalState
 from contourlab.program.tools import LARGEST_TOOL
 
-__all__ = ["execute_events", "pause"]
-
 _GROUPS = ("output", "tool", "spindle", "coolant", "overrides")
 _LETTER_OF_VALUE = dict.fromkeys((50, 51, 52, 53, 62, 63, 64, 65, 19), "P") | dict.fromkeys((61, 67, 68), "Q")
 _NEEDED = (61, 62, 63, 64, 65, 67, 68)

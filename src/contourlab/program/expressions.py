@@ -15,8 +15,6 @@ from collections.abc import Callable
 from contourlab.program.fault import BlockError
 from contourlab.program.parameters import Key, Parameters
 
-__all__ = ["Cursor", "read_assignment", "read_value"]
-
 MOST_NESTED = 50
 LARGEST_WHOLE = 1e9
 _EQUAL = 1e-4

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-__all__ = ["BlockError"]
-
 
 class BlockError(Exception):
     """What is wrong in the block at hand, and its column (from 1; 0 = the block as a whole)."""

@@ -12,8 +12,6 @@ from contourlab.program.moves import Move, Program
 from contourlab.program.reader import Reader, Reading
 from contourlab.program.source import is_utf8, read_text, split_lines, unreadable
 
-__all__ = ["iter_moves", "open_program", "parse_program", "read_program"]
-
 MOST_MOVES = 5_000_000
 """A program that is held in memory makes at most so many moves."""
 

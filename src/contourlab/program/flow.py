@@ -16,8 +16,6 @@ from contourlab.program.fault import BlockError
 from contourlab.program.lexer import without_blanks
 from contourlab.program.parameters import Parameters
 
-__all__ = ["KEYWORDS", "OWord", "Tape", "read_o_word", "starts_o_word"]
-
 KEYWORDS = (
     "elseif", "else", "endif", "endsub", "endwhile", "endrepeat", "sub", "call", "return", "do", "while", "if", "break", "continue",
     "repeat",

@@ -7,8 +7,6 @@ import re
 from contourlab.program.moves import Notice
 from contourlab.program.state import ModalState
 
-__all__ = ["tolerated"]
-
 _COMMENT = re.compile(r"\([^()]*\)|;.*")
 _AXIS = re.compile(r"[XYZxyz]")
 _MOTION = re.compile(r"[Gg][ \t]*0*(?:[0-3](?:\.0*)?|38\.[2-5]|28|30|92|10|53|43\.1|80)(?![0-9.])")

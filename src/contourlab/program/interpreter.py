@@ -24,8 +24,6 @@ from contourlab.program.splines import add_control_point, bezier, close_curve
 from contourlab.program.state import LARGEST_FEEDRATE, ModalState
 from contourlab.program.vocabulary import AXIS_WORDS, CYCLES, SPLINES, USERS, g_name
 
-__all__ = ["execute"]
-
 LONGEST_DWELL = 86_400.0
 """Dwells beyond this [s] are a slip."""
 LEAST_TIMED_RATE = 0.1

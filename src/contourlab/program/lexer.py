@@ -14,8 +14,6 @@ from contourlab.program.fault import BlockError
 from contourlab.program.parameters import Key, Parameters
 from contourlab.program.vocabulary import O_WORD_ALONE
 
-__all__ = ["LARGEST_NUMBER", "Word", "read_words", "without_blanks"]
-
 LARGEST_NUMBER = 1e9
 """No word of a part program means anything beyond this, in any unit: such a number is a slip."""
 

@@ -7,25 +7,6 @@ from dataclasses import dataclass, field
 from functools import cached_property
 from typing import Literal, TypeAlias
 
-__all__ = [
-    "FULL_CIRCLE_BELOW",
-    "PLAIN",
-    "PLANE_AXES",
-    "Arc",
-    "Control",
-    "Dwell",
-    "Event",
-    "Feed",
-    "Mode",
-    "Move",
-    "Notice",
-    "Plane",
-    "Point",
-    "Program",
-    "Spline",
-    "Traverse",
-]
-
 Point: TypeAlias = tuple[float, float, float]
 Plane: TypeAlias = Literal["XY", "YZ", "ZX"]
 Control: TypeAlias = Literal["exact_path", "exact_stop", "blend"]

@@ -10,8 +10,6 @@ from contourlab.program.moves import Move, Point
 from contourlab.program.parameters import SELECTED_SYSTEM
 from contourlab.program.state import ModalState
 
-__all__ = ["go_home", "machine_target", "select_system", "set_data", "set_shift", "set_tool_length"]
-
 _SYSTEMS = (540, 550, 560, 570, 580, 590, 591, 592, 593)
 _HOMES = {280: 5161, 281: 5161, 300: 5181, 301: 5181}
 _TOOL_LEVELS = (1, 10, 11)

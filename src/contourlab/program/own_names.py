@@ -7,8 +7,6 @@ from collections.abc import Callable, Mapping
 from contourlab.program.parameters import SELECTED_SYSTEM, Parameters
 from contourlab.program.state import ModalState
 
-__all__ = ["own_names"]
-
 _VERSION = 2.9
 """The language read here is that of LinuxCNC 2.9."""
 _PLANES = {"XY": 170.0, "ZX": 180.0, "YZ": 190.0}

@@ -7,8 +7,6 @@ from typing import TypeAlias
 
 from contourlab.program.fault import BlockError
 
-__all__ = ["LARGEST_PARAMETER", "Key", "Parameters"]
-
 LARGEST_PARAMETER = 5601
 SELECTED_SYSTEM = 5220
 LOCAL = range(1, 31)

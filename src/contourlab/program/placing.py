@@ -8,8 +8,6 @@ from dataclasses import replace
 from contourlab.errors import ProgramError
 from contourlab.program.moves import Arc, Dwell, Move, Point, Program, Spline
 
-__all__ = ["placed"]
-
 
 def placed(program: Program, scale: float, shift: Point) -> Program:
     """Return a program with every point p of its moves at ``scale * p + shift``.

@@ -22,8 +22,6 @@ from contourlab.program.state import ModalState
 from contourlab.program.tools import Tools, read_tools
 from contourlab.program.walker import Walker
 
-__all__ = ["Dialect", "Reader", "Reading"]
-
 Dialect: TypeAlias = Literal["linuxcnc", "grbl"]
 MOST_NOTICES = 1000
 MOST_PROBLEMS = 100

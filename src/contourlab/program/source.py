@@ -7,8 +7,6 @@ from pathlib import Path
 
 from contourlab.errors import ProgramError
 
-__all__ = ["is_utf8", "read_text", "split_lines", "unreadable"]
-
 _LINE_BREAK = re.compile(r"\r\n|\n|\r")
 
 

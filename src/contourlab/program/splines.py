@@ -12,8 +12,6 @@ from contourlab.program.fault import BlockError
 from contourlab.program.moves import Move, Point, Spline
 from contourlab.program.state import Curve, ModalState
 
-__all__ = ["add_control_point", "bezier", "close_curve"]
-
 MOST_POINTS = 100_000
 LARGEST_ORDER = 10
 

@@ -13,8 +13,6 @@ from contourlab.program.moves import PLAIN, Dwell, Event, Feed, Mode, Move, Plan
 from contourlab.program.parameters import Parameters
 from contourlab.program.tools import Tools
 
-__all__ = ["LARGEST_FEEDRATE", "LARGEST_LENGTH", "SHORTEST_MOVE", "ModalState"]
-
 LARGEST_LENGTH = 1e3
 """Coordinates beyond this [m] are a slip."""
 LARGEST_FEEDRATE = 1e3

@@ -9,8 +9,6 @@ from contourlab.errors import ProgramError
 from contourlab.program.fault import BlockError
 from contourlab.program.moves import Point
 
-__all__ = ["LARGEST_TOOL", "Tools", "read_tools"]
-
 LARGEST_TOOL = 99_999
 _ENTRY = re.compile(r"([A-Za-z])\s*([+-]?(?:[0-9]+\.?[0-9]*|\.[0-9]+))")
 _LENGTHS = "XYZ"

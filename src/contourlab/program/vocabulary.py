@@ -5,21 +5,6 @@ A G-code is kept as its number times ten, so that G90.1 is the whole number 901.
 
 from __future__ import annotations
 
-__all__ = [
-    "AXIS_WORDS",
-    "CYCLES",
-    "G_GROUPS",
-    "M_GROUPS",
-    "O_WORD_ALONE",
-    "SPLINES",
-    "USED_LETTERS",
-    "USERS",
-    "g_name",
-    "refuse_g",
-    "refuse_letter",
-    "refuse_m",
-]
-
 CYCLES = frozenset((730, 740, 810, 820, 830, 840, 850, 860, 870, 880, 890))
 SPLINES = frozenset((50, 51, 52))
 AXIS_WORDS = frozenset((100, 280, 300, 520, 920))

@@ -10,8 +10,6 @@ from contourlab.program.fault import BlockError
 from contourlab.program.flow import OWord, Tape, read_o_word, starts_o_word
 from contourlab.program.parameters import Parameters
 
-__all__ = ["Walker"]
-
 DEEPEST_CALL = 9
 """LinuxCNC has ten levels, the program itself among them."""
 MOST_IDLE = 1_000_000

@@ -15,8 +15,6 @@ from contourlab.report.read import axis_column, has, reach, times
 from contourlab.report.style import REFERENCE, scheme_style
 from contourlab.report.text import nominal, number, quantity, shown_unit
 
-__all__ = ["axis_charts", "bode_charts"]
-
 Array = NDArray[np.float64]
 OFF_SCALE = 4.0  # a peak this many times beyond the limit is told, not drawn, or it would flatten all else
 DEEPEST = 120.0  # dB below the largest: what is deeper is rounding

@@ -11,8 +11,6 @@ from contourlab.report.figures import Figure, figures_of
 from contourlab.report.style import scheme_style
 from contourlab.report.text import nominal, number
 
-__all__ = ["Cell", "Comparison", "Head", "Row", "compare"]
-
 PASS, FAIL = "✓ pass", "✗ fail"
 
 

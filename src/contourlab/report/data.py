@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from contourlab.errors import ParameterError
 from contourlab.feed.verify import LimitReport
 from contourlab.metrics import Bidirectional, CircleFigures, Metrics, Spike
-from contourlab.report.shapes import Cause, DrawnPath, Verdict, Worst
+from contourlab.report.shapes import DrawnPath, Verdict
 from contourlab.result import Result
 
 if TYPE_CHECKING:
@@ -21,20 +21,6 @@ if TYPE_CHECKING:
     from contourlab.report.feed_picture import FeedRun
     from contourlab.report.trials import TrialCourse
     from contourlab.report.trust import Trust
-
-__all__ = [
-    "AxisBounds",
-    "Cause",
-    "CircleRun",
-    "DrawnPath",
-    "FrequencyResponse",
-    "Mark",
-    "Provenance",
-    "ReportData",
-    "SchemeReport",
-    "Verdict",
-    "Worst",
-]
 
 Array = NDArray[np.float64]
 NANOMETRE = 1e-9  # below this two paths are one: so far may the curves of a path be apart at a joint

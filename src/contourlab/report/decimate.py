@@ -20,8 +20,6 @@ from numpy.typing import ArrayLike, NDArray
 
 from contourlab.errors import ParameterError
 
-__all__ = ["keep_extremes", "share"]
-
 Index = NDArray[np.int64]
 
 KEPT = 4  # samples kept of an interval: first, lowest, highest, last

@@ -15,8 +15,6 @@ from contourlab.report.read import error_signal, has, reach, signal, times
 from contourlab.report.style import scheme_style
 from contourlab.report.text import nominal, number, quantity, round_down
 
-__all__ = ["CircleTable", "circle_tables", "error_charts", "polar_charts"]
-
 UM = 1e6
 MARKS = 400  # more marks than this would be a grey wall
 Array = NDArray[np.float64]

@@ -14,8 +14,6 @@ from contourlab.report.decimate import keep_extremes
 from contourlab.report.style import REFERENCE
 from contourlab.report.text import number, quantity
 
-__all__ = ["FeedRun", "feed_charts"]
-
 Array = NDArray[np.float64]
 _COLOURS = ("#8a949e", "#0072b2", "#009e73", "#d55e00", "#cc79a7", "#e69f00", "#56b4e9")
 _WIDTH = 2.2

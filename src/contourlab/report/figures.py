@@ -8,8 +8,6 @@ from dataclasses import dataclass
 from contourlab.metrics import ErrorFigures
 from contourlab.report.data import ReportData, SchemeReport
 
-__all__ = ["Figure", "figures_of"]
-
 UM = 1e6
 
 

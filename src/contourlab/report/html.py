@@ -28,8 +28,6 @@ from contourlab.report.trials import trial_charts
 from contourlab.report.trust import interval_rows, origin_tables, trust_lines
 from contourlab.result.atomic import write_text_atomic
 
-__all__ = ["MOST_POINTS", "TOTAL_POINTS", "render_html", "write_html"]
-
 MOST_POINTS = 4000
 """Most points of a curve: two for every pixel of a wide screen."""
 

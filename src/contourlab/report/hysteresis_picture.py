@@ -14,8 +14,6 @@ from contourlab.report.read import axis_column, has, reach
 from contourlab.report.style import LIMIT, scheme_style
 from contourlab.report.text import nominal, quantity
 
-__all__ = ["FINER", "hysteresis_charts"]
-
 Array = NDArray[np.float64]
 UM = 1e6
 FINER = 4  # as many points as a curve over time: a loop is passed many times

@@ -10,8 +10,6 @@ from contourlab.analysis.learning.learning_analysis import LearningAnalysis
 from contourlab.report.charts import Chart, Curve, Level, Panel, Tick
 from contourlab.report.style import scheme_style
 
-__all__ = ["learning_charts", "singular_value_chart"]
-
 
 def learning_charts(analyses: Mapping[str, LearningAnalysis]) -> tuple[Chart, ...]:
     """Return the factor of a trial over frequency, and a closer view of where it exceeds 1.

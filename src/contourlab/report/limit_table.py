@@ -10,8 +10,6 @@ from contourlab.feed.verify import LimitReport, Worst
 from contourlab.report.data import ReportData
 from contourlab.report.text import NONE, quantity, shown_unit
 
-__all__ = ["LimitTable", "limit_tables", "nearest"]
-
 TITLE = "Planned motion against the limits of the axes"
 _ROWS = (
     ("velocity", "velocity", "m/s"),

@@ -14,8 +14,6 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
-__all__ = ["LOOKS", "WIDTH", "curve_look", "line_drawing", "logarithmic", "path_drawing", "plain", "plain_numbers", "polar_drawing"]
-
 LOOKS: dict[str, Any] = {
     "font.family": "sans-serif",
     "font.sans-serif": ["DejaVu Sans"],

@@ -8,13 +8,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from contourlab.report.charts import Curve, Magnified, PathChart
-from contourlab.report.data import DrawnPath, ReportData, SchemeReport
+from contourlab.report.data import ReportData, SchemeReport
 from contourlab.report.decimate import keep_extremes
 from contourlab.report.read import reach, signal
+from contourlab.report.shapes import DrawnPath
 from contourlab.report.style import BAND, INK, REFERENCE, scheme_style
 from contourlab.report.text import magnification, nominal, number, quantity
-
-__all__ = ["path_charts"]
 
 Array = NDArray[np.float64]
 MM, UM = 1e3, 1e6

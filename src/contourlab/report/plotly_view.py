@@ -13,8 +13,6 @@ from contourlab.report.charts import Chart, Curve, Magnified, Panel, PathChart, 
 from contourlab.report.style import BAND, FONT, GRID, INK, LIMIT, MUTED
 from contourlab.report.text import round_down
 
-__all__ = ["Figure", "line_figure", "packed", "path_figure", "polar_figure"]
-
 Figure = dict[str, Any]
 Array = NDArray[np.float64]
 

@@ -23,8 +23,6 @@ from contourlab.result.atomic import write_bytes_atomic
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
-__all__ = ["FORMATS", "write_figures", "write_plots"]
-
 FORMATS = ("png", "svg", "pdf")
 POINTS = 8000  # of a curve; four for every dot across a printed page
 

@@ -10,8 +10,6 @@ from numpy.typing import NDArray
 from contourlab.errors import ResultError
 from contourlab.report.data import ReportData
 
-__all__ = ["axis_column", "compact", "error_signal", "has", "reach", "signal", "times"]
-
 Array = NDArray[np.float64]
 
 

@@ -12,8 +12,6 @@ from contourlab.report.error_pictures import division_of
 from contourlab.report.study_charts import Multiples, Tile
 from contourlab.report.style import REFERENCE, scheme_style
 
-__all__ = ["circle_chart", "course_chart", "overlaid_chart", "sweep_chart", "traces_chart", "turn_chart"]
-
 Array = NDArray[np.float64]
 
 

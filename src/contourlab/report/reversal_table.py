@@ -9,8 +9,6 @@ from contourlab.metrics import ReversalFigures, Spike, reversal_figures
 from contourlab.report.data import ReportData
 from contourlab.report.text import NONE, number
 
-__all__ = ["ReversalTable", "reversal_table", "reversal_text"]
-
 Key = tuple[str, int, float | None]
 
 

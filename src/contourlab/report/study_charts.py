@@ -9,8 +9,6 @@ from numpy.typing import NDArray
 
 from contourlab.report.charts import Curve
 
-__all__ = ["Bars", "Matrix", "Multiples", "Series", "Tile"]
-
 Array = NDArray[np.float64]
 
 

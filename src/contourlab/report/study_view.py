@@ -15,8 +15,6 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
-__all__ = ["bars_drawing", "matrix_drawing", "multiples_drawing"]
-
 NUMBERED = 16
 """A matrix of more names than this has no numbers in its cells."""
 SMALLEST, LETTERS = 3.4, 38

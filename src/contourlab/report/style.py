@@ -8,8 +8,6 @@ people", 2008.
 
 from __future__ import annotations
 
-__all__ = ["BAND", "FONT", "GOOD", "GRID", "INK", "LIMIT", "MUTED", "POOR", "REFERENCE", "scheme_style"]
-
 INK = "#1d2733"
 MUTED = "#5b6774"
 GRID = "#e4e8ec"

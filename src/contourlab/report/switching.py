@@ -15,8 +15,6 @@ from contourlab.report.read import has, signal
 from contourlab.report.style import REFERENCE, scheme_style
 from contourlab.report.text import nominal
 
-__all__ = ["LISTED", "SwitchTable", "strip_charts", "switch_lines", "switch_tables"]
-
 Array = NDArray[np.float64]
 LISTED = 100
 """Switches that a report lists one by one."""

@@ -14,8 +14,6 @@ from contourlab.report.trials import trial_rows
 if TYPE_CHECKING:
     from rich.table import Table
 
-__all__ = ["comparison_markdown", "comparison_table", "comparison_text", "print_comparison", "trials_text"]
-
 _MOOD = {"good": "green", "poor": "red", "": ""}
 
 

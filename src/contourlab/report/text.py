@@ -4,8 +4,6 @@ from __future__ import annotations
 
 import math
 
-__all__ = ["NONE", "magnification", "nominal", "number", "plain_unit", "quantity", "round_down", "shown_unit"]
-
 NONE = "–"
 
 # unit of a signal in SI -> (factor, unit in print); factors, because a report converts whole arrays.

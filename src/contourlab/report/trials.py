@@ -17,8 +17,6 @@ from contourlab.report.text import quantity
 if TYPE_CHECKING:
     from contourlab.report.data import ReportData
 
-__all__ = ["TrialCourse", "trial_charts", "trial_rows"]
-
 Array = NDArray[np.float64]
 
 

@@ -12,8 +12,6 @@ from contourlab.report.text import NONE, number
 if TYPE_CHECKING:
     from contourlab.report.data import ReportData
 
-__all__ = ["Contribution", "IntervalFigures", "OriginTable", "StatedNumber", "Trust", "interval_rows", "origin_tables", "trust_lines"]
-
 
 @dataclass(frozen=True)
 class StatedNumber:

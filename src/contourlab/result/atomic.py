@@ -10,8 +10,6 @@ from pathlib import Path
 
 from contourlab.errors import OutputError
 
-__all__ = ["replacing", "write_bytes_atomic", "write_text_atomic"]
-
 
 @contextlib.contextmanager
 def replacing(file: str | Path) -> Iterator[Path]:

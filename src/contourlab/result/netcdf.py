@@ -15,8 +15,6 @@ from contourlab.result.atomic import replacing
 from contourlab.result.signals import Result, Signal, Status
 from contourlab.result.spool import Spool
 
-__all__ = ["ResultWriter", "read_result"]
-
 _CHUNK = 1 << 14
 _FIXED = (
     "format",

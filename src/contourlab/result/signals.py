@@ -15,8 +15,6 @@ from contourlab.errors import ResultError
 if TYPE_CHECKING:
     import xarray
 
-__all__ = ["Result", "Signal", "Status"]
-
 Array = NDArray[np.float64]
 DIMENSIONS = (("sample",), ("sample", "axis"))
 

@@ -7,8 +7,6 @@ import os
 from pathlib import Path
 from typing import Any
 
-__all__ = ["Spool"]
-
 
 class Spool(io.FileIO):
     """Binary file that takes every write, and remembers the first one that failed.

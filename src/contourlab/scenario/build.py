@@ -30,8 +30,6 @@ from contourlab.scenario.tables import (
 )
 from contourlab.scenario.tree import DESIGNED, Leaf, Node, Table, hint
 
-__all__ = ["build_axis", "build_controller", "build_machine"]
-
 SUPERVISOR = "performance"
 """Kind of a supervisor that names none."""
 

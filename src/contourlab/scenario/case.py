@@ -18,8 +18,6 @@ from contourlab.scenario.learning import LearningSettings
 from contourlab.scenario.motion_check import check_motion
 from contourlab.scenario.values import DEFAULT_CORNER_TOLERANCE, Contour, FeedSettings, Motion, PartProgram, RunSettings
 
-__all__ = ["Case", "Overrides", "Scenario"]
-
 Overrides: TypeAlias = Mapping[str, object]
 """What a scheme changes: dotted key -> value as written."""
 

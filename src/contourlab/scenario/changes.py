@@ -11,8 +11,6 @@ from contourlab.scenario.files import Reader, join
 from contourlab.scenario.tables import ChangeTable, RunTable, read_table
 from contourlab.scenario.tree import Leaf, Table, from_mapping, settle
 
-__all__ = ["read_changes"]
-
 
 def read_changes(run: Table, machine: Machine, reader: Reader) -> tuple[Change, ...]:
     """Return the changes that a table ``run`` asks for, their controllers read and checked.

@@ -15,8 +15,6 @@ from contourlab.scenario.provenance import bare, read_origins
 from contourlab.scenario.quantities import read_list, read_number, show_bound
 from contourlab.scenario.tree import Leaf, Node, Table, hint
 
-__all__ = ["located", "parameters_of", "read_component", "read_values", "read_wishes"]
-
 WORKED_OUT = Origin("design", note="worked out from gains = {...}")
 
 

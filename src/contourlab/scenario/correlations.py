@@ -13,8 +13,6 @@ from contourlab.loop import Machine
 from contourlab.loop.machine import AXIS_SLOTS
 from contourlab.scenario.tree import Leaf, Table, hint
 
-__all__ = ["read_correlations", "read_machine_correlations"]
-
 
 def read_correlations(table: Table, parts: Mapping[str, Component]) -> tuple[tuple[str, str, float], ...]:
     """Return the correlations of an axis' numbers: ``correlations = [["plant.mass", "friction.coulomb", -0.3]]``.

@@ -22,8 +22,6 @@ from contourlab.scenario.tree import DEFAULT
 from contourlab.scenario.values import Contour, Motion, PartProgram
 from contourlab.units import from_si, to_si
 
-__all__ = ["dump", "quantity"]
-
 _LIMITS = {
     "velocity": ("m/s", "mm/min"),
     "acceleration": ("m/s^2", "m/s^2"),

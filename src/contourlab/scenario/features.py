@@ -15,8 +15,6 @@ from contourlab.loop import Controller
 from contourlab.scenario.case import Case, Scenario
 from contourlab.scenario.learning import LearningSettings
 
-__all__ = ["FEATURES", "chosen"]
-
 FEATURES = {
     "fb": "the axes' own controllers alone",
     "ccc": "cross-coupled control",

@@ -11,8 +11,6 @@ import contourlab
 from contourlab.errors import ScenarioError
 from contourlab.scenario.tree import DEFAULT, Leaf, Node, Table, hint, merge, read_tree
 
-__all__ = ["BUILTIN", "EVERY", "Reader", "builtin_file", "builtin_names"]
-
 BUILTIN = "builtin:"
 """Prefix of the names of files that are shipped."""
 EVERY = "*"

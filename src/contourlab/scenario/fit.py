@@ -13,8 +13,6 @@ from contourlab.loop import Machine
 from contourlab.program import Program
 from contourlab.program.placing import placed
 
-__all__ = ["Fitted", "fitted"]
-
 MARGIN = 0.01
 """Of the travel, left free at either end."""
 

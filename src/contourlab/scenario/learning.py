@@ -13,8 +13,6 @@ from contourlab.scenario.files import locate
 from contourlab.scenario.tables import LearningTable, read_table
 from contourlab.scenario.tree import Leaf, Table
 
-__all__ = ["LearningSettings", "read_learning"]
-
 
 @dataclass(frozen=True)
 class LearningSettings:

@@ -21,18 +21,6 @@ from contourlab.scenario.tables import ScenarioTable, read_table
 from contourlab.scenario.tree import Leaf, Node, Table, from_mapping, hint, merge, parse_tree, settle
 from contourlab.scenario.values import Contour, Motion
 
-__all__ = [
-    "controller_axes",
-    "load_axis",
-    "load_controller",
-    "load_machine",
-    "load_module",
-    "load_scenario",
-    "named_file",
-    "parse_scenario",
-    "scenario_from_parts",
-]
-
 SCHEME_KEYS = ("machine", "axes", "controller", "feed", "run", "learning")
 COMMAND_LINE = "<arguments>"
 """What messages call values that come from no file; relative names then start at the working folder."""

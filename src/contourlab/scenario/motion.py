@@ -19,8 +19,6 @@ from contourlab.scenario.tables import ContourFileTable, FeedTable, ProgramTable
 from contourlab.scenario.tree import Leaf, Node, Table, hint
 from contourlab.scenario.values import Contour, FeedSettings, Motion, PartProgram, RunSettings
 
-__all__ = ["read_feed", "read_motion", "read_run"]
-
 JUDGED = ("contour_error", "part_error", "planning_deviation", "foot_arc_length", "tracking_error")
 SIZES = (1e-6, 100.0)
 """Smallest and largest length in a test contour [m]."""

@@ -12,8 +12,6 @@ from contourlab.feed.reference import ReferenceBlock
 from contourlab.loop import Machine
 from contourlab.loop.simulate import BLOCK, jit_enabled, sampler
 
-__all__ = ["MOST_SAMPLES", "check_motion"]
-
 Array = NDArray[np.float64]
 MOST_SAMPLES = 100_000_000
 """More than a day at 1 kHz; all of a run's signals then take some 30 GB."""

@@ -8,8 +8,6 @@ from contourlab.loop import Axis, Limits
 from contourlab.loop.machine import AXIS_SLOTS
 from contourlab.scenario.tree import Table
 
-__all__ = ["in_place"]
-
 LIMITS = ("velocity", "acceleration", "jerk", "following_error", "travel")
 
 

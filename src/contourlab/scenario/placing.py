@@ -15,8 +15,6 @@ from contourlab.geometry.curve import Curve
 from contourlab.geometry.line import Line
 from contourlab.geometry.nurbs import BSpline, Nurbs
 
-__all__ = ["placed"]
-
 Array = NDArray[np.float64]
 
 

@@ -17,8 +17,6 @@ from contourlab.scenario.quantities import read_number
 from contourlab.scenario.toml_text import Noted
 from contourlab.scenario.tree import STATED, Leaf, Node, Table, hint
 
-__all__ = ["bare", "origin_table", "read_origins", "unstated", "without_origins", "written"]
-
 _KEYS = (STATED, "source", "deviation", "range", "from", "note")
 _EXAMPLE = '{value = "33 kg", source = "fitted", deviation = "1 %", from = "log.mat"}'
 

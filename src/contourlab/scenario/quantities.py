@@ -10,8 +10,6 @@ from typing import Any
 from contourlab.errors import ContourlabError, UnitError
 from contourlab.units import from_si, split, to_si
 
-__all__ = ["read_list", "read_number", "show_bound"]
-
 _UNIT = re.compile(r"[A-Za-zµμ°%Ω0-9_ */^().+-]{0,60}\Z")
 _TURNS = re.compile(r"\b(rad|radians?|deg|degrees?|rev|revolutions?|turns?|rpm|cycles?|[mµμu]rad)\b|°")
 _HERTZ = re.compile(r"\b[kMGm]?(Hz|hertz)\b")

@@ -11,24 +11,6 @@ from contourlab.errors import ScenarioError, UnitError
 from contourlab.scenario.quantities import read_list, read_number, show_bound
 from contourlab.scenario.tree import Leaf, Table, hint
 
-__all__ = [
-    "AxisControllerTable",
-    "AxisTable",
-    "ContourFileTable",
-    "ControllerTable",
-    "ErrorTable",
-    "FeedTable",
-    "LearningTable",
-    "LimitsTable",
-    "LinkTable",
-    "MachineTable",
-    "ProgramTable",
-    "RunTable",
-    "ScenarioTable",
-    "ZeroPhaseTable",
-    "read_table",
-]
-
 
 def _number(
     unit: str, display: str = "", *, minimum: float = -math.inf, maximum: float = math.inf, exclusive: bool = False

@@ -9,8 +9,6 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Any
 
-__all__ = ["Noted", "toml"]
-
 _BARE = re.compile(r"[A-Za-z0-9_-]+\Z")
 _WIDTH = 110
 

@@ -17,8 +17,6 @@ from typing import Any, TypeAlias
 from contourlab.components.contract import FAMILIES
 from contourlab.errors import ScenarioError
 
-__all__ = ["DEFAULT", "STATED", "Leaf", "Node", "Table", "dotted", "from_mapping", "hint", "merge", "read_tree", "settle"]
-
 DEFAULT = "default"
 """What a file writes to take back a value that it inherits."""
 

@@ -15,8 +15,6 @@ from contourlab.geometry import Path, contour
 from contourlab.program import Program, Reading
 from contourlab.scenario.placing import placed
 
-__all__ = ["DEFAULT_CORNER_TOLERANCE", "Contour", "FeedSettings", "Motion", "PartProgram", "RunSettings"]
-
 DEFAULT_CORNER_TOLERANCE = 1e-5
 """How far a blend may leave its corner under G64 without P [m]."""
 

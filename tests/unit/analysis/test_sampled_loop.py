@@ -16,7 +16,7 @@ from scipy.signal import cont2discrete
 from contourlab.analysis.linear.margins import margins
 from contourlab.analysis.linear.sampled_loop import sampled_loop
 from contourlab.analysis.linear.tick_map import spectral_radius
-from contourlab.components.contract import Component, Port, param
+from contourlab.components.contract import Component, param
 from contourlab.components.disturbance.sine import SineLoad
 from contourlab.components.drive.delayed_saturation import DelayedSaturation
 from contourlab.components.drive.saturation import Saturation
@@ -25,6 +25,7 @@ from contourlab.components.plant.mass_damper import MassDamper
 from contourlab.components.plant.rigid_axis import RigidAxis
 from contourlab.components.sensor.encoder import Encoder
 from contourlab.components.velocity.filtered_difference import FilteredDifference
+from contourlab.engine.step import Port
 from contourlab.errors import ComponentError, ParameterError
 from contourlab.geometry import Line, Path
 from contourlab.loop.machine import Axis, AxisController, Controller, Machine

@@ -11,7 +11,7 @@ import pytest
 from component_rig import make
 
 import contourlab as cl
-from contourlab.components.contract import FAMILIES, Component, Port
+from contourlab.components.contract import FAMILIES, Component
 from contourlab.components.controller.position import PositionController
 from contourlab.components.coupling.modified_reference import ModifiedReference
 from contourlab.components.disturbance.sine import SineLoad
@@ -26,7 +26,7 @@ from contourlab.components.plant.rigid_axis import RigidAxis
 from contourlab.components.sensor.encoder import Encoder
 from contourlab.components.supervisor.estimator_based import EstimatorBased
 from contourlab.components.velocity.filtered_difference import FilteredDifference
-from contourlab.engine.step import Step
+from contourlab.engine.step import Port, Step
 from contourlab.loop import Division
 from contourlab.primitives import exp, fabs, select
 

@@ -11,7 +11,8 @@ from stages import PERIOD, control, make, stage
 
 import contourlab as cl
 from contourlab.analysis.linear.sampled_loop import sampled_loop
-from contourlab.components.contract import Component, Port, param
+from contourlab.components.contract import Component, param
+from contourlab.engine.step import Port
 from contourlab.errors import ParameterError
 from contourlab.loop import Learned, simulate_blocks
 

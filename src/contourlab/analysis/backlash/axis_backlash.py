@@ -22,8 +22,6 @@ from contourlab.components.velocity.true import TrueVelocity
 from contourlab.errors import ComponentError
 from contourlab.loop.machine import Axis, AxisController
 
-__all__ = ["axis_backlash_loop"]
-
 Array = NDArray[np.float64]
 REFERENCE = ("reference", "reference_velocity", "reference_acceleration")
 FREE = (*REFERENCE, "shaft")

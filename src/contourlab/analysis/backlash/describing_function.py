@@ -14,8 +14,6 @@ from numpy.typing import ArrayLike, NDArray
 
 from contourlab.errors import ParameterError
 
-__all__ = ["contact_phases", "dead_zone_gain", "harmonic", "inverse_dead_zone_gain"]
-
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
 

@@ -15,8 +15,6 @@ from contourlab.analysis.backlash.lure import BacklashLoop
 from contourlab.analysis.backlash.mode_flow import ABOVE, BELOW, GAP, Flow, Motion
 from contourlab.errors import ParameterError
 
-__all__ = ["ExactRun", "Span", "simulate_exact", "spans"]
-
 Array = NDArray[np.float64]
 
 RUNAWAY = 1e9

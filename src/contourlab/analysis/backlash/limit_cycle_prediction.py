@@ -11,8 +11,6 @@ from numpy.typing import NDArray
 from contourlab.analysis.backlash.describing_function import harmonic, inverse_dead_zone_gain
 from contourlab.analysis.backlash.lure import BacklashLoop
 
-__all__ = ["LimitCycle", "Prediction", "predict_limit_cycles"]
-
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
 

@@ -19,8 +19,6 @@ from numpy.typing import ArrayLike, NDArray
 
 from contourlab.errors import ParameterError
 
-__all__ = ["BacklashLoop", "dead_zone"]
-
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
 

@@ -11,8 +11,6 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-__all__ = ["alternatives", "balanced", "candidates", "faster", "frames", "solved"]
-
 Array = NDArray[np.float64]
 
 SOLVERS = ("CLARABEL", "SCS")

@@ -18,8 +18,6 @@ from contourlab.analysis.backlash.lure import BacklashLoop, dead_zone
 from contourlab.analysis.linear.small_exponential import exponentials
 from contourlab.errors import ParameterError
 
-__all__ = ["ABOVE", "BELOW", "GAP", "Flow", "Motion"]
-
 Array = NDArray[np.float64]
 
 BELOW, GAP, ABOVE = -1, 0, 1

@@ -15,8 +15,6 @@ from contourlab.analysis.backlash.mode_flow import Motion
 from contourlab.analysis.backlash.periodic_orbit import PeriodicOrbit, close_orbit
 from contourlab.errors import ParameterError
 
-__all__ = ["OrbitSearch", "find_forced_orbits", "find_orbits"]
-
 Array = NDArray[np.float64]
 
 KICKS = (1.5, 5.0, 30.0, 200.0)

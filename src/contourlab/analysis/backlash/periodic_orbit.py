@@ -17,8 +17,6 @@ from contourlab.analysis.backlash.lure import BacklashLoop
 from contourlab.analysis.backlash.mode_flow import GAP, Flow, Motion
 from contourlab.errors import ParameterError
 
-__all__ = ["PeriodicOrbit", "close_orbit"]
-
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
 

@@ -15,8 +15,6 @@ from numpy.typing import ArrayLike, NDArray
 
 from contourlab.errors import ParameterError
 
-__all__ = ["Counts", "SinusoidTable", "interpolation_order", "period_count", "zero_crossings"]
-
 Array = NDArray[np.float64]
 Whole = NDArray[np.int64]
 ENTRIES = 64

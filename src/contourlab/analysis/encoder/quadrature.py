@@ -20,8 +20,6 @@ from numpy.typing import ArrayLike, NDArray
 from contourlab.components.quadrature import ellipse
 from contourlab.errors import ParameterError
 
-__all__ = ["EllipseFit", "QuadratureConstants", "Subdivisional", "fit_ellipse", "subdivisional_error"]
-
 Array = NDArray[np.float64]
 FEWEST = 16
 """Samples of a fit, and sectors of a turn that have to hold some."""

@@ -22,8 +22,6 @@ from contourlab.engine.step import Port, Step
 from contourlab.errors import ParameterError
 from contourlab.loop.simulate import jit_enabled
 
-__all__ = ["Tracked", "track_ellipse"]
-
 Array = NDArray[np.float64]
 Whole = NDArray[np.int64]
 BLOCK = 1 << 16

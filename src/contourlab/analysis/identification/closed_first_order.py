@@ -18,8 +18,6 @@ from contourlab.analysis.identification.first_order import EXPLAINED, FirstOrder
 from contourlab.analysis.identification.output_error import Free, fit_output
 from contourlab.errors import ParameterError
 
-__all__ = ["closed_loop_position", "identify_closed_loop"]
-
 Array = NDArray[np.float64]
 WELL_KNOWN = 10.0
 """Relative deviation [percent] up to which a' or b' counts as identified."""

@@ -17,8 +17,6 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-__all__ = ["bartlett", "coloured_deviations", "flat_top", "long_run", "memory", "parzen", "usual_lags"]
-
 Array = NDArray[np.float64]
 
 

@@ -13,8 +13,6 @@ from numpy.typing import NDArray
 
 from contourlab.errors import ParameterError
 
-__all__ = ["Stretch", "StretchSettings", "constant_speed_stretches"]
-
 Array = NDArray[np.float64]
 BATCHES = 8
 """Parts of a stretch whose means tell how well its mean is known, ripple and all."""

@@ -23,8 +23,6 @@ from contourlab.analysis.identification.frequency_response import MeasuredRespon
 from contourlab.analysis.identification.output_error import Free, OutputFit, fit_output, fit_percent
 from contourlab.errors import ParameterError
 
-__all__ = ["DriveFit", "fit_linear_motor", "fit_load_share", "fit_two_inertia"]
-
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
 Parameters = Mapping[str, float]

@@ -13,8 +13,6 @@ from collections.abc import Callable, Mapping
 import numpy as np
 from numpy.typing import NDArray
 
-__all__ = ["damping_ratio", "held_response", "linear_motor", "load_side", "resonances", "two_inertia"]
-
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
 Parameters = Mapping[str, float]

@@ -9,8 +9,6 @@ from numpy.typing import ArrayLike, NDArray
 
 from contourlab.errors import ParameterError
 
-__all__ = ["even_record"]
-
 Array = NDArray[np.float64]
 JITTER = 1e-3
 """Share of the period by which times may be uneven: a clock that is read rather than counted jitters by parts in a hundred thousand."""

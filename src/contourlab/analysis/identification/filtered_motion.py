@@ -15,8 +15,6 @@ from numpy.typing import ArrayLike, NDArray
 
 from contourlab.errors import ParameterError
 
-__all__ = ["FilteredMotion", "central_difference", "decimate", "filtered_motion"]
-
 Array = NDArray[np.float64]
 
 ANTI_ALIAS_ORDER, ANTI_ALIAS_RIPPLE, ANTI_ALIAS_BAND = 8, 0.05, 0.8

@@ -24,8 +24,6 @@ from contourlab.analysis.identification.first_order_motion import delayed, first
 from contourlab.analysis.identification.output_error import Free, OutputFit, fit_output
 from contourlab.errors import ParameterError
 
-__all__ = ["FirstOrderFit", "FirstOrderSettings", "identify_first_order", "smoothing_of"]
-
 Array = NDArray[np.float64]
 WELL_KNOWN = 10.0
 """Relative deviation [percent] up to which a or b counts as identified."""

@@ -15,8 +15,6 @@ import math
 import numpy as np
 from numpy.typing import NDArray
 
-__all__ = ["delayed", "first_order_motion"]
-
 Array = NDArray[np.float64]
 FIRST_PIECE = 64
 """Samples that are tried at first without a stop; twice as many each time that there was none."""

@@ -10,8 +10,6 @@ from numpy.typing import NDArray
 
 from contourlab.analysis.identification.coloured_residual import bartlett, flat_top, long_run, memory, usual_lags
 
-__all__ = ["FitCovariance", "fit_covariance"]
-
 Array = NDArray[np.float64]
 
 UNTOLD = 1e-10

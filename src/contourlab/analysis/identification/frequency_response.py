@@ -21,8 +21,6 @@ from numpy.typing import ArrayLike, NDArray
 
 from contourlab.errors import ParameterError
 
-__all__ = ["Measured", "MeasuredResponse", "difference_gain", "period_of", "periodic_response", "spectral_response"]
-
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
 SEGMENTS = 8

@@ -22,8 +22,6 @@ from numpy.typing import ArrayLike, NDArray
 from contourlab.analysis.identification.output_error import fit_percent
 from contourlab.errors import ParameterError
 
-__all__ = ["FrictionCurve", "FrictionModel", "fit_friction"]
-
 Array = NDArray[np.float64]
 FEWEST = 3
 """Fewest points of a curve."""

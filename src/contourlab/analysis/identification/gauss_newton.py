@@ -11,8 +11,6 @@ from numpy.typing import ArrayLike, NDArray
 
 from contourlab.errors import ParameterError
 
-__all__ = ["Descent", "DescentSettings", "descend", "jacobian", "spread_starts"]
-
 Array = NDArray[np.float64]
 Residuals = Callable[[Array], Array]
 """Points (k, p) to residuals (k, n): all points in one call; a row that is not finite is a point that failed."""

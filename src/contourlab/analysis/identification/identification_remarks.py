@@ -7,8 +7,6 @@ from numpy.typing import NDArray
 
 from contourlab.errors import ParameterError
 
-__all__ = ["check_signs", "on_mass", "remarks_on"]
-
 Array = NDArray[np.float64]
 
 WELL_KNOWN = 10.0

@@ -27,8 +27,6 @@ from contourlab.analysis.identification.filtered_motion import decimate, filtere
 from contourlab.analysis.identification.identification_remarks import check_signs, remarks_on
 from contourlab.errors import ParameterError
 
-__all__ = ["PARAMETERS", "InverseDynamicsFit", "InverseDynamicsSettings", "Validation", "cross_validate", "identify_inverse_dynamics"]
-
 Array = NDArray[np.float64]
 
 PARAMETERS = {"symmetric": ("M", "Fv", "Fc", "offset"), "asymmetric": ("M", "Fv+", "Fc+", "Fv-", "Fc-")}

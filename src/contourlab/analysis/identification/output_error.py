@@ -21,8 +21,6 @@ from numpy.typing import NDArray
 from contourlab.analysis.identification.coloured_residual import coloured_deviations, memory, parzen
 from contourlab.errors import ParameterError
 
-__all__ = ["Free", "OutputFit", "fit_output", "fit_percent", "lasting_window"]
-
 Array = NDArray[np.float64]
 NEAR_BOUND = 1e-6
 """Share of a parameter's scale within which it counts as lying at its bound."""

@@ -11,8 +11,6 @@ from numpy.typing import NDArray
 
 from contourlab.analysis.identification.frequency_response import MeasuredResponse
 
-__all__ = ["response_doubts"]
-
 Array = NDArray[np.float64]
 COHERENT = 0.5
 """Coherence from which a point counts."""

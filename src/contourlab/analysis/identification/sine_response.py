@@ -18,8 +18,6 @@ from contourlab.analysis.identification.frequency_response import Measured, Meas
 from contourlab.analysis.identification.output_error import lasting_window
 from contourlab.errors import ParameterError
 
-__all__ = ["SinePoint", "sine_point", "sine_responses", "sine_stretch"]
-
 Array = NDArray[np.float64]
 PURE = 0.03
 """Share of a sine's size that may be left of the excitation when the sine is taken away."""

@@ -25,8 +25,6 @@ from contourlab.analysis.identification.even_record import even_record
 from contourlab.analysis.identification.output_error import fit_percent
 from contourlab.errors import ParameterError
 
-__all__ = ["Breakaway", "breakaways"]
-
 Array = NDArray[np.float64]
 PLAINLY = 0.1
 """Share of the largest speed on a ramp at which the axis plainly moves."""

@@ -17,8 +17,6 @@ from numpy.typing import NDArray
 from contourlab.analysis.identification.frequency_response import Measured, MeasuredResponse, difference_gain
 from contourlab.errors import ParameterError
 
-__all__ = ["is_sweep", "swept_response"]
-
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
 FEWEST_LINES, WIDTH = 15, 0.08

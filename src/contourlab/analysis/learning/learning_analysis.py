@@ -18,8 +18,6 @@ from contourlab.errors import ComponentError
 from contourlab.feed import Reference
 from contourlab.loop.machine import Controller, Machine
 
-__all__ = ["LearningAnalysis", "learning_analysis"]
-
 Array = NDArray[np.float64]
 TURN = 2.0 * math.pi
 SMALL = 1e-3

@@ -17,19 +17,6 @@ from contourlab.analysis.learning.learning_law import LawKernels, LawModel, law_
 from contourlab.analysis.linear.coupled_loop import CoupledLoop
 from contourlab.components.learning.law import LearningLaw
 
-__all__ = [
-    "FrequencyLearning",
-    "averaging",
-    "directions",
-    "error_factor",
-    "frequency_learning",
-    "learning_grid",
-    "peak",
-    "robust_factor",
-    "trial_matrices",
-    "zero_phase_factor",
-]
-
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
 

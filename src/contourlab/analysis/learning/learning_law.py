@@ -17,8 +17,6 @@ from contourlab.components.learning.norm_optimal import NormOptimal
 from contourlab.components.learning.plant_inversion import PlantInversion
 from contourlab.errors import ComponentError
 
-__all__ = ["LawKernels", "LawModel", "law_kernels", "law_model", "lifted_problem"]
-
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
 

@@ -21,8 +21,6 @@ from contourlab.analysis.linear.coupled_loop import CoupledLoop
 from contourlab.components.learning.law import LearningLaw, TrialRecord
 from contourlab.errors import ComponentError
 
-__all__ = ["LiftedLearning", "TrialOperator", "lifted_learning"]
-
 Array = NDArray[np.float64]
 
 WIDEST = 400

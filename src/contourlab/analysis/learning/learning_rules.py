@@ -12,8 +12,6 @@ from numpy.typing import NDArray
 from contourlab.analysis.learning.learning_frequency import averaging, peak, zero_phase_factor
 from contourlab.errors import ParameterError
 
-__all__ = ["LearningDesign", "design_zero_phase", "first_zero", "largest_gain", "quarter_turn", "worst_zero_phase"]
-
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
 Closed = Callable[[Array], Complex]

@@ -16,8 +16,6 @@ from numpy.typing import ArrayLike, NDArray
 from contourlab.analysis.linear.coupled_loop import CoupledLoop, normal_basis
 from contourlab.errors import ParameterError
 
-__all__ = ["TrialMap", "normal_frames"]
-
 Array = NDArray[np.float64]
 
 

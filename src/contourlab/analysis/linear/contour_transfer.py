@@ -23,8 +23,6 @@ from contourlab.analysis.linear.tick_map import poles_of
 from contourlab.errors import ComponentError, ParameterError
 from contourlab.loop.machine import Controller, Machine
 
-__all__ = ["ContourMargins", "ContourTransfer", "contour_error_transfer", "contour_margins", "contour_transfer", "equivalent_plant"]
-
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
 

@@ -23,8 +23,6 @@ from contourlab.errors import ComponentError, ParameterError
 from contourlab.loop.machine import Controller, Machine
 from contourlab.primitives import Clock
 
-__all__ = ["AxisLink", "CoupledLoop", "CouplingModel", "axis_link", "coupled_loop", "coupling_model", "impulse_responses", "normal_basis"]
-
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
 

@@ -9,8 +9,6 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-__all__ = ["DelayForm"]
-
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
 _Terms = list[tuple[int, Array]]

@@ -31,8 +31,6 @@ from contourlab.loop.machine import AxisController, Controller, Machine
 from contourlab.loop.template import build
 from contourlab.loop.watch import NAME as WATCH
 
-__all__ = ["DividedLoop", "LinkTiming", "axis_delay_margin", "divided_loop", "link_growth", "timing_of"]
-
 Array = NDArray[np.float64]
 
 LONGEST = 20_000

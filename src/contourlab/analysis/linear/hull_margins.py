@@ -11,8 +11,6 @@ from numpy.typing import NDArray
 
 from contourlab.analysis.linear.margins import margins
 
-__all__ = ["HullMargin", "edge_margins", "hull_modulus"]
-
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
 LoopGains = Callable[[Array], Complex]

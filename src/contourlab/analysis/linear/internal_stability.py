@@ -14,8 +14,6 @@ from contourlab.analysis.linear.tick_map import poles_of
 from contourlab.feed import Reference
 from contourlab.loop.machine import Controller, Machine
 
-__all__ = ["InternalStability", "internal_stability"]
-
 
 @dataclass(frozen=True)
 class InternalStability:

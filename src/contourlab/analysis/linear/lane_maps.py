@@ -19,8 +19,6 @@ from contourlab.loop.batch import LANES
 from contourlab.loop.machine import Axis, AxisController, Controller, Machine, parameter_names
 from contourlab.loop.simulate import jit_enabled
 
-__all__ = ["opened_lanes"]
-
 Array = NDArray[np.float64]
 
 

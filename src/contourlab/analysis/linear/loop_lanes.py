@@ -17,8 +17,6 @@ from contourlab.analysis.linear.lane_maps import opened_lanes
 from contourlab.analysis.linear.sampled_loop import INPUTS
 from contourlab.loop.machine import Axis, AxisController
 
-__all__ = ["LaneLoops", "lane_loops", "margin_factors", "unstable_by"]
-
 Array = NDArray[np.float64]
 
 

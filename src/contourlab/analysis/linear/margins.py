@@ -9,8 +9,6 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-__all__ = ["Margins", "delay_margin", "margins"]
-
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
 LoopGain = Callable[[Array], Complex]

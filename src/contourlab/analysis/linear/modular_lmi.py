@@ -12,8 +12,6 @@ from contourlab.analysis.backlash.lyapunov_lmi import solved
 from contourlab.analysis.linear.modular_lq import GAINS, LinearAxis, LqWeights, ModularDesign, judged, optimum
 from contourlab.errors import ParameterError
 
-__all__ = ["lmi_design"]
-
 Array = NDArray[np.float64]
 
 

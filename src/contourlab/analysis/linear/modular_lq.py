@@ -15,8 +15,6 @@ from numpy.typing import NDArray
 
 from contourlab.errors import ParameterError
 
-__all__ = ["GAINS", "LinearAxis", "LqWeights", "ModularDesign", "blind_swaps", "cost", "direct_design", "optimum"]
-
 Array = NDArray[np.float64]
 GAINS = ("integral", "position", "velocity")
 """Entries of K."""

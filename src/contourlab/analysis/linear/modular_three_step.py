@@ -9,8 +9,6 @@ from numpy.typing import NDArray
 
 from contourlab.analysis.linear.modular_lq import LinearAxis, LqWeights, ModularDesign, assembled, checked_local, judged, optimum
 
-__all__ = ["lead", "series_allocation", "three_step_design"]
-
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
 DECADES = 2.0

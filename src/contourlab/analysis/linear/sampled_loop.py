@@ -29,8 +29,6 @@ from contourlab.loop.machine import Axis, AxisController, Controller, Machine
 from contourlab.loop.template import EXTERNALS, build
 from contourlab.loop.watch import NAME as WATCH
 
-__all__ = ["INPUTS", "SampledLoop", "bare_axis", "linear_axis", "loop_of", "opened_schedule", "sampled_loop", "without_limits"]
-
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
 

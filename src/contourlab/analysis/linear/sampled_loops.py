@@ -17,8 +17,6 @@ from contourlab.analysis.linear.sampled_loop import SampledLoop, loop_of
 from contourlab.analysis.linear.tick_map import TickMap
 from contourlab.loop.machine import Axis, AxisController
 
-__all__ = ["rough_margins", "sampled_loops"]
-
 Array = NDArray[np.float64]
 GRID = 200
 """Frequencies of `rough_margins`."""

@@ -9,8 +9,6 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-__all__ = ["exponentials"]
-
 Array = NDArray[np.float64]
 
 DEGREE = 18

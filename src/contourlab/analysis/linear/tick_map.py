@@ -16,8 +16,6 @@ from contourlab.engine.schedule import Schedule
 from contourlab.engine.step import rows
 from contourlab.errors import ComponentError
 
-__all__ = ["TickMap", "poles_of", "spectral_radius", "tick_map", "tick_matrix"]
-
 Array = NDArray[np.float64]
 
 

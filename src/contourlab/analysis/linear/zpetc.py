@@ -23,8 +23,6 @@ from contourlab.errors import ComponentError, ParameterError
 if TYPE_CHECKING:
     from contourlab.analysis.linear.sampled_loop import SampledLoop
 
-__all__ = ["ZeroPhaseDesign", "zpetc_design", "zpetc_from_polynomials"]
-
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
 

@@ -10,8 +10,6 @@ import typer
 from contourlab.cli.output import emit_json, say
 from contourlab.cli.scheme_options import Json, Out, Plots, Plugins, ScenarioFile, Schemes, listed
 
-__all__ = ["analyse"]
-
 
 def analyse(
     file: ScenarioFile,

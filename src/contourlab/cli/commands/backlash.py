@@ -5,8 +5,6 @@ from __future__ import annotations
 from contourlab.cli.output import emit_json, say, wants_progress
 from contourlab.cli.scheme_options import Json, Plugins, ScenarioFile, Schemes, listed
 
-__all__ = ["backlash"]
-
 
 def backlash(file: ScenarioFile, schemes: Schemes = None, as_json: Json = False, plugin: Plugins = None) -> int:
     """Estimate the backlash of each axis, predict limit cycles, and say what compensation is best."""

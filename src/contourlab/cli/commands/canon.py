@@ -10,8 +10,6 @@ import typer
 from contourlab.cli.output import silence
 from contourlab.cli.program_options import BlockDelete, Dialect, Part, ToolTable, reading_of
 
-__all__ = ["canon"]
-
 
 def canon(
     file: Part,

@@ -9,8 +9,6 @@ import typer
 from contourlab.cli.output import emit_json, say
 from contourlab.cli.program_options import BlockDelete, Dialect, Part, ToolTable, reading_of
 
-__all__ = ["check"]
-
 FAULTY = 2
 
 

@@ -17,8 +17,6 @@ if TYPE_CHECKING:
 
     from contourlab.components.contract import Component, Parameter
 
-__all__ = ["components"]
-
 STAND_IN = ("full_scale", "full_scale")
 """Units put for ``{command}`` and ``{force}`` while a number is converted; they cancel, whatever the plant's are."""
 

@@ -10,8 +10,6 @@ import typer
 from contourlab.cli.output import conclude, wants_progress
 from contourlab.cli.scheme_options import Json, WithInterval
 
-__all__ = ["demo"]
-
 
 def demo(
     out: Annotated[Path, typer.Option(help="Folder for the results; made if it is not there.")] = Path("results/demo"),

@@ -11,8 +11,6 @@ from contourlab.cli.log_options import ColumnFile, ColumnTexts, LogFormat, Sampl
 from contourlab.cli.output import emit_json, say
 from contourlab.cli.scheme_options import Json, Plots
 
-__all__ = ["identify"]
-
 MODEL = "rigid, rigid-by-direction, friction, stiction, first-order, closed-loop, frequency-response, linear-motor or two-inertia."
 
 
@@ -55,7 +53,8 @@ def identify(
     plots: Plots = None,
 ) -> int:
     """Find the model of an axis from logs, each figure with its deviation; write an axis file."""
-    from contourlab.features.identify.command import Request, identify_log
+    from contourlab.features.identify.command import identify_log
+    from contourlab.features.identify.requests.request import Request
     from contourlab.features.measure.log_choice import LogChoice
 
     request = Request(

@@ -9,8 +9,6 @@ import typer
 
 from contourlab.cli.output import emit_json, say
 
-__all__ = ["interpolate"]
-
 
 def interpolate(
     file: Annotated[Path, typer.Argument(metavar="SIGNALS", help="Text file of numbers (.csv) with two signals.", show_default=False)],

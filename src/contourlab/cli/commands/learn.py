@@ -10,8 +10,6 @@ import typer
 from contourlab.cli.output import conclude, wants_progress
 from contourlab.cli.scheme_options import Json, Out, Plots, Plugins, ScenarioFile, Schemes, Signals, Trials, WithInterval, listed
 
-__all__ = ["learn"]
-
 
 def learn(
     file: ScenarioFile,

@@ -13,8 +13,6 @@ from contourlab.cli.scheme_options import Json
 if TYPE_CHECKING:
     from contourlab.features.machines.command import Shipped
 
-__all__ = ["machines"]
-
 FOOT = (
     "contourlab machines NAME tells all of one, --copy FOLDER copies it with the files that it names. In a scenario: "
     'machine = "builtin:NAME"; contourlab run builtin:NAME runs a scenario.'

@@ -12,8 +12,6 @@ from contourlab.cli.log_options import ColumnFile, ColumnTexts, LogFormat, Sampl
 from contourlab.cli.output import conclude
 from contourlab.cli.scheme_options import Json, Out, Plots, listed
 
-__all__ = ["measure"]
-
 
 def measure(
     log: Annotated[

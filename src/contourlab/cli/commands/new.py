@@ -15,8 +15,6 @@ from contourlab.errors import ScenarioError
 if TYPE_CHECKING:
     from contourlab.features.machines.new_machine import Question
 
-__all__ = ["new"]
-
 new = typer.Typer(no_args_is_help=True, help="Make files to start from.")
 
 

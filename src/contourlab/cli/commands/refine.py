@@ -12,8 +12,6 @@ from contourlab.cli.log_options import ColumnFile, ColumnTexts, LogFormat, Sampl
 from contourlab.cli.output import emit_json, say
 from contourlab.cli.scheme_options import Json, Plots, Plugins, ScenarioFile
 
-__all__ = ["refine"]
-
 
 def refine(
     scenario: ScenarioFile,

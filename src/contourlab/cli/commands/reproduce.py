@@ -10,8 +10,6 @@ import typer
 
 from contourlab.cli.output import emit_json, show, wants_progress
 
-__all__ = ["reproduce"]
-
 Json = Annotated[bool, typer.Option("--json", help="Print JSON alone on standard output.")]
 Rows = list[dict[str, Any]]
 Work = Callable[[Callable[[str], None]], Rows]

@@ -10,8 +10,6 @@ import typer
 from contourlab.cli.output import conclude, wants_progress
 from contourlab.cli.scheme_options import WithInterval
 
-__all__ = ["run"]
-
 
 def run(
     file: Annotated[

@@ -11,8 +11,6 @@ from contourlab.cli.output import emit_json, say, wants_progress
 from contourlab.cli.scheme_options import Json, Out, Plots, Plugins, ScenarioFile, listed
 from contourlab.cli.study_options import Parameters, Seed, Threads, Width
 
-__all__ = ["sensitivity"]
-
 
 def sensitivity(
     file: ScenarioFile,

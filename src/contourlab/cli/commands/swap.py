@@ -11,8 +11,6 @@ from contourlab.cli.output import conclude, wants_progress
 from contourlab.cli.scheme_options import Json, Out, Plots, Plugins, ScenarioFile, listed
 from contourlab.cli.study_options import GainMargin, Parameters, PhaseMargin, Seed, Threads, Width
 
-__all__ = ["swap"]
-
 
 def swap(
     file: ScenarioFile,

@@ -11,8 +11,6 @@ from contourlab.cli.output import emit_json, say, wants_progress
 from contourlab.cli.scheme_options import Json, Plots, Plugins
 from contourlab.cli.study_options import GainMargin, Parameters, PhaseMargin, Seed, Threads, Width
 
-__all__ = ["tune"]
-
 
 def tune(
     file: Annotated[str, typer.Argument(metavar="SCENARIO", help="A scenario (.toml), or a part program.", show_default=False)],

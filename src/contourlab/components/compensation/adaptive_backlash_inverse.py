@@ -7,11 +7,10 @@ from typing import Any
 import numpy as np
 
 from contourlab.components.compensation.reversal import limited_jump, pushed_side
-from contourlab.components.contract import Component, Port, param
+from contourlab.components.contract import Component, param
+from contourlab.engine.step import Port
 from contourlab.errors import ParameterError
 from contourlab.primitives import clip, fabs, maximum, minimum, select
-
-__all__ = ["AdaptiveBacklashInverse"]
 
 COUNTED = 1.25
 """Up to this times the largest gap the motor's way is counted, so that noise and small turns within the rest do not end a contact."""

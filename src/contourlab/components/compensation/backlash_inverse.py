@@ -5,10 +5,9 @@ from __future__ import annotations
 from typing import Any
 
 from contourlab.components.compensation.reversal import limited_jump, pushed_side
-from contourlab.components.contract import Component, Port, param
+from contourlab.components.contract import Component, param
+from contourlab.engine.step import Port
 from contourlab.primitives import select
-
-__all__ = ["BacklashInverse"]
 
 
 class BacklashInverse(Component):

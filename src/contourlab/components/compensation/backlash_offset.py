@@ -5,9 +5,8 @@ from __future__ import annotations
 from typing import Any
 
 from contourlab.components.compensation.reversal import limited_ramp, pushed_side
-from contourlab.components.contract import Component, Port, param
-
-__all__ = ["BacklashOffset", "offset_after"]
+from contourlab.components.contract import Component, param
+from contourlab.engine.step import Port
 
 
 def offset_after(par: Any, x: Any, side: float, clock: Any) -> tuple[float, float]:

@@ -8,9 +8,8 @@ from typing import Any
 from contourlab.components.compensation.backlash_offset import BacklashOffset, offset_after
 from contourlab.components.compensation.quadrant_pulses import QuadrantPulses, check_characteristic, pulse_states, pulses_of, slopes
 from contourlab.components.compensation.reversal import pushed_side
-from contourlab.components.contract import Component, Port
-
-__all__ = ["CncBacklash"]
+from contourlab.components.contract import Component
+from contourlab.engine.step import Port
 
 
 class CncBacklash(Component):

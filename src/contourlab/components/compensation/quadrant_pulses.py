@@ -9,11 +9,10 @@ from typing import Any
 import numpy as np
 
 from contourlab.components.compensation.reversal import pushed_side
-from contourlab.components.contract import Component, Port, param, text_param
+from contourlab.components.contract import Component, param, text_param
+from contourlab.engine.step import Port
 from contourlab.errors import ParameterError
 from contourlab.primitives import clip, exp, fabs, select
-
-__all__ = ["QuadrantPulses", "check_characteristic", "pulse_states", "pulses_of", "slopes"]
 
 SHAPES = ("rectangle", "decay")
 

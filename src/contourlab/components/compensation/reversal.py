@@ -4,8 +4,6 @@ from __future__ import annotations
 
 from contourlab.primitives import clip, copysign, fabs, floor, maximum, minimum, select, sqrt
 
-__all__ = ["limited_jump", "limited_ramp", "pushed_side"]
-
 
 def pushed_side(speed: float, band: float, before: float) -> float:
     """Return the side on which the load is pushed: +1 or -1, or what it was `before` where the speed is inside the band.

@@ -9,8 +9,6 @@ import numpy as np
 
 from contourlab.primitives import select
 
-__all__ = ["ANTI_WINDUP", "integral_rise", "recovery_part"]
-
 ANTI_WINDUP = ("hold", "back-calculation", "none")
 """Words of the parameter `anti_windup`.
 

@@ -9,12 +9,11 @@ from typing import Any, ClassVar
 
 import numpy as np
 
-from contourlab.components.contract import Component, LinearModel, Port, param, text_param
+from contourlab.components.contract import Component, LinearModel, param, text_param
 from contourlab.components.controller.anti_windup import ANTI_WINDUP, integral_rise, recovery_part
+from contourlab.engine.step import Port
 from contourlab.errors import ParameterError
 from contourlab.primitives import clip
-
-__all__ = ["Cascade", "cascade_step"]
 
 
 @cache

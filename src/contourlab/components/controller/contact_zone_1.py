@@ -4,8 +4,6 @@ from __future__ import annotations
 
 from contourlab.components.controller.zone_law import InertiaGains
 
-__all__ = ["ContactZone1"]
-
 
 class ContactZone1(InertiaGains):
     """u = J_m (r_a - K_1 (w_m - r_v) - K_2 (theta_m - r -+ beta)): the motor follows the reference, moved to the flank it presses on.

@@ -4,8 +4,6 @@ from __future__ import annotations
 
 from contourlab.components.controller.zone_law import TypeTwo
 
-__all__ = ["ContactZone2"]
-
 
 class ContactZone2(TypeTwo):
     """u = J_m r_a - K_1' (w_m - r_v) - K_2' (theta_m - r -+ beta): type I with gains that are torques.

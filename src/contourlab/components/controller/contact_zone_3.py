@@ -4,8 +4,6 @@ from __future__ import annotations
 
 from contourlab.components.controller.zone_law import Integral
 
-__all__ = ["ContactZone3"]
-
 
 class ContactZone3(Integral):
     """u = J_m r_a - K_1' (w_m - r_v) - K_2' (theta_m - r -+ beta) - K_3 int (theta_m - r): type II with an integral.

@@ -7,8 +7,6 @@ from typing import Any
 from contourlab.components.contract import text_param
 from contourlab.components.controller.zone_law import InertiaGains, zone_step
 
-__all__ = ["GapZone1"]
-
 
 class GapZone1(InertiaGains):
     """u = J_m (a_l - K_4 (w_m - w_l) - K_5 (theta_m - theta_l -+ beta)): the motor goes to a flank of the load, wherever that is.

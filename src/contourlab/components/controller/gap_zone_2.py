@@ -4,8 +4,6 @@ from __future__ import annotations
 
 from contourlab.components.controller.zone_law import TypeTwo
 
-__all__ = ["GapZone2"]
-
 
 class GapZone2(TypeTwo):
     """u = J_m r_a - K_4' (w_m - r_v) - K_5' (theta_m - r -+ beta): the motor follows the reference through the gap.

@@ -4,8 +4,6 @@ from __future__ import annotations
 
 from contourlab.components.controller.zone_law import Integral
 
-__all__ = ["GapZone3"]
-
 
 class GapZone3(Integral):
     """u = J_m r_a - K_4' (w_m - r_v) - K_5' (theta_m - r -+ beta) - K_6 int (theta_m - r): type II with an integral.

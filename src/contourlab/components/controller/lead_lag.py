@@ -10,11 +10,10 @@ from typing import Any
 
 import numpy as np
 
-from contourlab.components.contract import Component, LinearModel, Port, param, text_param
+from contourlab.components.contract import Component, LinearModel, param, text_param
 from contourlab.components.controller.anti_windup import ANTI_WINDUP, integral_rise, recovery_part
+from contourlab.engine.step import Port
 from contourlab.errors import ParameterError
-
-__all__ = ["LeadLag"]
 
 
 @cache

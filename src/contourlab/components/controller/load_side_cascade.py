@@ -6,10 +6,9 @@ from typing import Any
 
 import numpy as np
 
-from contourlab.components.contract import LinearModel, Port, param
+from contourlab.components.contract import LinearModel, param
 from contourlab.components.controller.cascade import Cascade, cascade_step
-
-__all__ = ["LoadSideCascade"]
+from contourlab.engine.step import Port
 
 
 class LoadSideCascade(Cascade):

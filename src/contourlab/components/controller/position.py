@@ -9,10 +9,9 @@ from typing import Any
 
 import numpy as np
 
-from contourlab.components.contract import Component, LinearModel, Port, param, text_param
+from contourlab.components.contract import Component, LinearModel, param, text_param
+from contourlab.engine.step import Port
 from contourlab.errors import ParameterError
-
-__all__ = ["PositionController"]
 
 
 @cache

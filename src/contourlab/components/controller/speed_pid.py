@@ -8,10 +8,9 @@ from typing import Any
 
 import numpy as np
 
-from contourlab.components.contract import Component, LinearModel, Port, param, text_param
+from contourlab.components.contract import Component, LinearModel, param, text_param
 from contourlab.components.mechanics.discretise import low_pass_weight
-
-__all__ = ["SpeedPID"]
+from contourlab.engine.step import Port
 
 
 @cache

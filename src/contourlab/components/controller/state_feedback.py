@@ -10,12 +10,11 @@ from typing import Any
 
 import numpy as np
 
-from contourlab.components.contract import Component, LinearModel, Port, param, text_param
+from contourlab.components.contract import Component, LinearModel, param, text_param
 from contourlab.components.controller.anti_windup import ANTI_WINDUP, integral_rise, recovery_part
 from contourlab.components.mechanics.discretise import low_pass_weight
+from contourlab.engine.step import Port
 from contourlab.errors import ParameterError
-
-__all__ = ["StateFeedback"]
 
 
 @cache

@@ -14,11 +14,10 @@ from typing import Any, ClassVar
 
 import numpy as np
 
-from contourlab.components.contract import Component, LinearModel, Port, param, text_param
+from contourlab.components.contract import Component, LinearModel, param, text_param
 from contourlab.components.controller.anti_windup import ANTI_WINDUP, integral_rise, recovery_part
+from contourlab.engine.step import Port
 from contourlab.primitives import select
-
-__all__ = ["InertiaGains", "Integral", "TorqueGains", "TypeTwo", "ZoneLaw", "zone_step"]
 
 
 def _difference(inp: Any) -> float:

@@ -7,11 +7,10 @@ from typing import Any
 
 import numpy as np
 
-from contourlab.components.contract import Component, LinearModel, Port, param
+from contourlab.components.contract import Component, LinearModel, param
 from contourlab.components.coupling.transport import carried, turning
+from contourlab.engine.step import Port
 from contourlab.primitives import add, dot, lincomb, maximum, minimum, scale, select, sqrt, sub
-
-__all__ = ["CrossCoupled"]
 
 
 class CrossCoupled(Component):

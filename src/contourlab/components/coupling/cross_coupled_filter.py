@@ -8,13 +8,11 @@ from typing import Any
 
 import numpy as np
 
-from contourlab.components.contract import Component, LinearModel, Port, param
+from contourlab.components.contract import Component, LinearModel, param
 from contourlab.components.coupling.transport import carried, turning
-from contourlab.engine.step import Step
+from contourlab.engine.step import Port, Step
 from contourlab.errors import ParameterError
 from contourlab.primitives import add, lincomb, scale
-
-__all__ = ["CrossCoupledFilter"]
 
 HIGHEST_ORDER = 4
 LEAN = 1e-6

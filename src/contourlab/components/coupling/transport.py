@@ -6,8 +6,6 @@ from typing import Any
 
 from contourlab.primitives import dot, lincomb, select
 
-__all__ = ["carried", "turning"]
-
 REVERSAL = 1e-6
 """1 + t0.t1 below which the path turns back on itself and no least rotation is defined."""
 

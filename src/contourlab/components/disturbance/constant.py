@@ -4,9 +4,8 @@ from __future__ import annotations
 
 from typing import Any
 
-from contourlab.components.contract import Component, Port, param
-
-__all__ = ["ConstantLoad"]
+from contourlab.components.contract import Component, param
+from contourlab.engine.step import Port
 
 
 class ConstantLoad(Component):

@@ -9,12 +9,11 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from contourlab.components.contract import Component, Port, param
+from contourlab.components.contract import Component, param
 from contourlab.components.disturbance.low_passed_noise import next_noise
+from contourlab.engine.step import Port
 from contourlab.errors import ParameterError
 from contourlab.primitives import cos, floor, lookup, sin
-
-__all__ = ["ForceRipple"]
 
 _TURN = 2.0 * math.pi
 

@@ -6,10 +6,9 @@ from typing import Any
 
 import numpy as np
 
-from contourlab.components.contract import Component, Port, param
+from contourlab.components.contract import Component, param
+from contourlab.engine.step import Port
 from contourlab.primitives import normal, select, sqrt
-
-__all__ = ["LowPassedNoise", "next_noise"]
 
 
 def next_noise(last: float, rms: float, keep: float, stream: float, k: float) -> float:

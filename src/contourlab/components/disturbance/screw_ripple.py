@@ -5,10 +5,9 @@ from __future__ import annotations
 import math
 from typing import Any
 
-from contourlab.components.contract import Component, Port, param
+from contourlab.components.contract import Component, param
+from contourlab.engine.step import Port
 from contourlab.primitives import cos, floor, sin
-
-__all__ = ["ScrewRipple"]
 
 _TURN = 2.0 * math.pi
 

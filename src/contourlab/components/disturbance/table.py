@@ -9,11 +9,10 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from contourlab.components.contract import Component, Port, param, text_param
+from contourlab.components.contract import Component, param, text_param
+from contourlab.engine.step import Port
 from contourlab.errors import ParameterError
 from contourlab.primitives import clip, floor, lookup
-
-__all__ = ["TableLoad"]
 
 
 @cache

@@ -7,10 +7,9 @@ from typing import Any
 
 import numpy as np
 
-from contourlab.components.contract import Component, Port, param
+from contourlab.components.contract import Component, param
+from contourlab.engine.step import Port
 from contourlab.primitives import clip, delayed
-
-__all__ = ["DelayedSaturation"]
 
 
 class DelayedSaturation(Component):

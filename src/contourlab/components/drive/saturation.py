@@ -7,10 +7,9 @@ from typing import Any
 
 import numpy as np
 
-from contourlab.components.contract import Component, LinearModel, Port, param
+from contourlab.components.contract import Component, LinearModel, param
+from contourlab.engine.step import Port
 from contourlab.primitives import clip
-
-__all__ = ["Saturation"]
 
 
 class Saturation(Component):

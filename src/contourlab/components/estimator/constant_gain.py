@@ -14,8 +14,6 @@ from contourlab.components.estimator.local import LocalEstimator, frame_of, side
 from contourlab.errors import ParameterError
 from contourlab.primitives import add, copysign, dot, lincomb, scale, sub
 
-__all__ = ["ConstantGain"]
-
 
 class ConstantGain(LocalEstimator):
     """Distance to a line of fixed direction through the reference: in the plane eps = -e_x sin th + e_y cos th with constant gains.

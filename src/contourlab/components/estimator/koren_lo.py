@@ -9,8 +9,6 @@ from typing import Any
 from contourlab.components.estimator.local import LocalEstimator, frame_of
 from contourlab.primitives import add, dot, lincomb, maximum, scale, select, sqrt, sub
 
-__all__ = ["KorenLo"]
-
 NOWHERE = 1e-9
 """Length of the gain vector below which it has no direction: the tool stands a diameter off, where the scheme has lost the path."""
 

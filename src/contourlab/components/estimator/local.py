@@ -6,13 +6,11 @@ from collections.abc import Callable
 from functools import cache
 from typing import Any, ClassVar
 
-from contourlab.components.contract import Component, Port
-from contourlab.engine.step import Step
+from contourlab.components.contract import Component
+from contourlab.engine.step import Port, Step
 from contourlab.errors import ParameterError
 from contourlab.geometry.view import PathView
 from contourlab.primitives import dot, lincomb, scale, sqrt
-
-__all__ = ["LocalEstimator", "frame_of", "sided"]
 
 
 class LocalEstimator(Component):

@@ -5,12 +5,10 @@ from __future__ import annotations
 from functools import cache
 from typing import Any
 
-from contourlab.components.contract import Component, Port, param, text_param
-from contourlab.engine.step import Step
+from contourlab.components.contract import Component, param, text_param
+from contourlab.engine.step import Port, Step
 from contourlab.geometry.view import PathView
 from contourlab.primitives import clip, dot, lincomb, maximum, scale, select, sqrt, sub
-
-__all__ = ["Newton"]
 
 
 class Newton(Component):

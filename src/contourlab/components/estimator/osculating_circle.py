@@ -9,8 +9,6 @@ from typing import Any
 from contourlab.components.estimator.local import LocalEstimator, frame_of, sided
 from contourlab.primitives import add, dot, lincomb, maximum, scale, select, sqrt, sub
 
-__all__ = ["OsculatingCircle"]
-
 STRAIGHT = 1e-12
 """Curvature [1/m] below which the direction to the centre is not asked for: over a metre such an arc strays 0.5 pm from its tangent."""
 CENTRE = 1e-9

@@ -9,8 +9,6 @@ from typing import Any
 from contourlab.components.estimator.local import LocalEstimator, frame_of, sided
 from contourlab.primitives import add, dot, lincomb, sub
 
-__all__ = ["Tangent"]
-
 
 class Tangent(LocalEstimator):
     """Distance to the tangent at the reference: the tracking error without its part along the path, (I - t t')(r - p), for any axes.

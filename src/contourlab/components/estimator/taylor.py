@@ -9,8 +9,6 @@ from typing import Any
 from contourlab.components.estimator.local import LocalEstimator, frame_of, sided
 from contourlab.primitives import add, dot, lincomb, scale, sqrt, sub
 
-__all__ = ["Taylor"]
-
 
 class Taylor(LocalEstimator):
     """Second-order Taylor expansion: the parabola r + a t + a^2 k/2 at the tool's own abscissa a = t.(p - r), for any number of axes.

@@ -6,9 +6,8 @@ from typing import Any
 
 import numpy as np
 
-from contourlab.components.contract import Component, LinearModel, Port, param
-
-__all__ = ["InverseDynamics"]
+from contourlab.components.contract import Component, LinearModel, param
+from contourlab.engine.step import Port
 
 
 class InverseDynamics(Component):

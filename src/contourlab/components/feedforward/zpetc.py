@@ -7,11 +7,10 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from contourlab.components.contract import Component, Port, param
+from contourlab.components.contract import Component, param
+from contourlab.engine.step import Port
 from contourlab.errors import ParameterError
 from contourlab.primitives import clip, delayed, dot, lookup
-
-__all__ = ["MAX_ORDER", "ZPETC"]
 
 MAX_ORDER = 8
 """Highest order of the denominator: how many zeros of a closed loop can be cancelled."""

@@ -7,8 +7,6 @@ from typing import Any
 from contourlab.components.contract import Component, param
 from contourlab.primitives import exp, maximum
 
-__all__ = ["Coulomb"]
-
 
 class Coulomb(Component):
     """Friction that holds the axis at rest until its breakaway force is passed, and resists its motion afterwards.

@@ -4,10 +4,9 @@ from __future__ import annotations
 
 from typing import Any
 
-from contourlab.components.contract import Component, Port, param
+from contourlab.components.contract import Component, param
+from contourlab.engine.step import Port
 from contourlab.primitives import exp
-
-__all__ = ["LuGre"]
 
 
 class LuGre(Component):

@@ -6,8 +6,6 @@ from typing import Any
 
 from contourlab.components.contract import Component
 
-__all__ = ["NoFriction"]
-
 
 class NoFriction(Component):
     """A guide without friction besides the plant's own damping."""

@@ -7,8 +7,6 @@ from typing import Any
 from contourlab.components.contract import Component, param
 from contourlab.primitives import exp
 
-__all__ = ["Rising"]
-
 
 class Rising(Component):
     """Friction that is least at rest, as measured on greased guides and preloaded nuts: the contrary of Stribeck's dip.

@@ -7,8 +7,6 @@ from typing import Any
 from contourlab.components.contract import Component, param
 from contourlab.primitives import exp, tanh
 
-__all__ = ["SmoothCoulomb"]
-
 
 class SmoothCoulomb(Component):
     """The smooth form of Coulomb friction: F = (F_c + (F_s - F_c) exp(-(v/v_s)^2)) tanh(v/v_e) + c v.

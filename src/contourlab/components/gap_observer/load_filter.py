@@ -13,20 +13,6 @@ from typing import Any
 
 from contourlab.primitives import clip, dot, exp, fabs, log, maximum, minimum, select, sqrt
 
-__all__ = [
-    "CORRELATION",
-    "N_COVARIANCE",
-    "N_STATE",
-    "advance",
-    "corrected",
-    "faded",
-    "flanks",
-    "normal_law",
-    "restarted",
-    "started",
-    "touching",
-]
-
 N_STATE = 8
 N_COVARIANCE = 36
 CORRELATION = 1e-3

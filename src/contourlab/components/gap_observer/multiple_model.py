@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 
-from contourlab.components.contract import Component, Port, param
+from contourlab.components.contract import Component, param
 from contourlab.components.gap_observer.load_filter import (
     CORRELATION,
     N_COVARIANCE,
@@ -22,11 +22,9 @@ from contourlab.components.gap_observer.load_filter import (
     sane,
     started,
 )
-from contourlab.engine.step import Bank, Step
+from contourlab.engine.step import Bank, Port, Step
 from contourlab.errors import ParameterError
 from contourlab.primitives import clip, exp, lincomb, maximum, minimum, scale, select, sqrt
-
-__all__ = ["MultipleModel"]
 
 SCORE = N_STATE + N_COVARIANCE
 """Where a filter keeps the logarithm of its weight, behind mean and covariance."""

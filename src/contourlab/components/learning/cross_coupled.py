@@ -6,8 +6,6 @@ from contourlab.components.contract import param
 from contourlab.components.learning.error_law import ErrorLaw
 from contourlab.components.learning.law import Array, LearningProblem, TrialRecord
 
-__all__ = ["CrossCoupledLearning"]
-
 
 class CrossCoupledLearning(ErrorLaw):
     """u <- Q (u + L e + L_c eps): the tracking error e and the contour error eps, the vector from the tool to the path.

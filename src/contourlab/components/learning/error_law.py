@@ -10,8 +10,6 @@ from contourlab.components.learning.filters import advanced, q_filter
 from contourlab.components.learning.law import Array, LearningLaw, LearningProblem, TrialRecord
 from contourlab.errors import ParameterError
 
-__all__ = ["ErrorLaw", "FilteredLaw"]
-
 
 class FilteredLaw(LearningLaw):
     """u <- Q (u + what the law adds), Q a Butterworth low-pass run forwards and backwards."""

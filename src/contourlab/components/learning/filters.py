@@ -13,8 +13,6 @@ import math
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-__all__ = ["advanced", "moving_average", "q_filter", "q_response"]
-
 Array = NDArray[np.float64]
 
 

@@ -12,8 +12,6 @@ from numpy.typing import NDArray
 
 from contourlab.components.contract import Component, text_param
 
-__all__ = ["InputModel", "LearningLaw", "LearningProblem", "TrialRecord"]
-
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
 

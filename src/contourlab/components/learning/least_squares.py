@@ -8,8 +8,6 @@ import numpy as np
 
 from contourlab.components.learning.law import Array, InputModel, LearningProblem
 
-__all__ = ["Equation"]
-
 
 class Equation(NamedTuple):
     """(G' Q G + S + R) d = b and what its solution takes."""

@@ -6,8 +6,6 @@ from contourlab.components.contract import param
 from contourlab.components.learning.law import Array, LearningLaw, LearningProblem, TrialRecord
 from contourlab.components.learning.least_squares import Equation
 
-__all__ = ["NormOptimal"]
-
 
 class NormOptimal(LearningLaw):
     """The next table is the one that makes the weighted sum of the next trial's errors, of the input and of its change least.

@@ -6,8 +6,6 @@ from contourlab.components.contract import param
 from contourlab.components.learning.error_law import ErrorLaw
 from contourlab.components.learning.law import Array, LearningProblem, TrialRecord
 
-__all__ = ["PType"]
-
 
 class PType(ErrorLaw):
     """u <- Q (u + L e(k + lead)): the tracking error times a gain.

@@ -8,8 +8,6 @@ from contourlab.components.contract import param
 from contourlab.components.learning.error_law import ErrorLaw
 from contourlab.components.learning.law import Array, LearningProblem, TrialRecord
 
-__all__ = ["PDType"]
-
 
 class PDType(ErrorLaw):
     """u <- Q (u + L_p e + L_d e'): the tracking error and its derivative, by central differences.

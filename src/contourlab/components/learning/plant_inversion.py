@@ -7,8 +7,6 @@ from contourlab.components.learning.error_law import FilteredLaw
 from contourlab.components.learning.law import Array, LearningProblem, TrialRecord
 from contourlab.components.learning.least_squares import Equation
 
-__all__ = ["PlantInversion"]
-
 TOLERANCE, ITERATIONS = 1e-6, 20
 """Between the ends of a trial the first step is exact; the others see to the ends."""
 

@@ -6,8 +6,6 @@ from contourlab.components.contract import param
 from contourlab.components.learning.filters import advanced, moving_average
 from contourlab.components.learning.law import Array, LearningLaw, LearningProblem, TrialRecord
 
-__all__ = ["ZeroPhase"]
-
 
 class ZeroPhase(LearningLaw):
     """What the feedback had to give, averaged over 2 M + 1 samples, is given beforehand: u_ff <- u_ff + gamma H_M u_fb (eq 9).

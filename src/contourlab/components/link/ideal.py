@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
-from contourlab.components.contract import Component, Port
-
-__all__ = ["IdealLink"]
+from contourlab.components.contract import Component
+from contourlab.engine.step import Port
 
 
 class IdealLink(Component):

@@ -8,10 +8,9 @@ from typing import Any
 
 import numpy as np
 
-from contourlab.components.contract import Component, Port, param, text_param
+from contourlab.components.contract import Component, param, text_param
+from contourlab.engine.step import Port
 from contourlab.primitives import delayed, floor, minimum, select, uniform
-
-__all__ = ["Network"]
 
 NEARLY = 1e-9
 """Ticks by which rounding may take a whole number of them for more."""

@@ -17,8 +17,6 @@ from contourlab.components.mechanics.two_mass_mechanics import CONTACT, END, LOA
 from contourlab.engine.step import record
 from contourlab.primitives import select
 
-__all__ = ["JOINT", "chain_step"]
-
 JOINT = ("stiffness_value", "damper_value", "half_gap", "bonded", "unwinding")
 """What a joint is, each a row of the plant's parameters with the joint's number behind."""
 

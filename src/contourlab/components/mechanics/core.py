@@ -26,8 +26,6 @@ from contourlab.engine.step import Port, Step, record
 from contourlab.errors import ComponentError
 from contourlab.primitives import fabs, select
 
-__all__ = ["LOAD_FRICTION", "MOTOR_FRICTION", "friction_prefix", "link"]
-
 MOTOR_FRICTION, LOAD_FRICTION = "motor_friction_", "load_friction_"
 """Ahead of the names of the parameters of a friction, on a plant with two sides: its shaft has a stiffness, as bristles have."""
 

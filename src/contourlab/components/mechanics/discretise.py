@@ -6,8 +6,6 @@ from typing import Any
 
 import numpy as np
 
-__all__ = ["RULES", "low_pass_weight"]
-
 RULES = ("backward-euler", "pole-matched")
 """Backward Euler keeps the derivative w (u - y) exact on a ramp; pole matching keeps the filter's own time constant."""
 

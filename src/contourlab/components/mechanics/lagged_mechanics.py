@@ -22,8 +22,6 @@ from typing import Any
 from contourlab.components.mechanics.propagator import DOUBLINGS, land, propagator, speed
 from contourlab.primitives import clip, exp, fabs, log, maximum, select
 
-__all__ = ["lagged_bristle", "lagged_smooth", "lagged_sticking"]
-
 
 def _full(par: Any) -> Any:
     diagonal = (par.full_v0, par.full_v1, par.full_v2, par.full_v3, par.full_v4)

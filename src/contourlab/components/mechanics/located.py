@@ -4,8 +4,6 @@ from __future__ import annotations
 
 from contourlab.primitives import fabs, select, sqrt
 
-__all__ = ["NEVER", "first_dip", "first_zero", "hermite"]
-
 NEVER = 2.0
 """Past the end of a step."""
 

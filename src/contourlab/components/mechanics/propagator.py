@@ -14,8 +14,6 @@ from __future__ import annotations
 
 from typing import Any
 
-__all__ = ["DOUBLINGS", "NAMES", "STIFFEST", "doublings_for", "land", "propagator", "speed"]
-
 DOUBLINGS = 12
 """Halvings of the time before the series is taken, in a step."""
 STIFFEST = 1000.0

@@ -27,8 +27,6 @@ from contourlab.components.mechanics.located import first_zero
 from contourlab.components.mechanics.two_mass_laws import contact_guard_of, shaft_of, unwound
 from contourlab.primitives import exp, fabs, select
 
-__all__ = ["two_mass_bristle_step"]
-
 STRETCHES = 6
 """Parts of a step that are ended by a contact; what is left then is carried in one piece."""
 

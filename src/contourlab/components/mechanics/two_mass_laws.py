@@ -12,8 +12,6 @@ from typing import Any
 
 from contourlab.primitives import clip, exp, fabs, select
 
-__all__ = ["UNKNOWN", "body_guard", "contact_guard_of", "friction_of", "shaft_of", "unwound"]
-
 UNKNOWN = 2.0
 
 

@@ -24,8 +24,6 @@ from contourlab.components.mechanics.located import first_dip, first_zero, hermi
 from contourlab.components.mechanics.two_mass_laws import UNKNOWN, body_guard, contact_guard_of, friction_of, shaft_of, unwound
 from contourlab.primitives import fabs, select
 
-__all__ = ["CONTACT", "END", "LOAD", "MOTOR", "STRETCHES", "body_event_of", "two_mass_step", "ways_of"]
-
 STRETCHES = 6
 """Smooth stretches of a step whose ends are located; a gap that is crossed whole within a step takes three."""
 

@@ -6,10 +6,9 @@ from typing import Any
 
 import numpy as np
 
-from contourlab.components.contract import Component, LinearModel, Port, param, text_param
+from contourlab.components.contract import Component, LinearModel, param, text_param
 from contourlab.components.mechanics.discretise import RULES, low_pass_weight
-
-__all__ = ["DisturbanceObserver"]
+from contourlab.engine.step import Port
 
 
 class DisturbanceObserver(Component):

@@ -8,8 +8,6 @@ from typing import Any
 from contourlab.components.contract import param
 from contourlab.components.plant.single_mass import SingleMass
 
-__all__ = ["BallScrew"]
-
 
 class BallScrew(SingleMass):
     """Rigid ball-screw feed drive: (m + m_c + J (2 pi/l)^2) v' = (2 pi eta / l) K_t i - c v + load - friction.

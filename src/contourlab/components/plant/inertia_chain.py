@@ -8,13 +8,12 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from contourlab.components.contract import LinearModel, Port, param, text_param
+from contourlab.components.contract import LinearModel, param, text_param
 from contourlab.components.mechanics.chain_mechanics import JOINT, chain_step
 from contourlab.components.plant.plant import Plant
 from contourlab.components.plant.two_inertia import COARSEST, TwoInertia
+from contourlab.engine.step import Port
 from contourlab.errors import ComponentError, ParameterError
-
-__all__ = ["InertiaChain"]
 
 Array = NDArray[np.float64]
 JOINT_LISTS = ("stiffnesses", "shaft_dampings", "backlash_gaps", "backlash_angles")

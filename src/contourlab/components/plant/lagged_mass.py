@@ -7,11 +7,10 @@ from typing import Any
 
 import numpy as np
 
-from contourlab.components.contract import LinearModel, Port
+from contourlab.components.contract import LinearModel
 from contourlab.components.mechanics.propagator import NAMES, STIFFEST, doublings_for, propagator
 from contourlab.components.plant.single_mass import SingleMass
-
-__all__ = ["LaggedMass"]
+from contourlab.engine.step import Port
 
 
 class LaggedMass(SingleMass):

@@ -7,8 +7,6 @@ from typing import Any
 from contourlab.components.contract import param
 from contourlab.components.plant.lagged_mass import LaggedMass
 
-__all__ = ["LinearMotor"]
-
 
 class LinearMotor(LaggedMass):
     """Voltage-driven linear motor: K_amp e = R i + L i' + K_b v, (m + m_c) v' = K_f i - b v + load - friction.

@@ -7,8 +7,6 @@ from typing import Any
 from contourlab.components.contract import param
 from contourlab.components.plant.single_mass import SingleMass
 
-__all__ = ["MassDamper"]
-
 
 class MassDamper(SingleMass):
     """Mass with viscous damping, pushed by a current-controlled motor: m v' = K_f i - c v + load - friction.

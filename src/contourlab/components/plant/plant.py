@@ -6,8 +6,6 @@ from typing import Any, ClassVar
 
 from contourlab.components.contract import Component
 
-__all__ = ["Plant"]
-
 
 class Plant(Component):
     """What a drive moves: one mass, or several behind each other.

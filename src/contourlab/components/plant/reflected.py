@@ -6,8 +6,6 @@ import math
 
 from contourlab.errors import ParameterError
 
-__all__ = ["reflected_inertia", "reflected_mass"]
-
 
 def reflected_inertia(mass: float, lead: float) -> float:
     """Return the inertia that a mass counts at a shaft, m (l/2 pi)^2.

@@ -7,8 +7,6 @@ from typing import Any
 from contourlab.components.contract import param
 from contourlab.components.plant.single_mass import SingleMass
 
-__all__ = ["RigidAxis"]
-
 
 class RigidAxis(SingleMass):
     """Rigid axis behind a normalised drive: p' = v, v' = -b v + a (u + d).

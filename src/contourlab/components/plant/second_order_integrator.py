@@ -8,8 +8,6 @@ from typing import Any
 from contourlab.components.contract import param
 from contourlab.components.plant.lagged_mass import LaggedMass
 
-__all__ = ["SecondOrderIntegrator"]
-
 
 class SecondOrderIntegrator(LaggedMass):
     """Axis of P(s) = G wn^2/(s (s^2 + 2 zeta wn s + wn^2)), as an identification gives it; any damping ratio.

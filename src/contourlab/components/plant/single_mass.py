@@ -6,10 +6,9 @@ from typing import Any, ClassVar
 
 import numpy as np
 
-from contourlab.components.contract import LinearModel, Port
+from contourlab.components.contract import LinearModel
 from contourlab.components.plant.plant import Plant
-
-__all__ = ["SingleMass"]
+from contourlab.engine.step import Port
 
 
 class SingleMass(Plant):

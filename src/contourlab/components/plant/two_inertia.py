@@ -9,14 +9,13 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from contourlab.components.contract import LinearModel, Port, param, text_param
+from contourlab.components.contract import LinearModel, param, text_param
 from contourlab.components.mechanics.two_mass_bristle import two_mass_bristle_step
 from contourlab.components.mechanics.two_mass_mechanics import two_mass_step
 from contourlab.components.plant.plant import Plant
+from contourlab.engine.step import Port
 from contourlab.errors import ComponentError, ParameterError
 from contourlab.primitives import clip, floor, lookup, select
-
-__all__ = ["TwoInertia"]
 
 Array = NDArray[np.float64]
 COARSEST = 0.5

@@ -7,11 +7,10 @@ from typing import Any
 
 import numpy as np
 
-from contourlab.components.contract import Component, Port, param
+from contourlab.components.contract import Component, param
 from contourlab.components.mechanics.propagator import doublings_for, propagator
+from contourlab.engine.step import Port
 from contourlab.primitives import delayed
-
-__all__ = ["SmithPredictor"]
 
 
 class SmithPredictor(Component):

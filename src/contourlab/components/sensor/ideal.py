@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
-from contourlab.components.contract import Component, Port
-
-__all__ = ["IdealSensor"]
+from contourlab.components.contract import Component
+from contourlab.engine.step import Port
 
 
 class IdealSensor(Component):

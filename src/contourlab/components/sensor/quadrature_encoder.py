@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from contourlab.components.contract import Component, Port, param, text_param
+from contourlab.components.contract import Component, param, text_param
 from contourlab.components.quadrature import (
     DERIVED,
     FURTHEST,
@@ -25,10 +25,9 @@ from contourlab.components.quadrature import (
     followed,
     in_turns,
 )
+from contourlab.engine.step import Port
 from contourlab.errors import ParameterError
 from contourlab.primitives import clip, cos, floor, normal, rint, select, sin
-
-__all__ = ["QuadratureEncoder"]
 
 MOST_COUNTS = 1e9
 """Most counts in a quarter of a period."""

@@ -4,11 +4,10 @@ from __future__ import annotations
 
 from typing import Any, ClassVar
 
-from contourlab.components.contract import Port, param
+from contourlab.components.contract import param
 from contourlab.components.supervisor.switching import Supervisor, settled
+from contourlab.engine.step import Port
 from contourlab.primitives import fabs, select
-
-__all__ = ["EstimatorBased"]
 
 
 class EstimatorBased(Supervisor):

@@ -7,12 +7,11 @@ from typing import Any, ClassVar
 
 import numpy as np
 
-from contourlab.components.contract import Port, param, text_param
+from contourlab.components.contract import param, text_param
 from contourlab.components.supervisor.switching import Supervisor, settled
+from contourlab.engine.step import Port
 from contourlab.errors import ParameterError
 from contourlab.primitives import fabs, select, sqrt
-
-__all__ = ["Performance"]
 
 
 def _apart(inp: Any) -> float:

@@ -8,12 +8,11 @@ from typing import Any, ClassVar
 import numpy as np
 from numpy.typing import NDArray
 
-from contourlab.components.contract import Port, param, text_param
+from contourlab.components.contract import param, text_param
 from contourlab.components.supervisor.switching import Supervisor, settled
+from contourlab.engine.step import Port
 from contourlab.errors import ParameterError
 from contourlab.primitives import lookup, select
-
-__all__ = ["PreRouted"]
 
 
 class PreRouted(Supervisor):

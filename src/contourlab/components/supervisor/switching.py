@@ -4,10 +4,9 @@ from __future__ import annotations
 
 from typing import Any, ClassVar
 
-from contourlab.components.contract import Component, Port, param
+from contourlab.components.contract import Component, param
+from contourlab.engine.step import Port
 from contourlab.primitives import select
-
-__all__ = ["STEADY", "Supervisor", "settled"]
 
 STEADY = 0.0
 """Reason of a tick without a switch."""

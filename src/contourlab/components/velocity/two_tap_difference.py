@@ -4,9 +4,8 @@ from __future__ import annotations
 
 from typing import Any
 
-from contourlab.components.contract import Component, Port
-
-__all__ = ["TwoTapDifference"]
+from contourlab.components.contract import Component
+from contourlab.engine.step import Port
 
 
 class TwoTapDifference(Component):

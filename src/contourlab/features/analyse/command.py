@@ -23,8 +23,6 @@ if TYPE_CHECKING:
     from contourlab.report.charts import Chart
     from contourlab.scenario import Case
 
-__all__ = ["Analysed", "analyse_scenario"]
-
 NOTHING = 1e-6
 """So much of an error has to go in a trial for anything to be learned."""
 SLOW = 1e-3

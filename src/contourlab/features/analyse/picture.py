@@ -9,8 +9,6 @@ from contourlab.analysis.linear.contour_transfer import ContourTransfer
 from contourlab.report.charts import Chart, Curve, Level, Panel
 from contourlab.report.style import scheme_style
 
-__all__ = ["contour_transfer_charts"]
-
 Array = NDArray[np.float64]
 FAR = 3.0  # beyond this a loop gain is told by its direction, not its size
 

@@ -18,8 +18,6 @@ if TYPE_CHECKING:
     from contourlab.components.contract import Component
     from contourlab.loop import Machine
 
-__all__ = ["BacklashOutcome", "backlash_scenario"]
-
 HOLDING = "compensation"
 FEW = 0.05
 """Part of a limit cycle's period that a servo period may be for a loop in continuous time to stand for a sampled one."""

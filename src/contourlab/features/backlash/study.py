@@ -24,8 +24,6 @@ from contourlab.loop.sensing import SURE
 from contourlab.metrics import CircleBacklash, LostMotion, Metrics, backlash_of_runs, circles_of, judge, lost_motion_from_pair, summarise
 from contourlab.result import Result
 
-__all__ = ["AxisGap", "BacklashStudy", "Trial", "backlash_study", "observer_of"]
-
 SIGNALS = ("reference", "arc_length", "axis_position", "axis_velocity", "tool_position", "motor_position", "applied_command")
 OBSERVED = ("gap_estimate", "gap_deviation", "gap_confidence")
 

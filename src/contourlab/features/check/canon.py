@@ -10,8 +10,6 @@ from typing import Any, TextIO
 
 from contourlab.program import Arc, Dwell, Feed, Move, Plane, Point, Reader, Reading, Spline, Traverse, open_program
 
-__all__ = ["canonical", "canonical_moves", "write_canon"]
-
 _KINDS = {Traverse: "traverse", Feed: "feed", Arc: "arc", Spline: "nurbs", Dwell: "dwell"}
 _CONTROLS = {None: "exact_path", "exact_path": "exact_path", "exact_stop": "exact_stop", "blend": "continuous"}
 _PLANES: dict[Plane, str] = {"XY": "XY", "YZ": "YZ", "ZX": "XZ"}

@@ -12,8 +12,6 @@ import numpy as np
 from contourlab.errors import ContourlabError, ProgramError
 from contourlab.program import Arc, Dwell, Feed, Program, Reading, Spline, Traverse, read_program
 
-__all__ = ["DEFAULT_MACHINE", "Checked", "check_program"]
-
 DEFAULT_MACHINE = "builtin:xyz"
 MOST_FEEDS = 12
 TRAVEL_ROUNDING = 1e-9

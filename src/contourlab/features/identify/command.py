@@ -12,15 +12,13 @@ from contourlab.app.folder import check_file, staged
 from contourlab.app.plain import plain
 from contourlab.components.origin import Origin
 from contourlab.features.identify.finding import Figure, Finding, Picture
-from contourlab.features.identify.requests.register import MODELS, study_of
+from contourlab.features.identify.requests.register import study_of
 from contourlab.features.identify.requests.request import Request, listed
 from contourlab.features.run.command import check_plots
 from contourlab.result import write_text_atomic
 from contourlab.scenario.provenance import origin_table
 from contourlab.scenario.toml_text import Noted, toml
 from contourlab.units import from_si
-
-__all__ = ["MODELS", "Identification", "Request", "axis_file", "identify_log"]
 
 SHOWN = {"m": "um", "m/s": "m/min"}
 

@@ -7,8 +7,6 @@ import numpy as np
 from contourlab.features.identify.signals import AxisRecord
 from contourlab.features.measure.likely import same_column, unlikely_motion, unlikely_period
 
-__all__ = ["doubts"]
-
 LARGEST = {"N": 1e5, "V": 1e3, "A": 1e3, "full_scale": 1.01}
 """Commands, by their unit, beyond which none of a feed drive goes."""
 

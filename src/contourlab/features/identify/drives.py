@@ -22,8 +22,6 @@ from contourlab.features.identify.plant_tables import Forces, drive_table, force
 from contourlab.features.identify.signals import TRAVEL, AxisRecord, in_newtons, sensor_table, source_of
 from contourlab.features.identify.two_inertias import TwoInertias
 
-__all__ = ["identify_linear_motor", "identify_two_inertia"]
-
 CURVE = 400
 """Points of a model's curve."""
 BEYOND, BELOW_NYQUIST = 2.0, 0.4

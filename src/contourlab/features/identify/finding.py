@@ -12,23 +12,6 @@ from numpy.typing import NDArray
 
 from contourlab.components.origin import Origin
 
-__all__ = [
-    "Carried",
-    "Drawn",
-    "Figure",
-    "Finding",
-    "Graph",
-    "Picture",
-    "Row",
-    "Tables",
-    "assumed",
-    "carried",
-    "fitted",
-    "of_command",
-    "reached",
-    "told",
-]
-
 Array = NDArray[np.float64]
 Row = tuple[float | str, str, Origin | None]
 """A value in SI, its unit there, and where it is from; None for a word."""

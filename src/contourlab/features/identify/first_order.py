@@ -14,8 +14,6 @@ from contourlab.features.identify.limits import Effort, motion_limits
 from contourlab.features.identify.plant_tables import Forces, drive_table, forces_of, plant_numbers, plant_table
 from contourlab.features.identify.signals import AxisRecord, sensor_table
 
-__all__ = ["identify_behind_observer", "identify_open_loop"]
-
 
 def identify_open_loop(record: AxisRecord, settings: FirstOrderSettings | None = None) -> Finding:
     """Find v' = -b v + a (u - friction) of an axis that its command drives in open loop.

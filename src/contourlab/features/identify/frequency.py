@@ -22,8 +22,6 @@ from contourlab.features.identify.finding import Drawn, Finding, Graph, Picture
 from contourlab.features.identify.signals import AxisRecord, one_unit
 from contourlab.logs.naming import about
 
-__all__ = ["FEW", "bode_graphs", "identify_response", "measured_response", "response_points"]
-
 Complex = NDArray[np.complex128]
 SHOWN = 24
 """Points that are printed; all are in the JSON."""

@@ -13,8 +13,6 @@ from contourlab.features.identify.signals import AxisRecord, fits_a_plant, no_pl
 from contourlab.features.identify.ways import on_ways
 from contourlab.logs.naming import about
 
-__all__ = ["identify_friction"]
-
 DIP, RISE = "stribeck_velocity", "rise_velocity"
 """Speed of the bend as the components of a dip and of a rise call it."""
 UNEVEN = 0.1

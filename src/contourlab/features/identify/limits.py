@@ -19,8 +19,6 @@ from contourlab.features.identify.plant_tables import Forces
 from contourlab.features.identify.signals import AxisRecord, source_of
 from contourlab.features.measure.likely import fastest
 
-__all__ = ["Effort", "MotionLimits", "Peak", "largest_acceleration", "motion_limits"]
-
 Array = NDArray[np.float64]
 SPARE = 0.1
 """Share of the drive's limit that plans leave to the controller."""

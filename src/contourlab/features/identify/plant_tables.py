@@ -9,8 +9,6 @@ from contourlab.components.origin import Origin
 from contourlab.features.identify.finding import Row, assumed
 from contourlab.features.identify.signals import AxisRecord
 
-__all__ = ["Forces", "drive_table", "forces_of", "plant_numbers", "plant_table"]
-
 Told = Callable[..., Origin]
 """From the name of a number, such as "plant.mass", and a note to where it is from."""
 

@@ -23,8 +23,6 @@ from contourlab.features.identify.signals import AxisRecord, in_newtons, samples
 from contourlab.features.identify.ways import on_ways
 from contourlab.logs.naming import about
 
-__all__ = ["identify_rigid"]
-
 MODELS = {"symmetric": "rigid", "asymmetric": "rigid-by-direction"}
 UNITS = {"M": "kg", "Fv": "N*s/m", "Fc": "N", "offset": "N"}
 """Of the parameters, without the signs of a direction."""

@@ -15,23 +15,6 @@ from contourlab.features.identify.finding import Row, reached
 from contourlab.logs import Log
 from contourlab.result import Result
 
-__all__ = [
-    "TRAVEL",
-    "AxisRecord",
-    "axis_pieces",
-    "chosen_axis",
-    "fits_a_plant",
-    "in_newtons",
-    "longest_piece",
-    "newtons_per",
-    "no_plant",
-    "one_unit",
-    "samples_digest",
-    "sensor_table",
-    "source_of",
-    "sources_of",
-]
-
 Array = NDArray[np.float64]
 POSITIONS = ("position", "motor_position", "axis_position")
 

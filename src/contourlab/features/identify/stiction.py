@@ -13,8 +13,6 @@ from contourlab.errors import ParameterError
 from contourlab.features.identify.finding import Drawn, Figure, Finding, Graph, Picture, Row, Tables, assumed, fitted, of_command
 from contourlab.features.identify.signals import AxisRecord, fits_a_plant, no_plant, one_unit, source_of, sources_of
 
-__all__ = ["identify_stiction"]
-
 EXPLAINED = 60.0
 """Fit [percent] of the first motion below which it is remarked on; below half of it levels cannot be used."""
 SPREAD = 0.1

@@ -11,8 +11,6 @@ from contourlab.features.identify.finding import Row, Tables, assumed
 from contourlab.features.identify.limits import MotionLimits
 from contourlab.features.identify.plant_tables import Forces, drive_table
 
-__all__ = ["TwoInertias"]
-
 PLANT = {
     "motor_inertia": ("motor_mass", "kg*m^2"),
     "load_inertia": ("load_mass", "kg*m^2"),

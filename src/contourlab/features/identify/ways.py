@@ -4,8 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
-__all__ = ["on_ways"]
-
 
 def on_ways(x: Mapping[str, float], units: Mapping[str, str]) -> list[str]:
     """Return what is to be said of parameters by direction that an axis file has the mean of; nothing where there are none.

@@ -19,8 +19,6 @@ from contourlab.features.interpolate.text import counts_csv, summary_json, summa
 from contourlab.logs.naming import about
 from contourlab.units import to_si
 
-__all__ = ["Interpolated", "interpolate_file"]
-
 PLACES = {"counts": "interpolated.csv", "picture": "interpolation.png", "summary": "interpolation.json"}
 """What is written, in the folder."""
 MICRO, MU = "\u00b5", "\u03bc"

@@ -10,8 +10,6 @@ from numpy.typing import NDArray
 
 from contourlab.report.style import scheme_style
 
-__all__ = ["LissajousData", "lissajous_png"]
-
 Array = NDArray[np.float64]
 POINTS = 6000
 

@@ -13,8 +13,6 @@ from contourlab.analysis.encoder.quadrature_tracking import Tracked
 from contourlab.errors import ParameterError, ResultError
 from contourlab.features.interpolate.signals import QuadratureRecord
 
-__all__ = ["InterpolatedRecord"]
-
 Array = NDArray[np.float64]
 WEAK = 0.5
 """Part of the amplitude below which a signal is called weak."""

@@ -15,8 +15,6 @@ from numpy.typing import NDArray
 from contourlab.errors import ResultError, UnitError
 from contourlab.units import to_si
 
-__all__ = ["Column", "SignalFile", "open_signals"]
-
 Array = NDArray[np.float64]
 _HEAD = re.compile(r"\s*([^\[(]*?)\s*(?:[\[(]\s*([^\])]*?)\s*[\])])?\s*\Z")
 

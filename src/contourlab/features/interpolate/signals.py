@@ -11,8 +11,6 @@ from numpy.typing import NDArray
 from contourlab.errors import ResultError
 from contourlab.features.interpolate.signal_file import Column, SignalFile, open_signals
 
-__all__ = ["QuadratureRecord", "read_quadrature"]
-
 Array = NDArray[np.float64]
 PAIRS = (("u1", "u2"), ("cos", "sin"), ("a", "b"))
 """Names of signals that are known without being told, the cosine first."""

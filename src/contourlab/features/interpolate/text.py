@@ -10,8 +10,6 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-__all__ = ["counts_csv", "summary_json", "summary_text"]
-
 
 def summary_json(summary: dict[str, Any]) -> bytes:
     """Return the figures as a JSON document."""

@@ -7,8 +7,6 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-__all__ = ["Growth", "growth_of"]
-
 Array = NDArray[np.float64]
 SHARE = 0.1
 """The band holds what grew by at least this part of the largest growth."""

@@ -11,8 +11,6 @@ from contourlab.errors import ComponentError
 from contourlab.feed import Reference
 from contourlab.loop import Controller, Machine
 
-__all__ = ["input_response", "learning_problem"]
-
 Array = NDArray[np.float64]
 
 

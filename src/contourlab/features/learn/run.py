@@ -24,8 +24,6 @@ from contourlab.geometry.view import PathView
 from contourlab.loop import Controller, Machine
 from contourlab.loop.trials import Trial, Trials, feedforward_command
 
-__all__ = ["LearningRun", "learn"]
-
 Array = NDArray[np.float64]
 Part = Literal["ends", "all", "none"]
 

@@ -11,8 +11,6 @@ from numpy.typing import NDArray
 from contourlab.components.learning.law import LearningLaw, LearningProblem
 from contourlab.errors import ComponentError
 
-__all__ = ["Memory", "Split"]
-
 Array = NDArray[np.float64]
 FEWEST = 4
 """Trials from which a steady course and chance can be told apart."""

@@ -9,8 +9,6 @@ from itertools import pairwise
 from contourlab.errors import ParameterError
 from contourlab.features.learn.trial import TrialFigures
 
-__all__ = ["Stopping", "Verdict", "best_of", "verdict"]
-
 EXPLAINED_GAIN = 0.05
 """Part of the error beyond which an improvement is none of chance, however much the trials differ."""
 RESOLUTION = 1e-12

@@ -22,8 +22,6 @@ from contourlab.scenario.dump import component_table
 from contourlab.scenario.provenance import unstated
 from contourlab.scenario.toml_text import toml
 
-__all__ = ["LearnedTable"]
-
 Array = NDArray[np.float64]
 FORMAT = "contourlab-learned/1"
 _TEXTS = ("format", "target", "path", "reference", "machine", "controller", "law", "scheme", "content")

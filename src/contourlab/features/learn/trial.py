@@ -14,8 +14,6 @@ from contourlab.loop.trials import Trial, Trials
 from contourlab.metrics.judge import judge
 from contourlab.result import Result, Signal
 
-__all__ = ["TrialFigures", "figures_of", "part_error", "record_of"]
-
 Array = NDArray[np.float64]
 
 

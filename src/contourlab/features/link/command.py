@@ -25,8 +25,6 @@ if TYPE_CHECKING:
     from contourlab.report.charts import Chart
     from contourlab.scenario import Case
 
-__all__ = ["USUAL_LONGEST", "Asked", "LinkOptions", "LinkOutcome", "link_scenario", "read_options"]
-
 LONGEST = 10.0
 """Seconds: the longest message period and delay of a network."""
 USUAL_LONGEST = "100 ms"

@@ -13,8 +13,6 @@ from contourlab.features.link.sweep import FIGURES, QUANTITIES, SEEDS, LinkSetti
 from contourlab.feed import Reference
 from contourlab.loop import Controller, Machine, parameter_names, simulate, simulate_batch
 
-__all__ = ["WITHIN", "DivisionCost", "LinkLimit", "allowed_error", "division_cost", "link_limit", "message_rate", "undivided_error"]
-
 WITHIN = 0.1
 """More of the undivided loop's error that is allowed, as a part of it."""
 

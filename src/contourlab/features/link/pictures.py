@@ -10,8 +10,6 @@ from numpy.typing import NDArray
 from contourlab.report.charts import Chart, Curve, Level, Panel
 from contourlab.report.style import scheme_style
 
-__all__ = ["link_chart"]
-
 Array = NDArray[np.float64]
 
 _WORDS = {

@@ -21,8 +21,6 @@ from contourlab.feed import Reference
 from contourlab.loop import Controller, Division, Machine, simulate_batch
 from contourlab.loop.tool import stream_of
 
-__all__ = ["CHUNK", "FIGURES", "GROWN", "QUANTITIES", "SEEDS", "WAYS", "LinkSetting", "LinkSweep", "divided", "swept"]
-
 Array = NDArray[np.float64]
 
 QUANTITIES = ("message_period", "delay", "jitter", "loss")

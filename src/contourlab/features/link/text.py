@@ -13,8 +13,6 @@ from contourlab.features.link.division import DivisionCost
 from contourlab.features.link.sweep import CHUNK, GROWN, QUANTITIES, LinkSweep
 from contourlab.features.link.values import EACH, FARTHER
 
-__all__ = ["SHOWN", "Costs", "link_lines", "link_summary"]
-
 SHOWN = {
     "rms": ("contour_error_rms", "um", 1e6),
     "max": ("contour_error_max", "um", 1e6),

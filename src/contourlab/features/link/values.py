@@ -9,8 +9,6 @@ from numpy.typing import NDArray
 
 from contourlab.errors import ParameterError
 
-__all__ = ["EACH", "FARTHER", "LOSSES", "passed_over", "times"]
-
 Array = NDArray[np.float64]
 Mask = NDArray[np.bool_]
 LOSSES = np.linspace(0.0, 0.98, 50)

@@ -16,8 +16,6 @@ from contourlab.result import write_bytes_atomic
 from contourlab.scenario import BUILTIN, builtin_file, builtin_names, load_axis, load_machine, load_scenario
 from contourlab.scenario.tree import read_tree
 
-__all__ = ["KINDS", "Shipped", "copy_shipped", "shipped", "shipped_one"]
-
 KINDS = ("machine", "axis", "controller", "scenario", "program")
 """What a shipped file can be, in the order in which they are listed."""
 

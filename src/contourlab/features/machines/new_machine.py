@@ -23,8 +23,6 @@ from contourlab.scenario.quantities import read_number
 from contourlab.scenario.toml_text import Noted, toml
 from contourlab.units import from_si
 
-__all__ = ["Question", "build_machine", "explain", "questions", "write_machine"]
-
 _NAME = re.compile(r"[A-Za-z0-9_]{1,32}\Z")
 _MOST_AXES = 9
 

@@ -7,8 +7,6 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any
 
-__all__ = ["SizedAxis", "rounded"]
-
 # Shares and ratios behind the guesses; each is named in the files that it goes into.
 FRICTION_SHARE = 0.1
 """Coulomb friction over the force at rated torque: stiction in ball screws takes up to a tenth of the control signal (Ghaffari & Ulsoy)."""

@@ -8,8 +8,6 @@ from contourlab.components.origin import Origin
 from contourlab.scenario.provenance import origin_table
 from contourlab.scenario.toml_text import Noted
 
-__all__ = ["designed", "given", "guessed"]
-
 
 def given(value: Any, note: str = "") -> Noted:
     """Return a number that somebody answered with, off a data sheet."""

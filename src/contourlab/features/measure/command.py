@@ -31,8 +31,6 @@ from contourlab.units import to_si
 if TYPE_CHECKING:
     from contourlab.report.data import ReportData, SchemeReport
 
-__all__ = ["compare_runs", "measure_log"]
-
 
 @dataclass(frozen=True, eq=False)
 class _Judged:

@@ -8,8 +8,6 @@ from contourlab.features.measure.study import Measured
 from contourlab.logs import Log
 from contourlab.logs.clock import EVEN
 
-__all__ = ["gap_words"]
-
 
 def gap_words(log: Log, found: Measured, *, of_samples: bool) -> list[str]:
     """Return what is to be said of the place of the largest contour error, where samples are missing there; nothing elsewhere.

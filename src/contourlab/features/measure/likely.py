@@ -7,8 +7,6 @@ from numpy.typing import NDArray
 
 from contourlab.units import show
 
-__all__ = ["fastest", "same_column", "unlikely_motion", "unlikely_period"]
-
 Array = NDArray[np.float64]
 SHORT, SLOW = 1e-3, 1e-3
 """Way [m] and speed [m/s] of a whole run, both of which have to be passed for it to count as a run of a machine."""

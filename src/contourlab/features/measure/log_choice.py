@@ -15,8 +15,6 @@ from contourlab.units import to_si
 if TYPE_CHECKING:
     from contourlab.geometry import Path as Contour
 
-__all__ = ["LogChoice", "is_program", "open_log", "positive", "program_path", "reference_columns", "told_apart"]
-
 PROGRAMS = (".ngc", ".nc", ".gcode", ".gc", ".tap", ".cnc", ".mpf", ".txt")
 """Endings of part programs, where a reference is one and no list of columns."""
 

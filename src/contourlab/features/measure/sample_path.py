@@ -9,8 +9,6 @@ from contourlab.errors import ResultError
 from contourlab.geometry import Line, Path
 from contourlab.geometry.thinning import polygon_corners
 
-__all__ = ["moving", "path_of_samples"]
-
 Array = NDArray[np.float64]
 STRAIGHT = 10e-9
 """Metres by which a sample of the reference may be off the path that is laid through them: far below any encoder."""

@@ -9,8 +9,6 @@ from contourlab.app.progress import progress_along
 from contourlab.errors import ResultError
 from contourlab.geometry import Path
 
-__all__ = ["fitted_shift"]
-
 Array = NDArray[np.float64]
 MOST, ITERATIONS = 5000, 50
 """Samples that are looked at, evenly over the way of the tool, and steps at most."""

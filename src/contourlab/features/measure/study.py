@@ -20,8 +20,6 @@ from contourlab.metrics import AxisFigures, CircleFigures, Metrics, Spike, circl
 from contourlab.result import Result, Signal
 from contourlab.scenario.placing import placed
 
-__all__ = ["Measured", "measure"]
-
 Array = NDArray[np.float64]
 ACTUAL = ("tool_position", "position", "axis_position")
 """Signals that say where the tool was, the best first: a measured log has the encoders' alone."""

@@ -24,8 +24,6 @@ from contourlab.result import write_text_atomic
 if TYPE_CHECKING:
     from contourlab.scenario import Scenario
 
-__all__ = ["Refinement", "refine_logs"]
-
 
 @dataclass(frozen=True)
 class Refinement:

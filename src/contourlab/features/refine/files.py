@@ -13,8 +13,6 @@ from contourlab.loop import Axis
 from contourlab.scenario.dump import controller_table, machine_tables
 from contourlab.scenario.toml_text import Noted, toml
 
-__all__ = ["controller_text", "machine_text"]
-
 DIGITS = 6
 
 

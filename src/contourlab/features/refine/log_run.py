@@ -16,8 +16,6 @@ from contourlab.feed import Reference
 from contourlab.loop import Controller, Machine, simulate_batch
 from contourlab.result import Result, Signal
 
-__all__ = ["Agreement", "LogRun", "log_run"]
-
 Array = NDArray[np.float64]
 
 LEAD = 50

@@ -14,8 +14,6 @@ from contourlab.errors import ParameterError
 from contourlab.features.refine.log_run import LogRun
 from contourlab.loop import parameter_names
 
-__all__ = ["Sought", "columns_of", "seek"]
-
 SPAN = 10.0
 """Where no range is given, a parameter may become so many times smaller or larger."""
 

@@ -8,8 +8,6 @@ from typing import Any
 
 from contourlab.features.refine.study import Refined
 
-__all__ = ["draw"]
-
 
 def draw(found: Refined, folder: str | Path, formats: Sequence[str]) -> tuple[Path, ...]:
     """Draw each signal of each run, measured and simulated, and what is left of it, with its window shaded; return the files.

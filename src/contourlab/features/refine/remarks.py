@@ -12,8 +12,6 @@ from contourlab.analysis.identification.gauss_newton import Descent
 from contourlab.features.refine.log_run import Agreement
 from contourlab.features.refine.parameters import Sought
 
-__all__ = ["remarks_on", "shown", "size_left", "worse_than_before"]
-
 Array = NDArray[np.float64]
 
 TOGETHER = 0.95

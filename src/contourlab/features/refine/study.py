@@ -17,8 +17,6 @@ from contourlab.features.refine.log_run import Agreement, LogRun
 from contourlab.features.refine.parameters import Sought, columns_of, seek
 from contourlab.features.refine.remarks import remarks_on, worse_than_before
 
-__all__ = ["RefineSettings", "Refined", "Window", "refine", "rows_within"]
-
 Array = NDArray[np.float64]
 Rows = NDArray[np.bool_]
 Window = tuple[float, float]

@@ -17,8 +17,6 @@ from contourlab.feed import Reference
 from contourlab.loop import AxisController, Controller, Machine, simulate
 from contourlab.metrics import evaluation_window, judge
 
-__all__ = ["advice", "candidates"]
-
 
 def advice(
     machine: Machine,

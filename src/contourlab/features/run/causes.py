@@ -28,8 +28,6 @@ from contourlab.loop import Controller, Machine, simulate
 from contourlab.metrics import judge
 from contourlab.result import Result, Signal
 
-__all__ = ["Cause", "causes"]
-
 Array = NDArray[np.float64]
 Step: TypeAlias = Callable[[Machine, Controller], tuple[Machine, Controller]]
 

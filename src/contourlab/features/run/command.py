@@ -21,8 +21,6 @@ from contourlab.result import write_text_atomic
 if TYPE_CHECKING:
     from contourlab.scenario import Scenario
 
-__all__ = ["RunOutcome", "check_plots", "interval_words", "refuse_drawing", "run_scenario", "run_session"]
-
 
 @dataclass(frozen=True)
 class RunOutcome:

@@ -25,8 +25,6 @@ from contourlab.loop.switches import Switches, switches_of
 from contourlab.metrics import CircleFigures, Metrics, Spike, circles_of, judge, reversal_spikes, summarise
 from contourlab.result import Result
 
-__all__ = ["AxisBode", "Case", "Learning", "Outcome", "run_case"]
-
 KEPT_REPORTS = 16
 _REPORTS: dict[tuple[str, bytes, bytes, bytes], LimitReport] = {}
 """The latest reports by motion and limits: the schemes of a file mostly share both, and each report reads the whole motion."""

@@ -9,8 +9,6 @@ from contourlab.components.compensation.backlash_offset import BacklashOffset
 from contourlab.components.plant.two_inertia import TwoInertia
 from contourlab.loop import Axis, AxisController
 
-__all__ = ["lost_motion_of", "offset_of", "wants_offset"]
-
 
 def lost_motion_of(axis: Axis) -> float:
     """Return the lost motion of an axis [m]: its free travel, and what friction winds the shaft up by on either side; 0 without a gap."""

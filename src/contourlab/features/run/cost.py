@@ -11,8 +11,6 @@ from contourlab.loop.feeding import Feed
 from contourlab.loop.simulate import sampler
 from contourlab.loop.template import build
 
-__all__ = ["tick_cost"]
-
 TICKS, SECONDS, FEWEST = 20_000, 0.3, 7
 """Ticks of a run at most; how long runs are timed, and how many of them at least."""
 

@@ -13,8 +13,6 @@ from contourlab.features.run.command import RunOutcome, interval_words, run_sess
 from contourlab.result import write_text_atomic
 from contourlab.scenario import builtin_file, load_scenario
 
-__all__ = ["DEMOS", "run_demo"]
-
 DEMOS = {
     "stage-a3a1": "ghaffari/demo-stage",
     "stage-a3a2": "ghaffari/demo-stage-a3a2",

@@ -14,17 +14,6 @@ from contourlab.components.sensor.ideal import IdealSensor
 from contourlab.loop.axis_parts import AxisError
 from contourlab.loop.machine import AxisController, Controller, Machine
 
-__all__ = [
-    "perfect_geometry",
-    "perfect_sensing",
-    "same_axes",
-    "undisturbed",
-    "unlimited",
-    "without_backlash",
-    "without_friction",
-    "without_links",
-]
-
 
 def perfect_geometry(machine: Machine) -> Machine:
     """Return the machine without lead error, squareness and repeatability."""

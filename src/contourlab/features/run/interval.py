@@ -18,8 +18,6 @@ from contourlab.features.run.provenance import Number, numbers_of
 from contourlab.feed import Reference
 from contourlab.loop import Controller, Learned, Machine, parameter_names, simulate_batch
 
-__all__ = ["LEVELS", "SAMPLES", "Interval", "Spread", "contour_interval", "draw"]
-
 Array = NDArray[np.float64]
 
 SAMPLES = 64

@@ -7,8 +7,6 @@ from numpy.typing import NDArray
 
 from contourlab.geometry import Path
 
-__all__ = ["last_lap"]
-
 Array = NDArray[np.float64]
 PLACES = 8000
 """Places that a path is compared with itself at."""

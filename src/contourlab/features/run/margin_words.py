@@ -6,8 +6,6 @@ import math
 
 from contourlab.analysis.linear.margins import Margins
 
-__all__ = ["NOTHING", "decibel", "degrees", "gain_words", "phase_words"]
-
 NOTHING = "-"
 
 

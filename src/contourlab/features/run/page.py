@@ -20,8 +20,6 @@ from contourlab.report.data import AxisBounds, CircleRun, FrequencyResponse, Pro
 from contourlab.report.feed_picture import FeedRun
 from contourlab.report.trials import TrialCourse
 
-__all__ = ["report_data"]
-
 FEED_POINTS = 4000
 PER_SPAN = 3
 GAP_POINTS = 201

@@ -10,8 +10,6 @@ from contourlab.components.origin import Origin
 from contourlab.loop import Axis, Controller, Machine
 from contourlab.loop.machine import AXIS_SLOTS, CONTROLLER_SLOTS
 
-__all__ = ["NOT_STATED", "Number", "numbers_of", "numbers_of_axis", "numbers_of_machine"]
-
 NOT_STATED = "not stated"
 
 

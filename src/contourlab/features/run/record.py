@@ -15,8 +15,6 @@ from contourlab.loop.switches import RECORDED, SwitchLog
 from contourlab.metrics import judge
 from contourlab.result import ResultWriter, Status
 
-__all__ = ["simulate_to_file"]
-
 _JUDGED = ("tool_position", "reference", "arc_length")
 
 

@@ -8,8 +8,6 @@ from contourlab.components.supervisor.pre_routed import PreRouted
 from contourlab.feed import Reference
 from contourlab.loop import Change, Controller, Machine
 
-__all__ = ["remarks"]
-
 
 def remarks(machine: Machine, controller: Controller, reference: Reference, changes: Sequence[Change] = ()) -> Iterator[str]:
     """Yield in words what a person should know before trusting a run.

@@ -14,8 +14,6 @@ from contourlab.features.run.command import RunOutcome, interval_words, run_sess
 if TYPE_CHECKING:
     from contourlab.scenario import Case, Scenario
 
-__all__ = ["compare_schemes", "learn_schemes", "loaded"]
-
 
 def compare_schemes(
     file: str | Path,

@@ -18,8 +18,6 @@ from contourlab.metrics import reversal_figures
 from contourlab.metrics.circles import pairs
 from contourlab.report.limit_table import nearest
 
-__all__ = ["SCHEMA", "summary_of"]
-
 SCHEMA = "contourlab-summary/1"
 LISTED = 100
 """Switches that are listed one by one."""

@@ -12,8 +12,6 @@ from typing import TextIO
 from contourlab.loop.switches import Switches
 from contourlab.result.atomic import replacing
 
-__all__ = ["HEAD", "SwitchWriter", "switch_file"]
-
 HEAD = ("time_s", "sample", "axis", "from", "to", "reason", "arc_length_m", "line")
 
 

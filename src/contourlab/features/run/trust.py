@@ -13,8 +13,6 @@ from contourlab.features.run.provenance import Number, numbers_of
 from contourlab.report.trust import Contribution, IntervalFigures, StatedNumber, Trust
 from contourlab.units import from_si
 
-__all__ = ["printed", "stated_of", "told_of", "trust_of"]
-
 MOST_ITEMS = 4
 """Items of a list that are printed."""
 

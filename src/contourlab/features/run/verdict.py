@@ -15,8 +15,6 @@ from contourlab.metrics import evaluation_window
 from contourlab.metrics.coverage import left_out
 from contourlab.result import Result
 
-__all__ = ["Cause", "Verdict", "Worst", "verdict"]
-
 
 @dataclass(frozen=True, slots=True)
 class Worst:

@@ -14,8 +14,6 @@ from contourlab.report.study_charts import Bars, Matrix, Multiples
 if TYPE_CHECKING:
     from contourlab.features.sensitivity import Curve, Study
 
-__all__ = ["charts_of"]
-
 
 def charts_of(study: Study) -> list[Multiples | Bars | Matrix]:
     """Return a picture of each part of a study: curves, Sobol's and Morris' indices, interactions."""

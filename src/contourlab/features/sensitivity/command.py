@@ -24,8 +24,6 @@ if TYPE_CHECKING:
     from contourlab.feed import Reference
     from contourlab.scenario import Case
 
-__all__ = ["Request", "SensitivityOutcome", "sensitivity_of"]
-
 KEPT = "runs"
 """Folder of the runs that are kept, in that of the results."""
 

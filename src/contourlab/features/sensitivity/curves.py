@@ -12,8 +12,6 @@ from contourlab.design import Number, Space
 from contourlab.errors import ParameterError
 from contourlab.features.sensitivity.runs import Array, Columns, Judge
 
-__all__ = ["CHANGE", "Curve", "Minimum", "Stretch", "check_values", "curves"]
-
 CHANGE = 0.05
 """Part by which the figure may change over a stretch that is called flat."""
 SHARE = 0.25

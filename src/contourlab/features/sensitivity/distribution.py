@@ -14,8 +14,6 @@ from contourlab.errors import ParameterError, UnitError
 from contourlab.features.sensitivity.runs import Array
 from contourlab.scenario.quantities import read_number
 
-__all__ = ["KINDS", "Distribution", "distributions"]
-
 UNIFORM, LOG_UNIFORM, NORMAL = KINDS = ("uniform", "log-uniform", "normal")
 
 

@@ -9,8 +9,6 @@ from contourlab.feed import Reference
 from contourlab.loop import Machine
 from contourlab.loop.judging import counted
 
-__all__ = ["FIGURES", "Figure", "failure_level", "figure_called"]
-
 
 @dataclass(frozen=True)
 class Figure:

@@ -10,17 +10,6 @@ import numpy as np
 from contourlab.errors import ParameterError
 from contourlab.features.sensitivity.runs import Array
 
-__all__ = [
-    "MorrisIndices",
-    "SobolIndices",
-    "check_morris",
-    "check_saltelli",
-    "morris_indices",
-    "morris_points",
-    "saltelli_points",
-    "sobol_indices",
-]
-
 LEVELS = 4
 RESAMPLES = 200
 CONFIDENCE = 0.95

@@ -13,8 +13,6 @@ from numpy.typing import NDArray
 from contourlab.design import Number, Space
 from contourlab.features.sensitivity.runs import Array, Judge
 
-__all__ = ["Local", "Slope", "local"]
-
 LARGEST, STEPS = 0.04, 5
 """Largest step in parts of the value, and how many are tried, each half of the one before."""
 APART, APART_SHARE = 0.02, 0.05

@@ -11,8 +11,6 @@ from contourlab.design import Space
 from contourlab.errors import ParameterError
 from contourlab.features.sensitivity.runs import Array
 
-__all__ = ["REFUSED", "Outcome", "outcome"]
-
 REFUSED = 0.25
 """Part of the runs that may fail before indices are refused."""
 BEYOND = 10.0

@@ -12,8 +12,6 @@ from contourlab.report.charts import Curve
 from contourlab.report.study_charts import Bars, Matrix, Multiples, Series, Tile
 from contourlab.report.style import MUTED, scheme_style
 
-__all__ = ["DrawnCurve", "curves_chart", "indices_chart", "interactions_chart"]
-
 Array = NDArray[np.float64]
 
 

@@ -13,8 +13,6 @@ from numpy.typing import NDArray
 from contourlab.app.checkpoint import KeptFolder
 from contourlab.features.sensitivity.figure import FIGURES
 
-__all__ = ["CHUNK", "Columns", "Judge", "Kept", "Model", "Runs"]
-
 Array: TypeAlias = NDArray[np.float64]
 Columns: TypeAlias = Mapping[str, Array]
 """Values [SI] by dotted names, each (n,)."""

@@ -27,8 +27,6 @@ from contourlab.features.sensitivity.local import Local, local
 from contourlab.features.sensitivity.outcome import Outcome, outcome
 from contourlab.features.sensitivity.runs import Array, Judge, Runs
 
-__all__ = ["PARTS", "Plan", "Study", "holds", "sensitivity_study"]
-
 PARTS = ("curves", "local", "morris", "sobol")
 
 

@@ -15,8 +15,6 @@ if TYPE_CHECKING:
     from contourlab.features.sensitivity import Curve, Distribution, Outcome, Runs, Stretch, Study
     from contourlab.scenario import Case
 
-__all__ = ["SHOWN", "summary_of", "text_of"]
-
 SHOWN = {"integral": (1e6, "um s"), "rms": (1e6, "um"), "max": (1e6, "um")}
 """Factor from SI, and unit in print."""
 FEW = 24

@@ -12,8 +12,6 @@ from contourlab.features.sensitivity.curves import CHANGE, Curve
 from contourlab.features.sensitivity.runs import Array
 from contourlab.features.sensitivity.study import Study
 
-__all__ = ["Ranking", "ranking", "verdict"]
-
 LOCAL = "local sensitivity"
 SMALL = 0.05
 """Share of the variance, or of the largest effect, below which a number does not matter."""

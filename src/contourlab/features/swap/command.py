@@ -34,8 +34,6 @@ if TYPE_CHECKING:
     from contourlab.loop import Axis, Controller, Machine
     from contourlab.scenario import Case
 
-__all__ = ["PLACES", "SwapOptions", "swap_scenario"]
-
 PLACES = 8
 """Points of a region at which J* is searched."""
 

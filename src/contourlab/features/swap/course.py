@@ -17,8 +17,6 @@ from contourlab.features.swap.loss import losses, swap_loss
 from contourlab.features.swap.own import Own, afresh, best_of_its_own, on_from, shortfalls, starts_around
 from contourlab.features.swap.settings import SwapSettings
 
-__all__ = ["ALL", "BASE", "TRIAL", "Course", "Stage", "words"]
-
 Array = NDArray[np.float64]
 STARTS = 5
 BASE, TRIAL = 2.0, 0.5

@@ -17,8 +17,6 @@ from contourlab.features.swap.loss import losses
 from contourlab.features.swap.own import best_of_its_own
 from contourlab.features.swap.variants import Variant
 
-__all__ = ["Coverage", "coverage", "interval"]
-
 Array = NDArray[np.float64]
 SAMPLES = 128
 

@@ -15,8 +15,6 @@ from contourlab.features.swap.fleet import BROKEN, Fleet
 from contourlab.features.swap.loss import losses
 from contourlab.features.swap.thorough import POPULATION, polished, thorough
 
-__all__ = ["Choice", "Design", "evaluated", "shared", "within"]
-
 Array = NDArray[np.float64]
 Objective = Callable[[Array], Array]
 EVENNESS = 0.01

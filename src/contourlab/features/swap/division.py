@@ -13,8 +13,6 @@ from contourlab.design import Space
 from contourlab.errors import ParameterError
 from contourlab.features.swap.variants import Variant
 
-__all__ = ["Division"]
-
 Array = NDArray[np.float64]
 
 

@@ -16,8 +16,6 @@ from contourlab.features.swap.study import SwapStudy
 from contourlab.features.swap.text import matrices, summary_of, text_of
 from contourlab.result import write_text_atomic
 
-__all__ = ["written"]
-
 
 def written(report: SwapReport, folder: Path, out: Path, plots: Sequence[str]) -> RunOutcome:
     """Write everything into a folder that takes the place of `out`; return what is printed."""

@@ -13,8 +13,6 @@ from contourlab.design.guards import Guards
 from contourlab.features.swap.fleet import Fleet
 from contourlab.features.swap.numbers import divided_controller
 
-__all__ = ["Final", "final"]
-
 
 @dataclass(frozen=True)
 class Final:

@@ -18,8 +18,6 @@ from contourlab.features.swap.variants import Variant
 from contourlab.feed import Reference
 from contourlab.loop import Controller
 
-__all__ = ["OBJECTIVES", "Fleet"]
-
 Array = NDArray[np.float64]
 Mask = NDArray[np.bool_]
 OBJECTIVES = {"contour_error_integral": ("m*s", 2e-6), "contour_error_rms": ("m", 1e-6), "contour_error_max": ("m", 1e-6)}

@@ -13,8 +13,6 @@ from contourlab.analysis.linear.loop_lanes import lane_loops, margin_factors, un
 from contourlab.design.bounds import Bounds, without_model
 from contourlab.loop import Controller, Machine
 
-__all__ = ["Guard", "holds"]
-
 Array = NDArray[np.float64]
 
 

@@ -14,8 +14,6 @@ from contourlab.features.swap.design import Design
 from contourlab.features.swap.fleet import Fleet
 from contourlab.features.swap.own import Own
 
-__all__ = ["Kept"]
-
 Arrays = dict[str, NDArray[Any]]
 Result = TypeVar("Result", Own, Design)
 

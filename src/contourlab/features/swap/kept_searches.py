@@ -12,8 +12,6 @@ from contourlab.features.swap.fleet import Fleet
 from contourlab.features.swap.kept import Kept
 from contourlab.features.swap.settings import SwapSettings
 
-__all__ = ["KEPT", "kept_searches"]
-
 KEPT = "searches"
 """Folder of the searches that are kept, in that of the results."""
 

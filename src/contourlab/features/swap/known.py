@@ -18,8 +18,6 @@ from contourlab.loop import parameter_names
 if TYPE_CHECKING:
     from contourlab.loop import Controller
 
-__all__ = ["Origins", "known_designs"]
-
 ROUNDING = 1e-9
 """Part by which a number that was written on its bound may be beyond it as it is read."""
 

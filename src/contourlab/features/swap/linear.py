@@ -16,8 +16,6 @@ from contourlab.errors import ParameterError
 from contourlab.features.swap.variants import Variant
 from contourlab.loop import Controller
 
-__all__ = ["METHODS", "LinearSwap", "first_order", "linear_swap"]
-
 Array = NDArray[np.float64]
 METHODS = ("direct", "three-step", "lmi")
 SEEN = 5e-4

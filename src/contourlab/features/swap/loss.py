@@ -5,8 +5,6 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-__all__ = ["FULL", "losses", "swap_loss"]
-
 Array = NDArray[np.float64]
 FULL = 0.03
 """Largest swap loss that counts as full modularity."""

@@ -17,8 +17,6 @@ from contourlab.features.swap.loss import losses
 from contourlab.features.swap.numbers import divided_controller
 from contourlab.loop import DIVISIONS, Division
 
-__all__ = ["NetworkCost", "least_division", "network_cost", "stays_in_axis"]
-
 Array = NDArray[np.float64]
 PERIOD = "message_period"
 

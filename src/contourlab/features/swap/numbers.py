@@ -8,8 +8,6 @@ from dataclasses import replace
 from contourlab.design.values import controller_with
 from contourlab.loop import Controller
 
-__all__ = ["divided_controller"]
-
 
 def divided_controller(controller: Controller, values: Mapping[str, float], local: Sequence[str] = ()) -> Controller:
     """Return a controller with values [SI] in place of its own, by dotted names; `local` are those that move with their axis."""

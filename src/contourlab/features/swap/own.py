@@ -14,8 +14,6 @@ from contourlab.features.swap.fleet import BROKEN, Fleet
 from contourlab.features.swap.loss import losses
 from contourlab.features.swap.thorough import POPULATION, polished, thorough
 
-__all__ = ["Own", "afresh", "best_of_its_own", "on_from", "shortfalls", "starts_around"]
-
 Array = NDArray[np.float64]
 
 

@@ -10,8 +10,6 @@ from contourlab.features.swap.course import ALL, BASE, Course
 from contourlab.features.swap.design import Design
 from contourlab.features.swap.sensitivity import groups_of
 
-__all__ = ["pare"]
-
 
 def pare(course: Course, candidates: tuple[str, ...], weights: Mapping[str, float]) -> None:
     """Search the design with all candidates local, drop what is not missed, then search the shared design from what is left.

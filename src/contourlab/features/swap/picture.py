@@ -15,8 +15,6 @@ from contourlab.report.style import INK, MUTED
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
-__all__ = ["LossMatrix", "write_matrices"]
-
 Array = NDArray[np.float64]
 
 

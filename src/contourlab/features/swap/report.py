@@ -13,8 +13,6 @@ from contourlab.features.swap.network import NetworkCost
 from contourlab.features.swap.study import SwapStudy
 from contourlab.features.swap.verdict import verdict
 
-__all__ = ["UNITS", "WORDS", "SwapReport"]
-
 WORDS = {"both": "both ways", "one": "one way"}
 UNITS = {"m*s": "um s", "m": "um"}
 

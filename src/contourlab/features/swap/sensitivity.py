@@ -11,8 +11,6 @@ from contourlab.components.contract import Component
 from contourlab.features.swap.fleet import Fleet
 from contourlab.loop import parameter_names
 
-__all__ = ["Ranked", "groups_of", "ranked"]
-
 Array = NDArray[np.float64]
 STEP = 0.05
 """Part by which a number is changed: more than what an encoder's count makes of the figure, less than its optimum is wide."""

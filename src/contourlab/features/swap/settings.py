@@ -7,8 +7,6 @@ from dataclasses import dataclass
 
 from contourlab.features.swap.loss import FULL
 
-__all__ = ["Known", "SwapSettings"]
-
 Known = tuple[Mapping[str, float], ...]
 """A design from elsewhere: values [SI] by dotted names for each variant, or once for all."""
 

@@ -18,8 +18,6 @@ from contourlab.features.swap.paring import pare
 from contourlab.features.swap.sensitivity import Ranked, ranked
 from contourlab.features.swap.settings import SwapSettings
 
-__all__ = ["SwapStudy", "swap_study"]
-
 Array = NDArray[np.float64]
 TURNS = 3
 """How often J* is searched on at most."""

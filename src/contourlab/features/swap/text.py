@@ -23,8 +23,6 @@ from contourlab.features.swap.report import UNITS, WORDS, SwapReport
 from contourlab.features.swap.study import SwapStudy
 from contourlab.features.swap.verdict import at_least, on_bounds, search_words
 
-__all__ = ["matrices", "summary_of", "text_of"]
-
 Array = NDArray[np.float64]
 _MICRO = 1e6
 ROW_WIDTH = 44

@@ -11,8 +11,6 @@ from numpy.typing import NDArray
 
 from contourlab.design import Found, search
 
-__all__ = ["POPULATION", "polished", "thorough"]
-
 Array = NDArray[np.float64]
 Objective = Callable[[Array], Array]
 POPULATION = 16

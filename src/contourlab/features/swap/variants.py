@@ -10,8 +10,6 @@ from contourlab.errors import ParameterError
 from contourlab.loop import Axis, Machine
 from contourlab.loop.machine import AXIS_SLOTS
 
-__all__ = ["Variant", "variants_of"]
-
 
 @dataclass(frozen=True)
 class Variant:

@@ -11,8 +11,6 @@ from contourlab.features.swap.design import Choice
 from contourlab.features.swap.fleet import OBJECTIVES
 from contourlab.features.swap.study import SwapStudy
 
-__all__ = ["at_least", "on_bounds", "search_words", "verdict"]
-
 
 def verdict(study: SwapStudy) -> str:
     """Return the verdict in one sentence."""

@@ -15,8 +15,6 @@ from contourlab.loop import Controller, Machine, simulate
 from contourlab.metrics import judge, summarise
 from contourlab.result import Result
 
-__all__ = ["Checked", "checked"]
-
 
 @dataclass(frozen=True, eq=False)
 class Checked:

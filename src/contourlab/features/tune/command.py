@@ -20,8 +20,6 @@ if TYPE_CHECKING:
     from contourlab.report.charts import Chart
     from contourlab.scenario import Case
 
-__all__ = ["Calibration", "tune_scenario"]
-
 
 @dataclass(frozen=True)
 class Calibration:

@@ -17,8 +17,6 @@ from contourlab.features.tune.placed import model_of
 from contourlab.loop import Axis, AxisController, Controller, Machine
 from contourlab.result import Result
 
-__all__ = ["DriveTerms", "drive_terms"]
-
 Array = NDArray[np.float64]
 GRID = 2000
 

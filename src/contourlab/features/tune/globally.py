@@ -12,8 +12,6 @@ from contourlab.design import Found, Space, search
 from contourlab.design.guards import Guards
 from contourlab.features.tune.objective import Objective
 
-__all__ = ["Searched", "globally"]
-
 Array = NDArray[np.float64]
 POPULATION = 32
 CHECKED = 8

@@ -15,8 +15,6 @@ from contourlab.design.guards import Guards
 from contourlab.errors import ParameterError
 from contourlab.features.tune.objective import Objective
 
-__all__ = ["PLATEAUS", "LineRule", "Step", "line_search"]
-
 Array = NDArray[np.float64]
 PLATEAUS = ("robust", "best", "largest")
 NEVER = math.inf

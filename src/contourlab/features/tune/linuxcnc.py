@@ -17,8 +17,6 @@ from numpy.typing import ArrayLike, NDArray
 from contourlab.components.contract import Component
 from contourlab.loop import AxisController, Controller
 
-__all__ = ["LinuxCNCGains", "linuxcnc_gains", "linuxcnc_law"]
-
 Array = NDArray[np.float64]
 
 

@@ -12,8 +12,6 @@ from numpy.typing import NDArray
 from contourlab.design import Evaluator
 from contourlab.errors import ParameterError
 
-__all__ = ["FIGURES", "Goal", "Judged", "Objective"]
-
 Array = NDArray[np.float64]
 
 FIGURES = {

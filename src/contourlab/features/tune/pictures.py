@@ -11,8 +11,6 @@ from numpy.typing import NDArray
 from contourlab.report.charts import Chart, Curve, Panel
 from contourlab.report.style import scheme_style
 
-__all__ = ["Line", "tuning_charts"]
-
 Array = NDArray[np.float64]
 SMALLEST = 1e-12
 

@@ -15,8 +15,6 @@ from contourlab.design.bounds import SLACK, Bounds
 from contourlab.errors import ComponentError, ParameterError
 from contourlab.loop import Axis, AxisController, Controller, Machine
 
-__all__ = ["fastest", "model_of", "placed_gains"]
-
 SPEEDS = 96
 """Speeds that are tried, from a ten-thousandth of the Nyquist frequency to half of it."""
 SCALED = {"natural_frequency": 1.0, "bandwidth": 1.0, "crossover": 1.0, "pole": 1.4}

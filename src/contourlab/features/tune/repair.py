@@ -13,8 +13,6 @@ from contourlab.design.guards import Guards
 from contourlab.features.tune.line import Step
 from contourlab.features.tune.objective import Objective
 
-__all__ = ["repaired"]
-
 Array = NDArray[np.float64]
 LANES = 64
 

@@ -11,8 +11,6 @@ from contourlab.design.guards import Guards
 from contourlab.features.tune.line import LineRule, Step, line_search
 from contourlab.features.tune.objective import Objective
 
-__all__ = ["Path", "sequential"]
-
 SETTLED = 1e-3
 """A pass that takes off less than this part of the objective is the last one."""
 

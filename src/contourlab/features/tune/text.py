@@ -16,8 +16,6 @@ from contourlab.units import from_si
 if TYPE_CHECKING:
     from contourlab.scenario import Case
 
-__all__ = ["summary_of", "text_of"]
-
 SHOWN = {
     "contour_error_integral": ("integral of contour error", "um s", 1e6),
     "contour_error_rms": ("contour error, rms", "um", 1e6),

@@ -24,8 +24,6 @@ from contourlab.features.tune.sequential import Path, sequential
 from contourlab.feed import Reference
 from contourlab.loop import Controller, Machine, parameter_names
 
-__all__ = ["METHODS", "STARTS", "TuneSettings", "Tuned", "tune"]
-
 METHODS = ("sequential", "global", "both")
 STARTS = ("scenario", "placed")
 FRACTIONS = np.geomspace(0.1, 1.0, 32)

@@ -16,8 +16,6 @@ from contourlab.papers.emps.log import EmpsLog
 from contourlab.papers.emps.simulation import LIMIT, EmpsAxis, EmpsRun
 from contourlab.scenario import load_axis, load_controller
 
-__all__ = ["simulate_in_engine"]
-
 
 def simulate_in_engine(log: EmpsLog, axis: EmpsAxis, *, delay: int = 0) -> EmpsRun:
     """Drive an axis along the reference of a log, from rest at its first sample.

@@ -12,8 +12,6 @@ from numpy.typing import NDArray
 from contourlab.errors import LogError
 from contourlab.logs import read_record
 
-__all__ = ["WANTED", "EmpsLog", "read_emps"]
-
 Array = NDArray[np.float64]
 
 WANTED = (

@@ -9,8 +9,6 @@ from contourlab.analysis.identification.filtered_motion import decimate, filtere
 from contourlab.papers.emps.simulation import axis_of, simulate_emps
 from contourlab.papers.emps.study import SETTINGS, Identified
 
-__all__ = ["error_left_over", "force_left_over", "friction_curves", "position_errors", "predicted_force"]
-
 Array = NDArray[np.float64]
 Traces = dict[str, tuple[Array, Array]]
 PERIOD = 6.24

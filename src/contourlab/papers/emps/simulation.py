@@ -19,8 +19,6 @@ from contourlab.analysis.identification.filtered_motion import FilteredMotion
 from contourlab.analysis.identification.inverse_dynamics import InverseDynamicsFit
 from contourlab.papers.emps.log import EmpsLog
 
-__all__ = ["LIMIT", "EmpsAxis", "EmpsRun", "advance", "axis_of", "percent_errors", "simulate_as_published", "simulate_emps"]
-
 Array = NDArray[np.float64]
 Advance = Callable[["EmpsAxis", float, float, float, float, float], tuple[float, float]]
 

@@ -23,8 +23,6 @@ from contourlab.papers.emps.log import WANTED, EmpsLog, read_emps
 from contourlab.papers.emps.simulation import EmpsRun, axis_of, percent_errors, simulate_as_published, simulate_emps
 from contourlab.papers.rows import Part, Row, Stage, in_parts, ours, printed
 
-__all__ = ["SETTINGS", "Identified", "identified", "reproduce"]
-
 SETTINGS = InverseDynamicsSettings(cutoff=100.0, order=4, decimation=10, dropped=(49, 0), lost_degrees=1)
 """As published: samples are dropped at the start alone, and deviations are those of the residual about its mean."""
 UNITS = {"M": "kg", "Fv": "N s/m", "Fc": "N", "offset": "N"}

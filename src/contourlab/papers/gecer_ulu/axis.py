@@ -17,8 +17,6 @@ from contourlab.loop import Controller, Machine, simulate
 from contourlab.papers.gecer_ulu.setup import SIMULATION, TABLE_2, controller_of, law_of, machine_of, reference_of, rms
 from contourlab.papers.rows import Row, derived, ours, printed
 
-__all__ = ["axis_rows", "tracking"]
-
 FIG_4 = {25e-9: 121.53, 1e-6: 312.14}
 """Rms of the tracking error [nm] by the encoder's resolution [m], as printed."""
 TRAVEL, FEED, QUICK = 7e-3, 12.13e-6, 0.7e-3

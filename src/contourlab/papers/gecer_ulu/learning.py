@@ -32,8 +32,6 @@ from contourlab.papers.gecer_ulu.setup import (
 from contourlab.papers.gecer_ulu.tables import LONG, TRIALS
 from contourlab.papers.rows import Row, ours
 
-__all__ = ["delay_rows", "forecast", "learning_rows", "order_turns", "side_lobe_rows"]
-
 Array = NDArray[np.float64]
 KAPPAS = (0.1, 0.2, KAPPA, 1.0, 3.0)
 SHOWN = (0, 10, TRIALS, 60, 100, LONG)

@@ -11,8 +11,6 @@ from contourlab.papers.gecer_ulu.setup import EXPERIMENT, KAPPA, SIMULATION, cou
 from contourlab.papers.gecer_ulu.tables import LONG, TRIALS
 from contourlab.papers.rows import Row, ours
 
-__all__ = ["Turn", "convergence", "convergence_rows", "turn"]
-
 Array = NDArray[np.float64]
 SHOWN = (0, 1, 2, 5, 10, 15, 20, 25, 30)
 

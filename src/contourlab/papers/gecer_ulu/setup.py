@@ -19,25 +19,6 @@ from contourlab.feed import Reference
 from contourlab.loop import Controller, Machine
 from contourlab.scenario import BUILTIN, Case, load_scenario
 
-__all__ = [
-    "COUNTING",
-    "EXPERIMENT",
-    "KAPPA",
-    "PERIOD_30MS",
-    "SIMULATION",
-    "TABLE_2",
-    "TABLE_3",
-    "Triple",
-    "case_of",
-    "controller_of",
-    "course",
-    "law_of",
-    "machine_of",
-    "reference_of",
-    "rms",
-    "turning_points",
-]
-
 Array = NDArray[np.float64]
 Triple = tuple[float, float, float]
 """Rms of x, y and contour error [nm]."""

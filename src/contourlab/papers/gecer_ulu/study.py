@@ -11,9 +11,6 @@ from contourlab.papers.gecer_ulu.pictures import convergence_rows
 from contourlab.papers.gecer_ulu.tables import table_rows
 from contourlab.papers.rows import Part, Stage, in_parts
 
-__all__ = ["reproduce"]
-
-
 PARTS: tuple[Part, ...] = (
     ("Tables 2 and 3", table_rows),
     ("one axis", axis_rows),

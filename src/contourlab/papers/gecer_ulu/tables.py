@@ -7,8 +7,6 @@ import numpy as np
 from contourlab.papers.gecer_ulu.setup import EXPERIMENT, KAPPA, SIMULATION, TABLE_2, TABLE_3, Triple, course, rms
 from contourlab.papers.rows import Row, ours, printed
 
-__all__ = ["LONG", "SEEDS", "TRIALS", "figures", "table_rows"]
-
 TRIALS, LONG = 30, 200
 SEEDS = (0, 1, 2)
 COLUMNS = ("x", "y", "contour")

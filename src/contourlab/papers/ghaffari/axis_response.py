@@ -17,8 +17,6 @@ from contourlab.components.velocity.true import TrueVelocity
 from contourlab.errors import ComponentError, ParameterError
 from contourlab.loop.machine import Axis, AxisController
 
-__all__ = ["axis_response", "transfer"]
-
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
 

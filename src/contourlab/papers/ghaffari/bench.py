@@ -23,8 +23,6 @@ from contourlab.loop.template import build
 from contourlab.papers.ghaffari.setup import AXES, TABLE_2, TABLE_3, Gains, Reading, axis, axis_controller
 from contourlab.papers.rows import Row, derived, printed
 
-__all__ = ["bench_rows"]
-
 Array = NDArray[np.float64]
 PERIOD = Reading().servo_period
 _PER_MM = 1e3

@@ -25,8 +25,6 @@ from contourlab.loop import Controller
 from contourlab.papers.ghaffari.setup import TABLE_2, TABLE_3, Gains, Reading, axis_controller, controller, machine
 from contourlab.papers.rows import Row, derived, ours, printed
 
-__all__ = ["Calibrated", "calibrate", "calibration_rows"]
-
 VARIATION = 0.25
 """Part by which a number may differ: over so much of a' and b' the paper calls the closed loop's change negligible (Fig 8)."""
 WORDS = {

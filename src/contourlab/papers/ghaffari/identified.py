@@ -24,8 +24,6 @@ from contourlab.loop.template import build
 from contourlab.papers.ghaffari.setup import AXES, TABLE_2, TABLE_3, Gains, Reading, axis, axis_controller
 from contourlab.papers.rows import Row, ours, printed
 
-__all__ = ["Identification", "identified", "identified_rows"]
-
 Array = NDArray[np.float64]
 _MM = 1e-3
 POSITION_GAIN, VELOCITY_GAIN = 4.0, 0.1

@@ -23,8 +23,6 @@ from contourlab.papers.ghaffari.axis_response import axis_response
 from contourlab.papers.ghaffari.setup import PLACED_POLES, TABLE_2, TABLE_3, Gains, Reading, axis, axis_controller
 from contourlab.papers.rows import Row, derived, ours, printed
 
-__all__ = ["linear_rows"]
-
 Complex = NDArray[np.complex128]
 _MM = 1e-3
 PARTS = ("real pole", "pair, real part", "pair, imaginary part")

@@ -17,8 +17,6 @@ from contourlab.papers.ghaffari.axis_response import axis_response
 from contourlab.papers.ghaffari.setup import AXES, TABLE_2, TABLE_3, Gains, Reading, axis, axis_controller
 from contourlab.papers.rows import Row, derived, ours, printed
 
-__all__ = ["observer_rows"]
-
 Complex = NDArray[np.complex128]
 _PER_MM = 1e3
 

@@ -14,8 +14,6 @@ from contourlab.papers.ghaffari.setup import TABLE_2, TABLE_3, Gains, Reading, c
 from contourlab.papers.rows import Row, derived, ours, printed
 from contourlab.result import Result
 
-__all__ = ["run_rows"]
-
 PRINTED = {1: 18.37, 2: 18.46}
 SPIKES = (2.0, 2.5, 3.0, 3.5)
 """Integrals [um s] of both configurations, and the times [s] of the error spikes, as printed in section IV and Fig 9."""

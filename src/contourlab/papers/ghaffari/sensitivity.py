@@ -19,8 +19,6 @@ from contourlab.geometry import contour
 from contourlab.papers.ghaffari.setup import TABLE_3, Gains, Reading, controller, machine
 from contourlab.papers.rows import Row, ours, printed
 
-__all__ = ["BOUNDS", "NAMES", "axis_curves", "sensitivity_rows"]
-
 Array = NDArray[np.float64]
 BOUNDS = {
     "observer.model_gain": ("a_hat", "200 mm/s^2/full_scale..3000 mm/s^2/full_scale"),

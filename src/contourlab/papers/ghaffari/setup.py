@@ -22,8 +22,6 @@ from contourlab.components.velocity.filtered_difference import FilteredDifferenc
 from contourlab.loop.axis_parts import Limits
 from contourlab.loop.machine import Axis, AxisController, Controller, Machine
 
-__all__ = ["AXES", "PLACED_POLES", "TABLE_2", "TABLE_3", "Gains", "Reading", "axis_controller", "controller", "machine"]
-
 
 @dataclass(frozen=True)
 class Identified:

@@ -14,8 +14,6 @@ from contourlab.papers.ghaffari.sensitivity import sensitivity_rows
 from contourlab.papers.ghaffari.swap import swap_rows
 from contourlab.papers.rows import Part, Stage, in_parts
 
-__all__ = ["reproduce"]
-
 PARTS: tuple[Part, ...] = (
     ("gains and poles", linear_rows),
     ("the disturbance observer", observer_rows),

@@ -17,8 +17,6 @@ from contourlab.papers.ghaffari.setup import TABLE_3, Reading, axis, controller,
 from contourlab.papers.rows import Row, ours, printed
 from contourlab.scenario import load_controller
 
-__all__ = ["swap_of", "swap_rows"]
-
 CASE = "A3-A1 against A3-A2"
 BUDGET = {True: 600, False: 2000}
 """Candidates a search, with the observer and without: what fits into a reproduction."""

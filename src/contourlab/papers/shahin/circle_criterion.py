@@ -16,8 +16,6 @@ from numpy.typing import NDArray
 from contourlab.analysis.backlash.lure import BacklashLoop
 from contourlab.papers.shahin.pole_at_zero import without_pole_at_zero
 
-__all__ = ["AbsoluteStability", "circle_criterion", "popov_criterion"]
-
 Array = NDArray[np.float64]
 
 NEAR_END = 1e-3

@@ -18,8 +18,6 @@ from contourlab.analysis.backlash import lyapunov_lmi
 from contourlab.errors import ParameterError
 from contourlab.papers.shahin.exact_arithmetic import Rational, add, is_hurwitz, is_positive_definite, kernel, lyapunov, rational, transpose
 
-__all__ = ["CommonLyapunov", "common_quadratic"]
-
 Array = NDArray[np.float64]
 
 LARGEST = 24

@@ -10,8 +10,6 @@ from fractions import Fraction
 import numpy as np
 from numpy.typing import NDArray
 
-__all__ = ["Rational", "add", "characteristic", "has_hurwitz_roots", "is_hurwitz", "is_positive_definite", "kernel", "lyapunov", "rational"]
-
 Array = NDArray[np.float64]
 Rational = tuple[tuple[Fraction, ...], ...]
 

@@ -19,8 +19,6 @@ from contourlab.analysis.backlash.orbit_search import find_orbits
 from contourlab.analysis.backlash.periodic_orbit import PeriodicOrbit
 from contourlab.papers.shahin.two_inertia_loop import Feedback, TwoInertias, motor_pid, p_pi_cascade, two_inertia_loop
 
-__all__ = ["CASES", "CASES_WITHOUT", "Comparison", "LimitCycleCase", "compare", "comparison_table"]
-
 Array = NDArray[np.float64]
 
 DRIVE = TwoInertias(motor_inertia=5.2e-3, load_inertia=4.4e-3, stiffness=950.0, half_gap=2.0 * math.pi * 12.5e-6 / 0.016)

@@ -19,8 +19,6 @@ from numpy.typing import NDArray
 from contourlab.analysis.backlash.lyapunov_lmi import frames, solved
 from contourlab.papers.shahin.pole_at_zero import Split
 
-__all__ = ["quadratic_part"]
-
 Array = NDArray[np.float64]
 
 CLEAR = 1e-11

@@ -19,8 +19,6 @@ from contourlab.papers.shahin.circle_criterion import popov_criterion
 from contourlab.papers.shahin.lure_inequality import quadratic_part
 from contourlab.papers.shahin.pole_at_zero import without_pole_at_zero
 
-__all__ = ["EnergyFunction", "energy_function"]
-
 Array = NDArray[np.float64]
 
 MULTIPLES = (1.0, 1.25, 2.0, 5.0, 0.5)

@@ -13,8 +13,6 @@ from contourlab.papers.shahin import setup as setup
 from contourlab.papers.shahin.runs import controller_of
 from contourlab.papers.shahin.setup import Setting
 
-__all__ = ["Trace", "trace"]
-
 Array = NDArray[np.float64]
 STRIDE = 100
 """Samples of 2 us from one point of a picture to the next: sixty in a period of the shaft."""

@@ -13,8 +13,6 @@ from numpy.typing import NDArray
 from contourlab.analysis.backlash.lure import BacklashLoop
 from contourlab.papers.shahin.exact_arithmetic import characteristic, has_hurwitz_roots, kernel, rational, transpose
 
-__all__ = ["Split", "without_pole_at_zero"]
-
 Array = NDArray[np.float64]
 
 

@@ -15,8 +15,6 @@ from contourlab.papers.rows import Row, derived, ours
 from contourlab.papers.shahin import setup as setup
 from contourlab.papers.shahin.setup import Setting
 
-__all__ = ["ramp_rows"]
-
 LENGTH, ACCELERATION = 0.2, 2.0
 """Of the ramp [m], and of its run-up [m/s^2]."""
 STEADY = (0.5, 1.4)

@@ -16,8 +16,6 @@ from contourlab.feed import Reference
 from contourlab.loop import Controller, Machine, simulate_blocks
 from contourlab.papers.shahin import setup as setup
 
-__all__ = ["WINDOW", "Figures", "circular", "controller_of", "measured", "prepare"]
-
 Array = NDArray[np.float64]
 WINDOW = (1.0, 10.0)
 """Time that the paper looks at [s]."""

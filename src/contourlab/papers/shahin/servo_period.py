@@ -18,8 +18,6 @@ from contourlab.analysis.linear.small_exponential import exponentials
 from contourlab.errors import ParameterError
 from contourlab.papers.shahin.two_inertia_loop import Feedback, TwoInertias
 
-__all__ = ["ServoPeriodLimit", "sampled_matrix", "servo_period_limit"]
-
 Array = NDArray[np.float64]
 
 PER_DECADE = 100

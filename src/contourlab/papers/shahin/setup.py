@@ -21,21 +21,6 @@ from contourlab.feed import Reference, uniform
 from contourlab.geometry import contour
 from contourlab.loop import Axis, AxisController, Controller, Limits, Machine
 
-__all__ = [
-    "AXES",
-    "FEED",
-    "PRINTED_PI",
-    "RADIUS",
-    "SCHEMES",
-    "Setting",
-    "baseline",
-    "circle",
-    "free_flight",
-    "machine",
-    "scheme",
-    "servo_period",
-]
-
 AXES = ("x", "y")
 MOTOR_INERTIA, LOAD_INERTIA, STIFFNESS, LEAD = 5.2e-3, 4.4e-3, 950.0, 0.016
 """Table 1."""

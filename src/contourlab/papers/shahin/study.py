@@ -13,8 +13,6 @@ from contourlab.papers.shahin.runs import WINDOW, circular, prepare
 from contourlab.papers.shahin.setup import Setting
 from contourlab.papers.shahin.theory import theory_rows
 
-__all__ = ["reproduce"]
-
 READ = "total gap 25 um, motors on the forward flanks at the start"
 CHAOS = 0.2 * 32.6
 """A lossless load in a gap is chaotic: with the step of the integration its largest error changes by a fifth."""

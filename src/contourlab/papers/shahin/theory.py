@@ -17,8 +17,6 @@ from contourlab.papers.shahin.lure_postnikov import energy_function
 from contourlab.papers.shahin.servo_period import servo_period_limit
 from contourlab.papers.shahin.two_inertia_loop import TwoInertias, motor_pid, two_inertia_loop
 
-__all__ = ["theory_rows"]
-
 HALF_GAP = math.pi * 25e-6 / setup.LEAD
 """Half of 25 um as an angle of the motor [rad]."""
 DRIVE = TwoInertias(setup.MOTOR_INERTIA, setup.LOAD_INERTIA, setup.STIFFNESS, HALF_GAP)

@@ -18,8 +18,6 @@ from numpy.typing import NDArray
 from contourlab.analysis.backlash.lure import N_REFERENCE, BacklashLoop
 from contourlab.errors import ParameterError
 
-__all__ = ["Feedback", "TwoInertias", "motor_pid", "p_pi_cascade", "two_inertia_loop"]
-
 Array = NDArray[np.float64]
 
 MECHANICAL = ("motor position", "motor velocity", "load position", "load velocity")

@@ -18,8 +18,6 @@ from contourlab.loop import Machine
 from contourlab.papers.rows import Stage
 from contourlab.scenario import load_scenario
 
-__all__ = ["CONTROLLERS", "FILES", "PHYSICS", "WANTED", "Unseen", "contour_errors", "read_runs", "tracking_errors", "unseen"]
-
 Array = NDArray[np.float64]
 
 FILES = {"lead-lag": "line_circle_lli.mat", "pole-placement": "line_circle_pp.mat"}

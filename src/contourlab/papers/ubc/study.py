@@ -10,8 +10,6 @@ from contourlab.features.refine.log_run import LogRun
 from contourlab.papers.rows import Part, Row, Stage, asked, in_parts, measured, ours
 from contourlab.papers.ubc.runs import Unseen, read_runs, unseen
 
-__all__ = ["MEASURED", "reproduce"]
-
 MEASURED = {"lead-lag": (76.4, 77.7, 84.7, 262.4), "pole-placement": (1277.4, 1082.7, 48.3, 95.4)}
 """Of the raw logs, worked out by another program [um]: tracking rms of x and y, contour rms and maximum."""
 WITHIN = 0.01

@@ -8,8 +8,6 @@ from contourlab.features.identify.first_order import identify_behind_observer
 from contourlab.features.identify.requests.request import Request
 from contourlab.units import split, to_si
 
-__all__ = ["study"]
-
 
 def study(request: Request) -> Finding:
     """Identify a' and b' of an axis, by eq (18) where the gains of its loop are given."""

@@ -6,8 +6,6 @@ from contourlab.features.identify.finding import Finding
 from contourlab.features.identify.first_order import identify_open_loop
 from contourlab.features.identify.requests.request import Request
 
-__all__ = ["study"]
-
 
 def study(request: Request) -> Finding:
     """Identify a, b, friction, offset and delay of an axis from its command and position."""

@@ -8,8 +8,6 @@ from contourlab.features.identify.frequency import identify_response
 from contourlab.features.identify.requests.request import Request
 from contourlab.features.measure.log_choice import positive
 
-__all__ = ["study"]
-
 
 def study(request: Request) -> Finding:
     """Measure the frequency response of an axis from one or several logs, and fit the model that was asked for to it."""

@@ -6,8 +6,6 @@ from contourlab.features.identify.finding import Finding
 from contourlab.features.identify.friction import identify_friction
 from contourlab.features.identify.requests.request import Request
 
-__all__ = ["study"]
-
 
 def study(request: Request) -> Finding:
     """Fit a friction curve to the constant speeds of one or several logs."""

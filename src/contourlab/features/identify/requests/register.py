@@ -10,8 +10,6 @@ from contourlab.errors import ParameterError
 from contourlab.features.identify.finding import Finding
 from contourlab.features.identify.requests.request import Request
 
-__all__ = ["MODELS", "Model", "study_of"]
-
 _HERE = "contourlab.features.identify.requests"
 
 

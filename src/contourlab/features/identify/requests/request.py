@@ -16,8 +16,6 @@ from contourlab.logs import Log
 from contourlab.logs.naming import about
 from contourlab.units import split, to_si
 
-__all__ = ["Request", "listed", "per_command"]
-
 
 @dataclass(frozen=True)
 class Request:

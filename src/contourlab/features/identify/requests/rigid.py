@@ -9,8 +9,6 @@ from contourlab.features.identify.requests.request import Request
 from contourlab.features.identify.rigid import identify_rigid
 from contourlab.features.measure.log_choice import positive
 
-__all__ = ["study"]
-
 FRICTION = {"rigid": "symmetric", "rigid-by-direction": "asymmetric"}
 
 

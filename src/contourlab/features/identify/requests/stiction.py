@@ -6,8 +6,6 @@ from contourlab.features.identify.finding import Finding
 from contourlab.features.identify.requests.request import Request
 from contourlab.features.identify.stiction import identify_stiction
 
-__all__ = ["study"]
-
 
 def study(request: Request) -> Finding:
     """Find the breakaway of an axis each way, with its spread over repeats."""
