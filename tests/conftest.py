@@ -8,9 +8,9 @@ from pathlib import Path
 
 import pytest
 from hypothesis import settings
+from once import once
 
 from contourlab.__main__ import LINEAR_ALGEBRA
-from once import once
 
 os.environ.setdefault("MPLBACKEND", "Agg")
 # As the command has it; two processes that share two processors would wait for each other's threads.

@@ -12,6 +12,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from numpy.typing import NDArray
 from scipy.integrate import solve_ivp
+from two_mass_rig import DRIVE, NONE, Drive, energy, random_command
 
 from contourlab.components.friction.coulomb import Coulomb
 from contourlab.components.friction.lugre import LuGre
@@ -20,7 +21,6 @@ from contourlab.components.mechanics.core import link
 from contourlab.components.plant.ball_screw import BallScrew
 from contourlab.components.plant.two_inertia import TwoInertia
 from contourlab.errors import ComponentError
-from two_mass_rig import DRIVE, NONE, Drive, energy, random_command
 
 Array = NDArray[np.float64]
 GUIDE = LuGre(coulomb=60.0, breakaway=90.0, stribeck_velocity=5e-3, stiffness=2e7, bristle_damping=5e3, viscous=100.0)

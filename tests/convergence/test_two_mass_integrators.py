@@ -11,13 +11,13 @@ import pytest
 from numpy.typing import NDArray
 from scipy.linalg import expm
 from two_mass_reference import Reference
+from two_mass_rig import DRIVE, NONE, Drive, energy
 
 from contourlab.analysis.backlash.exact_simulation import simulate_exact
 from contourlab.analysis.backlash.mode_flow import Motion
 from contourlab.components.friction.coulomb import Coulomb
 from contourlab.components.plant.two_inertia import COARSEST, TwoInertia
 from contourlab.papers.shahin.two_inertia_loop import Feedback, TwoInertias, two_inertia_loop
-from two_mass_rig import DRIVE, NONE, Drive, energy
 
 Array = NDArray[np.float64]
 SUBSTEPS = (4, 8, 16, 32)

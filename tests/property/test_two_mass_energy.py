@@ -9,10 +9,10 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from numpy.typing import NDArray
+from two_mass_rig import DRIVE, NONE, Drive, energy, gains, half_gap, random_command
 
 from contourlab.components.friction.coulomb import Coulomb
 from contourlab.components.plant.two_inertia import TwoInertia
-from two_mass_rig import DRIVE, NONE, Drive, energy, gains, half_gap, random_command
 
 Array = NDArray[np.float64]
 ROUNDING = 1e-13

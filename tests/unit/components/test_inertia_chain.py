@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 import pytest
 from component_rig import make
+from two_mass_rig import Drive, random_command
 
 import contourlab as cl
 from contourlab.components.friction.lugre import LuGre
@@ -16,7 +17,6 @@ from contourlab.components.plant.inertia_chain import InertiaChain
 from contourlab.components.plant.reflected import reflected_inertia, reflected_mass
 from contourlab.components.plant.two_inertia import TwoInertia
 from contourlab.errors import ComponentError, ParameterError
-from two_mass_rig import Drive, random_command
 
 THREE: dict[str, Any] = {
     "inertias": (3e-3, 2.2e-3, 4.4e-3),

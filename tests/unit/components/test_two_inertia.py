@@ -9,12 +9,12 @@ import numpy as np
 import pytest
 from component_rig import make
 from numpy.typing import NDArray
+from two_mass_rig import DRIVE, NONE, Drive, random_command
 
 import contourlab as cl
 from contourlab.components.friction.coulomb import Coulomb
 from contourlab.components.plant.two_inertia import TwoInertia
 from contourlab.errors import ParameterError
-from two_mass_rig import DRIVE, NONE, Drive, random_command
 
 Array = NDArray[np.float64]
 TURN = 2.0 * math.pi / DRIVE["lead"]
