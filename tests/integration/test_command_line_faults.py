@@ -11,8 +11,8 @@ from typing import Any
 import pytest
 from typed_commands import CIRCLE, ON_XYZ, PART, Run, contents
 
-from contourlab.app.folder import staged
-from contourlab.app.written_files import LIST
+from contourlab.app.results import staged
+from contourlab.app.results import LIST
 
 RUBBISH = bytes(range(128, 256)) * 8
 

@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 from typed_commands import contents
 
-from contourlab.app.written_files import LIST
+from contourlab.app.results import LIST
 from contourlab.cli.main import main
 
 CIRCLE = """

@@ -67,7 +67,7 @@ def test_what_was_interrupted_goes_on(circle: Path, capsys: pytest.CaptureFixtur
     with monkeypatch.context() as patch:
         patch.setattr(evaluator, "simulate_batch", stopped)
         assert main([*words, "--out", "out"]) == 130
-    assert "goes on from there" in capsys.readouterr().err
+    assert "continues from there" in capsys.readouterr().err
     assert not Path("out/summary.json").exists()
     assert main([*words, "--out", "out"]) == 0
     resumed = json.loads(capsys.readouterr().out)
@@ -85,7 +85,7 @@ def test_runs_of_another_scenario_are_left_alone_and_told(circle: Path, capsys: 
     capsys.readouterr()
     assert main(words) == 0
     said = capsys.readouterr().out
-    assert "left alone and not used" in said and "not made again" not in said
+    assert "were not used" in said and "Reused" not in said
 
 
 def test_runs_of_a_plugin_that_has_changed_are_not_taken_for_its_own(contourlab: Run, circle: Path) -> None:

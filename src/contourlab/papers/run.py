@@ -25,7 +25,7 @@ def check_choice(folder: str | Path, formats: Sequence[str]) -> None:
     OutputError
         If the folder cannot be made or written to.
     """
-    from contourlab.app.folder import staged
+    from contourlab.app.results import staged
 
     write_charts((), folder, formats)
     with staged(folder):

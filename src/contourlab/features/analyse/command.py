@@ -14,7 +14,7 @@ from contourlab.analysis.linear.divided_loop import link_growth
 from contourlab.analysis.linear.internal_stability import InternalStability, internal_stability
 from contourlab.analysis.linear.margins import Margins
 from contourlab.analysis.linear.sampled_loop import sampled_loop
-from contourlab.app.folder import staged
+from contourlab.app.results import staged
 from contourlab.errors import ComponentError
 from contourlab.features.run.command import file_names
 from contourlab.features.run.margin_words import gain_words, phase_words

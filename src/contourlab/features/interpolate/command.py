@@ -11,7 +11,7 @@ from typing import Any
 from contourlab.analysis.encoder.interpolation import interpolation_order
 from contourlab.analysis.encoder.quadrature import QuadratureConstants, fit_ellipse
 from contourlab.analysis.encoder.quadrature_tracking import track_ellipse
-from contourlab.app.folder import spared
+from contourlab.app.results import spared
 from contourlab.errors import ParameterError, UnitError
 from contourlab.features.interpolate.record import InterpolatedRecord
 from contourlab.features.interpolate.signals import read_quadrature

@@ -10,7 +10,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from contourlab.app.folder import staged
+from contourlab.app.results import staged
 from contourlab.app.json_values import json_values
 from contourlab.app.stages import Stages, shown
 from contourlab.errors import DivergenceError, ParameterError, UnitError

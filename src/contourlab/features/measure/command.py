@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from contourlab import __version__
-from contourlab.app.folder import staged
+from contourlab.app.results import staged
 from contourlab.app.json_values import json_values
 from contourlab.errors import LogError, ParameterError, ResultError, UnitError
 from contourlab.features.measure.gap_words import gap_words

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from contourlab.app.folder import check_file, spared, staged
+from contourlab.app.results import check_file, spared, staged
 from contourlab.errors import ParameterError, UnitError
 from contourlab.features.measure.likely import same_column, unlikely_motion
 from contourlab.features.measure.log_choice import LogChoice, open_log, told_apart

@@ -8,7 +8,7 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
-from contourlab.app.folder import staged
+from contourlab.app.results import staged
 from contourlab.features.run.command import RunOutcome, interval_words, run_session
 from contourlab.result import write_text_atomic
 from contourlab.scenario import builtin_file, load_scenario

@@ -9,11 +9,9 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from contourlab.app.component_sources import plugin_digests
-from contourlab.app.folder import staged
+from contourlab.app.checkpoint import resumable, run_identity
+from contourlab.app.results import staged
 from contourlab.app.json_values import json_values
-from contourlab.app.kept_notes import kept_notes, taken_up_again
-from contourlab.app.program_version import DECIDES_RUNS, program_version
 from contourlab.app.stages import Stages, shown
 from contourlab.errors import ParameterError
 from contourlab.features.sensitivity.text import summary_of, text_of
@@ -21,7 +19,6 @@ from contourlab.result import write_text_atomic
 
 if TYPE_CHECKING:
     from contourlab.features.sensitivity import Runs, Study
-    from contourlab.feed import Reference
     from contourlab.scenario import Case
 
 KEPT = "runs"
@@ -120,7 +117,7 @@ def sensitivity_of(
 
     check_plots(plots)
     case, notes, inputs = _case(file, request, plugins)
-    with taken_up_again(Path(out) / KEPT, "runs"), staged(out, "summary.json", inputs=inputs) as stage:
+    with resumable(Path(out) / KEPT, "runs"), staged(out, "summary.json", inputs=inputs) as stage:
         with shown(progress) as stages:
             study, runs = _studied(case, request, Path(out) / KEPT, stages)
         notes += _kept_notes(runs)
@@ -188,8 +185,8 @@ def _studied(case: Case, request: Request, folder: Path, stages: Stages) -> tupl
     evaluator = Evaluator(
         machine, controller, reference, moving=case.moving, seed=case.seed, threads=_threads(request.threads), effort=False
     )
-    model = "\n".join([_model(case, reference), *plugin_digests([case.machine], case.controller)])
-    runs = study.Runs(evaluator, study.Kept(folder, model), stages.advance)
+    identity = run_identity([machine], controller, reference, seed=case.seed, moving=case.moving)
+    runs = study.Runs(evaluator, study.Kept(folder, identity), stages.advance)
     level = study.failure_level(machine, reference, figure)
     if not study.holds(space, runs):
         # One run by itself says where and when it fails.
@@ -211,18 +208,10 @@ def _limits(part: Any, name: str) -> tuple[float, float]:
     return parameter.minimum, parameter.maximum
 
 
-def _model(case: Case, reference: Reference) -> str:
-    """Return all that decides a run, but the numbers that are moved: machine, controller, motion, noise, and the program that runs it."""
-    from contourlab.scenario.dump import dump
-
-    words = [dump(case.machine), dump(case.controller, case.machine), reference.digest, f"seed {case.seed}", f"moving {case.moving}"]
-    return "\n".join([*words, program_version(DECIDES_RUNS)])
-
-
 def _kept_notes(runs: Runs) -> list[str]:
     if runs.kept is None:
         return []
-    return kept_notes(runs.kept, runs.found, "runs", "run", "scenario, motion, seed, plugin or version of contourlab")
+    return [one.text for one in runs.kept.findings("runs", runs.found)]
 
 
 def _command(file: str | Path, request: Request, plugins: Sequence[str | Path]) -> str:

@@ -8,7 +8,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from contourlab.app.folder import staged
+from contourlab.app.results import staged
 from contourlab.app.kept_notes import kept_notes, taken_up_again
 from contourlab.app.stages import Stages, shown
 from contourlab.design import Space

@@ -9,7 +9,7 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from contourlab.app.folder import check_file, staged
+from contourlab.app.results import check_file, staged
 from contourlab.app.stages import shown
 from contourlab.errors import ParameterError, ScenarioError
 from contourlab.features.tune import FIGURES, Tuned, TuneSettings, tune
