@@ -58,10 +58,10 @@ def write_ghaffari(folder: str | Path, formats: Sequence[str]) -> tuple[Path, ..
             number = members["axis 1"].number
             drawn = {
                 axis: (
-                    np.array([number.shown(value) for value in curve.values]),
+                    np.array([number.display_value(value) for value in curve.values]),
                     curve.figures * 1e6,
-                    curve.number.shown(curve.number.value),
-                    None if curve.minimum is None else (number.shown(curve.minimum.value), curve.minimum.figure * 1e6),
+                    curve.number.display_value(curve.number.value),
+                    None if curve.minimum is None else (number.display_value(curve.minimum.value), curve.minimum.figure * 1e6),
                 )
                 for axis, curve in members.items()
             }

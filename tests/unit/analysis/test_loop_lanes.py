@@ -12,7 +12,7 @@ from contourlab.analysis.linear.loop_lanes import lane_loops, margin_factors, un
 from contourlab.analysis.linear.sampled_loop import sampled_loop
 from contourlab.components.drive.delayed_saturation import DelayedSaturation
 from contourlab.design import Space
-from contourlab.design.bounds import Bounds
+from contourlab.design.guards import Bounds
 from contourlab.features.swap.guard import Guard
 from contourlab.features.swap.numbers import divided_controller
 from contourlab.papers.ghaffari.setup import TABLE_3, Reading, controller, machine

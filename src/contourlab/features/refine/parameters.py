@@ -9,7 +9,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from contourlab.design.numbers import Number, Space
+from contourlab.design.variables import DesignVariable, Space
 from contourlab.errors import ParameterError
 from contourlab.features.refine.log_run import LogRun
 from contourlab.loop import parameter_names
@@ -24,7 +24,7 @@ class Sought:
 
     Attributes
     ----------
-    number : Number
+    number : DesignVariable
         Its dotted name, where it begins, its bounds and its unit.
     runs : tuple of int
         In which of the runs it is the one parameter.
@@ -34,7 +34,7 @@ class Sought:
         Whether it may be below zero.
     """
 
-    number: Number
+    number: DesignVariable
     runs: tuple[int, ...]
     label: str
     signed: bool
@@ -81,9 +81,9 @@ def seek(runs: Sequence[LogRun], wanted: Iterable[str]) -> tuple[Sought, ...]:
     return tuple(found.values())
 
 
-def _chosen(runs: Sequence[LogRun], among: Sequence[int], text: str) -> dict[int, dict[str, Number]]:
+def _chosen(runs: Sequence[LogRun], among: Sequence[int], text: str) -> dict[int, dict[str, DesignVariable]]:
     """Return for each run the numbers that a text chooses there; an error only where it chooses none in any."""
-    found: dict[int, dict[str, Number]] = {}
+    found: dict[int, dict[str, DesignVariable]] = {}
     for i in among:
         try:
             space = Space.chosen(runs[i].machine, runs[i].controller, [text], SPAN)
@@ -102,19 +102,19 @@ def _fits_nothing(error: ParameterError) -> bool:
     return error.name == "parameter"
 
 
-def _sought(runs: Sequence[LogRun], numbers: Sequence[Number], held: tuple[int, ...], label: str) -> Sought:
+def _sought(runs: Sequence[LogRun], numbers: Sequence[DesignVariable], held: tuple[int, ...], label: str) -> Sought:
     number = numbers[0]
     starts = sorted({one.value for one in numbers})
     if len(starts) > 1:
-        told = f"begins at {' and '.join(f'{number.shown(s):.6g}' for s in starts)} {number.display}"
+        told = f"begins at {' and '.join(f'{number.display_value(s):.6g}' for s in starts)} {number.display}"
         bound = f"the same in all runs, or asked for in one of them as {runs[held[0]].label}:{number.name}; it {told}"
         raise ParameterError("--parameter", number.name, bound)
     part, word = parameter_names(runs[held[0]].machine, runs[held[0]].controller)[number.name]
     if part.parameters[word].whole or not math.isfinite(number.value):
         raise ParameterError("--parameter", number.name, f"a number that can change a little; it is {number.value:g}")
     if not number.low <= number.value <= number.high:
-        ends = f"{number.shown(number.low):g}..{number.shown(number.high):g} {number.display}".strip()
-        start = f"{number.shown(number.value):.6g} {number.display}".strip()
+        ends = f"{number.display_value(number.low):g}..{number.display_value(number.high):g} {number.display}".strip()
+        start = f"{number.display_value(number.value):.6g} {number.display}".strip()
         raise ParameterError("--parameter", f"{number.name}={ends}", f"a range that holds where it begins, {start}")
     return Sought(number, held, f"{label}:{number.name}" if label else number.name, part.parameters[word].minimum < 0.0)
 

@@ -28,7 +28,7 @@ COLOURED = 1.5
 
 def shown(one: Sought, value: float, digits: int = 5) -> str:
     """Return a value of a parameter in the unit that people use."""
-    return f"{one.number.shown(value):.{digits}g} {one.number.written_in}".strip()
+    return f"{one.number.display_value(value):.{digits}g} {one.number.display_unit}".strip()
 
 
 def remarks_on(

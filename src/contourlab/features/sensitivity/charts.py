@@ -34,12 +34,12 @@ def _drawn(curve: Curve, factor: float) -> DrawnCurve:
     number, lowest = curve.number, curve.minimum
     return DrawnCurve(
         number.short,
-        number.written_in or "value",
-        np.array([number.shown(value) for value in curve.values]),
+        number.display_unit or "value",
+        np.array([number.display_value(value) for value in curve.values]),
         curve.figures * factor,
-        number.shown(number.value),
-        None if lowest is None else (number.shown(lowest.value), lowest.figure * factor),
-        tuple((number.shown(part.low), number.shown(part.high)) for part in curve.failed),
+        number.display_value(number.value),
+        None if lowest is None else (number.display_value(lowest.value), lowest.figure * factor),
+        tuple((number.display_value(part.low), number.display_value(part.high)) for part in curve.failed),
         number.logarithmic,
     )
 

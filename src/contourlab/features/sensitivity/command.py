@@ -10,8 +10,8 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from contourlab.app.checkpoint import resumable, run_identity
-from contourlab.app.results import staged
 from contourlab.app.json_values import json_values
+from contourlab.app.results import staged
 from contourlab.app.stages import Stages, shown
 from contourlab.errors import ParameterError
 from contourlab.features.sensitivity.text import summary_of, text_of

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from contourlab.design import Number, Space
+from contourlab.design import DesignVariable, Space
 from contourlab.errors import ParameterError
 from contourlab.features.sensitivity.runs import Array, Columns, Judge
 
@@ -57,7 +57,7 @@ class Curve:
 
     Attributes
     ----------
-    number : Number
+    number : DesignVariable
     values : ndarray (n,) [SI]
         Of the number, rising.
     figures : ndarray (n,) [SI]
@@ -70,7 +70,7 @@ class Curve:
         Where runs fail.
     """
 
-    number: Number
+    number: DesignVariable
     values: Array
     figures: Array
     minimum: Minimum | None
@@ -130,7 +130,7 @@ def one_at_a_time(space: Space, grids: Sequence[Array]) -> Columns:
     return columns
 
 
-def _minimum(number: Number, values: Array, figures: Array) -> Minimum | None:
+def _minimum(number: DesignVariable, values: Array, figures: Array) -> Minimum | None:
     if np.isnan(figures).all():
         return None
     at = int(np.nanargmin(figures))

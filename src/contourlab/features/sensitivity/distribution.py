@@ -9,7 +9,7 @@ from fnmatch import fnmatchcase
 
 import numpy as np
 
-from contourlab.design import Number, Space
+from contourlab.design import DesignVariable, Space
 from contourlab.errors import ParameterError, UnitError
 from contourlab.features.sensitivity.runs import Array
 from contourlab.scenario.quantities import read_number
@@ -23,14 +23,14 @@ class Distribution:
 
     Attributes
     ----------
-    number : Number
+    number : DesignVariable
     kind : str
         Of `KINDS`: ``"normal"`` is around the number's own value, and cut off at its bounds.
     deviation : float [SI], > 0
         Of a normal one, before it is cut off.
     """
 
-    number: Number
+    number: DesignVariable
     kind: str = UNIFORM
     deviation: float = 0.0
 
@@ -90,12 +90,12 @@ def distributions(space: Space, kind: str = UNIFORM, deviations: Sequence[str] =
     )
 
 
-def _called(number: Number, name: str) -> bool:
+def _called(number: DesignVariable, name: str) -> bool:
     return any(fnmatchcase(known, pattern) for known in (number.name, number.short) for pattern in (name, f"*.{name}"))
 
 
-def _deviation(number: Number, text: str) -> float:
-    shown = number.written_in
+def _deviation(number: DesignVariable, text: str) -> float:
+    shown = number.display_unit
     wanted = f"a deviation of {number.short} above 0, as 5 %{f' or 2 {shown}' if shown else ''}"
     try:
         if text.endswith("%"):

@@ -10,7 +10,7 @@ from itertools import combinations
 import numpy as np
 from numpy.typing import NDArray
 
-from contourlab.design import Number, Space
+from contourlab.design import DesignVariable, Space
 from contourlab.features.sensitivity.runs import Array, Judge
 
 LARGEST, STEPS = 0.04, 5
@@ -29,7 +29,7 @@ class Slope:
 
     Attributes
     ----------
-    number : Number
+    number : DesignVariable
     sensitivity : float
         In percent of the figure for each percent of the number; NaN where it cannot be told. Of a number that is 0, for each percent of the
         way between its bounds.
@@ -43,7 +43,7 @@ class Slope:
         What speaks against the figure, in words; empty if nothing does.
     """
 
-    number: Number
+    number: DesignVariable
     sensitivity: float
     step: float
     apart: float
@@ -105,12 +105,12 @@ def local(space: Space, judge: Judge, limits: Mapping[str, tuple[float, float]] 
     return Local(figure, slopes, full, np.abs(full - half), tops)
 
 
-def scale(number: Number) -> float:
+def scale(number: DesignVariable) -> float:
     """Return what a step of 1 is [SI]: the number itself, or for 0 the way between its bounds."""
     return abs(number.value) or number.high - number.low
 
 
-def _top(number: Number, limits: tuple[float, float]) -> float:
+def _top(number: DesignVariable, limits: tuple[float, float]) -> float:
     """Return the largest step to try, in parts: less where the number may not go so far; 0 where it may not go at all."""
     room = min(number.value - limits[0], limits[1] - number.value) / scale(number)
     return min(LARGEST, room) if room > 1e-6 else 0.0
@@ -135,7 +135,7 @@ def _ladder(space: Space, judge: Judge, tops: Array) -> tuple[float, Array]:
     return float(found[0]), found[1:].reshape(len(tops), STEPS, 2)
 
 
-def _slope(number: Number, top: float, rows: Array, figure: float) -> Slope:
+def _slope(number: DesignVariable, top: float, rows: Array, figure: float) -> Slope:
     nan = float("nan")
     if top == 0.0:
         return Slope(number, nan, 0.0, nan, nan, nan, "it lies on a bound of what it may be: no difference can be taken on both sides")

@@ -30,7 +30,8 @@ class Kept(Checkpoint):
 
     def file(self, columns: Columns) -> Path:
         """Return the file of a chunk, named by the names and values of its columns."""
-        return self.path(*(f"\n{name}\n".encode() + np.ascontiguousarray(values, dtype="<f8").tobytes() for name, values in columns.items()))
+        rows = {name: np.ascontiguousarray(values, dtype="<f8") for name, values in columns.items()}
+        return self.path(*(f"\n{name}\n".encode() + values.tobytes() for name, values in rows.items()))
 
     def read(self, columns: Columns) -> dict[str, Array] | None:
         """Return the figures of a chunk if they are kept."""

@@ -11,7 +11,7 @@ from contourlab.features.sensitivity.curves import CHANGE
 from contourlab.features.sensitivity.verdict import ranking, verdict
 
 if TYPE_CHECKING:
-    from contourlab.design import Number
+    from contourlab.design import DesignVariable
     from contourlab.features.sensitivity import Curve, Distribution, Outcome, Runs, Stretch, Study
     from contourlab.scenario import Case
 
@@ -45,8 +45,8 @@ def table(rows: Sequence[Sequence[str]]) -> list[str]:
     return [("  " + "  ".join(cell(i, text) for i, text in enumerate(row))).rstrip() for row in rows]
 
 
-def _unit(number: Number) -> str:
-    return number.written_in
+def _unit(number: DesignVariable) -> str:
+    return number.display_unit
 
 
 def _curves(study: Study) -> Iterator[str]:
@@ -57,11 +57,12 @@ def _curves(study: Study) -> Iterator[str]:
     rows = [("number", "value", "from", "to", "unit", "lowest at", "+-", f"there [{unit}]", "remarks")]
     for curve in study.curves:
         number, lowest = curve.number, curve.minimum
-        cells = [number.short, *(f"{number.shown(value):.4g}" for value in (number.value, number.low, number.high)), _unit(number)]
+        cells = [number.short, *(f"{number.display_value(value):.4g}" for value in (number.value, number.low, number.high)), _unit(number)]
         if lowest is None:
             cells += ["-", "-", "-"]
         else:
-            cells += [f"{number.shown(lowest.value):.4g}", f"{number.shown(lowest.within):.1g}", f"{lowest.figure * factor:.4g}"]
+            at, within = number.display_value(lowest.value), number.display_value(lowest.within)
+            cells += [f"{at:.4g}", f"{within:.1g}", f"{lowest.figure * factor:.4g}"]
         rows.append((*cells, "; ".join(_curve_remarks(curve))))  # type: ignore[arg-type]
     yield from table(rows)
 
@@ -76,7 +77,7 @@ def _curve_remarks(curve: Curve) -> Iterator[str]:
 
 
 def _where(curve: Curve, part: Stretch) -> str:
-    low, high = (f"{curve.number.shown(value):.3g}" for value in (part.low, part.high))
+    low, high = (f"{curve.number.display_value(value):.3g}" for value in (part.low, part.high))
     if part.first and part.last:
         return "everywhere"
     if part.last:
@@ -112,9 +113,10 @@ def _interactions(study: Study) -> Iterator[str]:
 
 def _drawn(one: Distribution) -> str:
     number = one.number
-    low, high = (f"{number.shown(value):.4g}" for value in (number.low, number.high))
+    low, high = (f"{number.display_value(value):.4g}" for value in (number.low, number.high))
     if one.kind == "normal":
-        return f"normal around {number.shown(number.value):.4g}, deviation {number.shown(one.deviation):.3g}, cut off at {low} and {high}"
+        centre, deviation = number.display_value(number.value), number.display_value(one.deviation)
+        return f"normal around {centre:.4g}, deviation {deviation:.3g}, cut off at {low} and {high}"
     return f"{one.kind} from {low} to {high}"
 
 

@@ -144,7 +144,8 @@ def _first(study: Study) -> Iterator[str]:
         minimum, number = curve.minimum, curve.number
         assert minimum is not None
         beyond = ", where the bound is: it may be lower beyond" if minimum.bound else ""
-        told.append(f"{number.short} (at {number.shown(minimum.value):.4g} {number.written_in}".rstrip() + f"{beyond}: {part:.2g} of it)")
+        at = f"{number.display_value(minimum.value):.4g} {number.display_unit}".rstrip()
+        told.append(f"{number.short} (at {at}{beyond}: {part:.2g} of it)")
     yield f"Calibrate first what alone lowers the figure most: {'; '.join(told)}."
 
 

@@ -12,7 +12,7 @@ from contourlab.app.results import staged
 from contourlab.app.kept_notes import kept_notes, taken_up_again
 from contourlab.app.stages import Stages, shown
 from contourlab.design import Space
-from contourlab.design.bounds import Bounds
+from contourlab.design.guards import Bounds
 from contourlab.errors import ParameterError, ScenarioError
 from contourlab.features.link.command import USUAL_LONGEST, Asked, LinkOptions, read_options
 from contourlab.features.run.command import RunOutcome, check_plots

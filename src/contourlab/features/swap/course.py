@@ -9,7 +9,7 @@ from dataclasses import dataclass, field, replace
 import numpy as np
 from numpy.typing import NDArray
 
-from contourlab.design.bounds import ROUNDING
+from contourlab.design.guards import ROUNDING
 from contourlab.features.swap.design import Choice, Design, shared, within
 from contourlab.features.swap.fleet import Fleet
 from contourlab.features.swap.kept import Kept, Result

@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from contourlab.design import Evaluator, Space
-from contourlab.design.bounds import Bounds
+from contourlab.design.guards import Bounds
 from contourlab.errors import ParameterError
 from contourlab.features.swap.guard import Guard, holds
 from contourlab.features.swap.variants import Variant

@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from contourlab.analysis.linear.loop_lanes import lane_loops, margin_factors, unstable_by
-from contourlab.design.bounds import Bounds, without_model
+from contourlab.design.guards import Bounds, without_model
 from contourlab.loop import Controller, Machine
 
 Array = NDArray[np.float64]

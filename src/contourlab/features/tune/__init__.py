@@ -1,9 +1,7 @@
 """Calibration: the paper's sequential procedure, a global search beside it, and what their answer means on a drive."""
 
-from contourlab.design.axes_of import axes_of
-from contourlab.design.bounds import Bounds
-from contourlab.design.guards import Guards
-from contourlab.design.values import with_values
+from contourlab.design.guards import Bounds, Guards
+from contourlab.design.values import axes_of, with_values
 from contourlab.features.tune.checked import Checked, checked
 from contourlab.features.tune.drive_terms import DriveTerms, drive_terms
 from contourlab.features.tune.globally import Searched, globally

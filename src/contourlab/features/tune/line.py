@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from contourlab.analysis.linear.sampled_loop import SampledLoop
-from contourlab.design import Number
+from contourlab.design import DesignVariable
 from contourlab.design.guards import Guards
 from contourlab.errors import ParameterError
 from contourlab.features.tune.objective import Objective
@@ -61,7 +61,7 @@ class Step:
     ----------
     stage : str
         "repair", or "pass 1" and so on.
-    number : Number
+    number : DesignVariable
     before, after : float [SI]
         Its value.
     objective_before, objective_after : float
@@ -75,7 +75,7 @@ class Step:
     """
 
     stage: str
-    number: Number
+    number: DesignVariable
     before: float
     after: float
     objective_before: float
@@ -87,7 +87,7 @@ class Step:
 
 
 def line_search(
-    objective: Objective, guards: Guards, number: Number, values: Mapping[str, float], rule: LineRule, stage: str = "pass 1"
+    objective: Objective, guards: Guards, number: DesignVariable, values: Mapping[str, float], rule: LineRule, stage: str = "pass 1"
 ) -> Step:
     """Return the best value of one number, all others as in `values` [SI].
 
@@ -95,7 +95,7 @@ def line_search(
     ----------
     objective : Objective
     guards : Guards
-    number : Number
+    number : DesignVariable
     values : mapping of str to float [SI]
         Of all numbers, this one's among them.
     rule : LineRule
@@ -108,7 +108,7 @@ def line_search(
     not cross it further.
     """
     line = _Line(objective, guards, number, values)
-    line.add(np.append(np.linspace(0.0, 1.0, rule.lanes - 1), number.place(values[number.name])), keep_present=True)
+    line.add(np.append(np.linspace(0.0, 1.0, rule.lanes - 1), number.normalise(values[number.name])), keep_present=True)
     for _ in range(rule.refinements):
         low, high = line.around(line.best())
         if not high > low:
@@ -133,7 +133,7 @@ def line_search(
 class _Line:
     """All values of one number that were tried, rising, and what is known of them."""
 
-    def __init__(self, objective: Objective, guards: Guards, number: Number, values: Mapping[str, float]) -> None:
+    def __init__(self, objective: Objective, guards: Guards, number: DesignVariable, values: Mapping[str, float]) -> None:
         self.objective, self.guards, self.number, self.given = objective, guards, number, dict(values)
         self.axes = guards.concerned(number.name)
         self.values = self.value = self.limited = self.largest = np.zeros(0)
@@ -192,7 +192,7 @@ class _Line:
 
     def around(self, i: int) -> tuple[float, float]:
         """Return the places of the neighbours of a value."""
-        place = self.number.place(self.values)
+        place = self.number.normalise(self.values)
         return float(place[max(i - 1, 0)]), float(place[min(i + 1, len(place) - 1)])
 
     def settled(self, best: int, rule: LineRule) -> int:

@@ -11,7 +11,7 @@ import numpy as np
 
 from contourlab.analysis.linear.sampled_loops import rough_margins, sampled_loops
 from contourlab.components.contract import Component
-from contourlab.design.bounds import SLACK, Bounds
+from contourlab.design.guards import SLACK, Bounds
 from contourlab.errors import ComponentError, ParameterError
 from contourlab.loop import Axis, AxisController, Controller, Machine
 

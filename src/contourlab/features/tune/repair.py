@@ -8,7 +8,7 @@ from collections.abc import Mapping
 import numpy as np
 from numpy.typing import NDArray
 
-from contourlab.design import Number, Space
+from contourlab.design import DesignVariable, Space
 from contourlab.design.guards import Guards
 from contourlab.features.tune.line import Step
 from contourlab.features.tune.objective import Objective
@@ -51,7 +51,9 @@ def repaired(objective: Objective, guards: Guards, space: Space, values: Mapping
     return now, tuple(steps)
 
 
-def _tried(objective: Objective, guards: Guards, axis: str, number: Number, now: Mapping[str, float]) -> tuple[float, float, float, Step]:
+def _tried(
+    objective: Objective, guards: Guards, axis: str, number: DesignVariable, now: Mapping[str, float]
+) -> tuple[float, float, float, Step]:
     """Return how far margins fall short at the best value of one number, the objective there, how far it is, and the step."""
     own = now[number.name]
     values = np.unique(np.append(number.physical(np.linspace(0.0, 1.0, LANES - 1)), own))
@@ -61,7 +63,7 @@ def _tried(objective: Objective, guards: Guards, axis: str, number: Number, now:
     # Where another axis runs away yet, no run tells anything: margins are restored by the smallest change.
     fine = np.isfinite(judged.value) if np.isfinite(judged.value).any() else np.ones(values.size, dtype=bool)
     shortest = float(short[fine].min(initial=math.inf))
-    far = np.abs(number.place(values) - number.place(own))
+    far = np.abs(number.normalise(values) - number.normalise(own))
     at = int(np.lexsort((far, judged.value, ~(fine & (short <= shortest))))[0])
     here, reached = int(np.flatnonzero(values == own)[0]), float(judged.value[at])
     barred = "margins" if bool((judged.value[fine & (short > shortest)] < reached).any()) else ""

@@ -75,9 +75,9 @@ def _path(settings: TuneSettings, steps: Iterable[Step]) -> list[str]:
     rows: list[tuple[str, ...]] = [("step", "number", "from", "to", "unit", f"before [{unit}]", "after", "what bounds it")]
     for step in steps:
         number = step.number
-        shown = [_number(number.shown(value), 5) for value in (step.before, step.after)]
+        shown = [_number(number.display_value(value), 5) for value in (step.before, step.after)]
         told = [_objective(settings, value) for value in (step.objective_before, step.objective_after)]
-        rows.append((step.stage, number.short, *shown, number.written_in, *told, step.bound))
+        rows.append((step.stage, number.short, *shown, number.display_unit, *told, step.bound))
     return _table(rows, 2)
 
 
@@ -120,8 +120,8 @@ def _modulus(margins: Margins | None) -> str:
 def _gains(found: Tuned) -> list[str]:
     rows: list[tuple[str, ...]] = [("number", "start", "in the end", "unit")]
     for number in found.space.numbers:
-        shown = [_number(number.shown(value), 6) for value in (number.value, found.values[number.name])]
-        rows.append((number.short, *shown, number.written_in))
+        shown = [_number(number.display_value(value), 6) for value in (number.value, found.values[number.name])]
+        rows.append((number.short, *shown, number.display_unit))
     return _table(rows)
 
 

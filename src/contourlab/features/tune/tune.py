@@ -8,9 +8,8 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-from contourlab.design import Evaluator, Number, Space, calibration_order
-from contourlab.design.bounds import Bounds
-from contourlab.design.guards import Guards
+from contourlab.design import DesignVariable, Evaluator, Space, calibration_order
+from contourlab.design.guards import Bounds, Guards
 from contourlab.design.values import with_values
 from contourlab.errors import ParameterError
 from contourlab.features.tune.checked import Checked, checked
@@ -207,9 +206,10 @@ def tune(
     )
 
 
-def _beyond(number: Number) -> str:
+def _beyond(number: DesignVariable) -> str:
     """Say that a number was begun at a bound."""
-    return f"{number.short} = {number.shown(number.value):.6g} {number.written_in} lies beyond its {number.bounds}: begun at the nearer one"
+    value = f"{number.display_value(number.value):.6g} {number.display_unit}"
+    return f"{number.short} = {value} lies beyond its {number.bounds}: begun at the nearer one"
 
 
 def _cramped(space: Space, answer: Mapping[str, float]) -> list[str]:

@@ -83,7 +83,7 @@ def _moved(number: int, name: str) -> dict[str, float]:
     """Return the line of Table III with one parameter at its minimum."""
     curve = axis_curves(number)[name]
     assert curve.minimum is not None
-    return _gains(number) | {name: curve.number.shown(curve.minimum.value)}
+    return _gains(number) | {name: curve.number.display_value(curve.minimum.value)}
 
 
 def _minima() -> list[Row]:
@@ -148,7 +148,7 @@ def _flat() -> list[Row]:
         for name in ("K_V", "K_P", "K_I"):
             curve = axis_curves(number)[name]
             if curve.flat is not None:
-                low, high = (curve.number.shown(value) for value in (curve.flat.low, curve.flat.high))
+                low, high = (curve.number.display_value(value) for value in (curve.flat.low, curve.flat.high))
                 beyond = "" if curve.flat.last else ", beyond which the error grows"
                 note = f"up to {high:.3g}{beyond}; the longest stretch of the curve"
                 case = f"axis {number}, {name}"

@@ -11,7 +11,7 @@ import pytest
 from contourlab.components.controller.position import PositionController
 from contourlab.components.friction.none import NoFriction
 from contourlab.components.sensor.ideal import IdealSensor
-from contourlab.design import Evaluator, Number, Space
+from contourlab.design import DesignVariable, Evaluator, Space
 from contourlab.errors import ParameterError
 from contourlab.features.sensitivity import FIGURES, Kept, Plan, Runs, curves, distributions, local, ranking, sensitivity_study, verdict
 from contourlab.features.sensitivity.runs import CHUNK, Columns
@@ -29,8 +29,8 @@ REFERENCE = uniform(contour("circle", radius=0.02), 0.5, 2, READING.servo_period
 GAINS = Space.chosen(MACHINE, CONTROLLER, ["3.model_gain", "3.position_gain"], 2.0)
 
 
-def number(name: str, value: float, low: float, high: float, logarithmic: bool = True) -> Number:
-    return Number(f"controller.axes.x.controller.{name}", value, low, high, logarithmic=logarithmic)
+def number(name: str, value: float, low: float, high: float, logarithmic: bool = True) -> DesignVariable:
+    return DesignVariable(f"controller.axes.x.controller.{name}", value, low, high, logarithmic=logarithmic)
 
 
 PLANE = Space((number("a", 2.0, 0.5, 8.0), number("b", 3.0, 1.0, 9.0)))

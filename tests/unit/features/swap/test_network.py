@@ -11,7 +11,7 @@ from contourlab.components.controller.position import PositionController
 from contourlab.components.link.network import Network
 from contourlab.components.plant.rigid_axis import RigidAxis
 from contourlab.design import Space
-from contourlab.design.bounds import Bounds
+from contourlab.design.guards import Bounds
 from contourlab.errors import ParameterError
 from contourlab.features.link.division import message_rate
 from contourlab.features.swap.final import final

@@ -14,7 +14,7 @@ from contourlab.components.friction.none import NoFriction
 from contourlab.components.plant.mass_damper import MassDamper
 from contourlab.components.plant.rigid_axis import RigidAxis
 from contourlab.design import Space
-from contourlab.design.bounds import Bounds
+from contourlab.design.guards import Bounds
 from contourlab.design.values import machine_with
 from contourlab.errors import ParameterError
 from contourlab.features.swap import course
