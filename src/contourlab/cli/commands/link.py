@@ -59,7 +59,7 @@ def link(
     given = {"schemes": listed(schemes), "plugins": tuple(plugin or ()), "plots": tuple(plots or ()), "folder": out}
     found = link_scenario(file, options, **given, progress=wants_progress(as_json))  # type: ignore[arg-type]
     if as_json:
-        emit_json(found.summary)
+        emit_json(found)
     else:
         say(found.text)
     return 0
