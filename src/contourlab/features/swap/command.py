@@ -143,7 +143,7 @@ def swap_scenario(
         networks = _networks(study, options.network, network, stages)
         stages.begin("exact margins")
         findings = (*ready.findings, *checkpoint.findings("searches"))
-        result = swap_result(study, networks, covered, linear, ready.starts.files, findings)
+        result = swap_result(study, networks, covered, linear, options.origins, findings)
         stages.begin("writing")
         lines = [text_of(result), *write_results(study, folder, Path(out), plots)]
         summary = json_values(result)

@@ -29,6 +29,7 @@ from contourlab.geometry import contour
 from contourlab.loop import Axis, AxisController, Controller, Limits, Machine
 
 GAINS = {"velocity_gain": 60.0, "position_gain": 3000.0, "integral_gain": 10.0}
+FREE = "model_gain=0.3 m/s^2/full_scale..4 m/s^2/full_scale"
 AHEAD = "controller.axes.x.controller.model_gain"
 
 
@@ -42,7 +43,7 @@ def stage(gain: float = 1.0) -> tuple[Machine, Controller]:
     return machine, Controller({n: AxisController(PositionController(**GAINS, model_gain=1.05, model_damping=0.0)) for n in ("x", "y")})
 
 
-def variants_under(others: list[tuple[str, Axis]], texts: tuple[str, ...] = ("model_gain=0.3 m/s^2/full_scale..4 m/s^2/full_scale",)) -> Variants:
+def variants_under(others: list[tuple[str, Axis]], texts: tuple[str, ...] = (FREE,)) -> Variants:
     machine, controller = stage()
     members = variants_of(machine, {"x": others})
     circle = uniform(contour("circle", radius=0.01), 1.0, 2, 1e-3)
@@ -283,7 +284,8 @@ def test_local_parameters_are_marked_in_their_axis() -> None:
 
 def kept_study(folder: Path, stop_after: int | None = None, model: str = "one", stop_at: str = "") -> tuple[SwapStudy, Checkpoint]:
     """Return a study whose searches are kept, or stop at the beginning of a stage, by its number or its name."""
-    variants, checkpoint, begun = variants_under([("strong", rigid("other", 2.0))], ("*.x.controller.*_gain",)), Checkpoint(folder, model), []
+    variants = variants_under([("strong", rigid("other", 2.0))], ("*.x.controller.*_gain",))
+    checkpoint, begun = Checkpoint(folder, model), list[str]()
 
     def stage(name: str, most: int) -> None:
         if len(begun) == stop_after or name == stop_at:
