@@ -10,10 +10,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from contourlab.errors import LogError
-from contourlab.logs.moment_cell import is_moment
-from contourlab.logs.moments import EXAMPLE, Moments, moments_of
 from contourlab.logs.reading import CUT, called, cells_of, is_empty, is_unit, name_and_unit, number, numbers, shown, text_of
 from contourlab.logs.record import Channel, Record
+from contourlab.logs.timestamps import EXAMPLE, is_timestamp, timestamp_channel
 
 Array = NDArray[np.float64]
 MARKS = (";", "\t", ",")
@@ -22,8 +21,6 @@ NO_UNIT = ("", "-", "1")
 """What stands in a line of units where a column has none."""
 LOOKED_AT = 1000
 """Lines among which the one is looked for that comes nearest to a row of numbers."""
-_MILLISECONDS = re.compile(r"\W*(ms|msecs?|millis|milli ?sec(ond)?s?|millisekunden?)\W*\Z", re.IGNORECASE)
-"""Names of a column that holds the milliseconds of times in another."""
 _NUMBER = re.compile(r"[-+]?(\d+([.,]\d*)?|[.,]\d+)([eE][-+]?\d+)?\Z")
 
 
@@ -69,42 +66,38 @@ def read(file: Path) -> Record:
     notes: tuple[str, ...] = ()
     if cut and len(_cells(rows[-1][1], mark)) != width:
         rows, notes = rows[:-1], (CUT,)
-    moments, rows = _moments(rows, names, mark, file)
+    timestamps, rows = _timestamps(rows, names, mark, file)
     values = _values(rows, names, mark, file, {line for _, line in heads})
-    channels = [Channel(name, column, unit) for name, unit, column in zip(names, units, values.T, strict=True)]
-    for j, found in moments.items():
-        channels[j] = Channel(names[j], found.seconds, "s", is_moment=True, notes=found.notes, fault=found.fault)
+    channels = [timestamps.get(j) or Channel(names[j], column, units[j]) for j, column in enumerate(values.T)]
     return Record(file, "csv", tuple(channels), notes=notes)
 
 
-def _moments(
+def _timestamps(
     rows: list[tuple[int, str]], names: list[str], mark: str | None, file: Path
-) -> tuple[dict[int, Moments], list[tuple[int, str]]]:
-    """Return the columns of dates and times of day, and the rows with nothing but numbers in them."""
-    columns = _columns_of_moments(rows, len(names), mark)
+) -> tuple[dict[int, Channel], list[tuple[int, str]]]:
+    """Return the columns of timestamps, and the rows with 0 in their place."""
+    columns = _columns_of_timestamps(rows, len(names), mark)
     if not columns:
         return {}, rows
     lines = [i for i, _ in rows]
-    parted = [_cells(line, mark) for _, line in rows]
-    for i, cells in zip(lines, parted, strict=True):
+    table = [_cells(line, mark) for _, line in rows]
+    for i, cells in zip(lines, table, strict=True):
         if len(cells) != len(names):
             raise LogError(f"has {len(cells)} columns where {len(names)} are wanted", file=file, line=i)
-    parts = [j for j, name in enumerate(names) if _MILLISECONDS.match(name) and j not in columns]
-    texts = {j: [cells[j] for cells in parted] for j in (*columns, *parts)}
-    found = moments_of({j: texts[j] for j in columns}, names, lines, file, {j: texts[j] for j in parts})
-    kept = [["0" if j in found else f'"{cell}"' if (mark or " ") in cell else cell for j, cell in enumerate(cells)] for cells in parted]
-    return found, [(i, (mark or " ").join(cells)) for i, cells in zip(lines, kept, strict=True)]
+    channels = {j: timestamp_channel(names[j], [cells[j] for cells in table], lines, file) for j in columns}
+    kept = [["0" if j in channels else f'"{cell}"' if (mark or " ") in cell else cell for j, cell in enumerate(cells)] for cells in table]
+    return channels, [(i, (mark or " ").join(cells)) for i, cells in zip(lines, kept, strict=True)]
 
 
-def _columns_of_moments(rows: list[tuple[int, str]], width: int, mark: str | None) -> list[int]:
-    """Return the columns whose first cell that is not empty is a date or a time of day."""
-    found, untold = [], set(range(width))
+def _columns_of_timestamps(rows: list[tuple[int, str]], width: int, mark: str | None) -> list[int]:
+    """Return the columns whose first cell that is not empty looks like a timestamp."""
+    found, empty = [], set(range(width))
     for _, line in rows:
         for j, cell in enumerate(_cells(line, mark)[:width]):
-            if j in untold and not is_empty(cell):
-                untold.remove(j)
-                found += [j] if is_moment(cell.strip('" ')) else []
-        if not untold:
+            if j in empty and not is_empty(cell):
+                empty.remove(j)
+                found += [j] if is_timestamp(cell.strip('" ')) else []
+        if not empty:
             break
     return sorted(found)
 
@@ -171,12 +164,12 @@ def _cells(line: str, mark: str | None) -> list[str]:
 
 def _is_row(cells: list[str]) -> bool:
     found = [cell.strip().strip('"') for cell in cells]
-    return any(_NUMBER.match(cell) or is_moment(cell) for cell in found) and all(_is_value(cell) for cell in found)
+    return any(_NUMBER.match(cell) or is_timestamp(cell) for cell in found) and all(_is_value(cell) for cell in found)
 
 
 def _is_value(cell: str) -> bool:
     """Tell whether a cell is a number, a moment, or a word that stands for a value or for none."""
-    return _NUMBER.match(cell) is not None or _is_word(cell) or is_moment(cell)
+    return _NUMBER.match(cell) is not None or _is_word(cell) or is_timestamp(cell)
 
 
 def _is_word(cell: str) -> bool:

@@ -13,10 +13,10 @@ from contourlab.errors import LogError, ParameterError, UnitError
 from contourlab.logs.clock import EVEN, ClockReport, common_clock, look_at_clock, repeats_too_often, resampled
 from contourlab.logs.formats import read_record
 from contourlab.logs.mapping import SIGNALS, Column, Columns, guessed, unknown
-from contourlab.logs.moments import RIGHT
 from contourlab.logs.names import TIME
 from contourlab.logs.record import AXIS_LETTERS, Channel, Record
 from contourlab.logs.record import said as names_said
+from contourlab.logs.timestamps import CURE
 from contourlab.result import Result, Signal
 from contourlab.units import from_si, show, si_unit, to_si
 
@@ -198,7 +198,7 @@ def _times(record: Record, columns: Sequence[Column], given: Columns) -> tuple[A
         unfit = _unfit(channel, record)
         if unfit is None or given.period is None or column in given.columns:
             return _told_by(channel, column, record)
-        how = [f"{unfit.message.removesuffix(f': {RIGHT}')}: samples are counted by the period that was given"]
+        how = [f"{unfit.message.removesuffix(f': {CURE}')}: samples are counted by the period that was given"]
     numbered = next((c for c in record.channels if c.name == "sample" and record.format == "halsampler"), None)
     every = given.period or record.period
     if numbered is not None and every is not None:
@@ -212,12 +212,9 @@ def _unfit(channel: Channel, record: Record) -> LogError | None:
         return channel.fault
     there = channel.values[~np.isnan(channel.values)]
     if not there.size:
-        return LogError(f"column {channel.name!r} holds no times: {RIGHT}", file=record.file)
+        return LogError(f"column {channel.name!r} holds no times: {CURE}", file=record.file)
     if repeats_too_often(there):
-        beside = "".join(f"; {note}" for note in channel.notes)
-        if channel.is_moment and record.format == "csv" and not beside:
-            beside = ", and no column beside it is called ms or milliseconds"
-        return LogError(f"times in column {channel.name!r} are written too coarsely{beside}: {RIGHT}", file=record.file)
+        return LogError(f"times in column {channel.name!r} are written too coarsely: {CURE}", file=record.file)
     return None
 
 
@@ -225,7 +222,7 @@ def _told_by(channel: Channel, column: Column, record: Record) -> tuple[Array, l
     """Return the times [s] that a column holds, and what there is to say of them."""
     if (unfit := _unfit(channel, record)) is not None:
         raise unfit
-    if channel.is_moment and column.unit:
+    if channel.is_timestamp and column.unit:
         raise LogError(f"column {channel.name!r} holds dates and times of day: name it without {column.unit}", file=record.file)
     unit = column.unit or channel.unit
     how = [*channel.notes] if unit else ["time is taken in s: its column says no unit"]

@@ -198,12 +198,12 @@ def guessed(record: Record) -> dict[tuple[str, str], list[str]]:
     found: dict[tuple[str, str], list[str]] = {}
     for channel in record.channels:
         target = _meaning(channel)
-        if target is not None and not (target == (TIME, "") and channel.is_moment):
+        if target is not None and not (target == (TIME, "") and channel.is_timestamp):
             found.setdefault(target, []).append(channel.name)
     for channel in record.channels:
         if (own := _own(channel)) is not None:
             found[own] = [channel.name]
-    moments = [channel for channel in record.channels if channel.is_moment]
+    moments = [channel for channel in record.channels if channel.is_timestamp]
     if (TIME, "") not in found and moments:
         told = [channel for channel in moments if channel.fault is None] or moments
         called = [channel for channel in told if _meaning(channel) == (TIME, "")] or told

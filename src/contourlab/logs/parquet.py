@@ -59,7 +59,7 @@ def _channel(field: Any, column: Any) -> Channel | None:
         ticks = column.drop_null().cast("int64").to_numpy(zero_copy_only=False)
         values = np.full(there.size, np.nan)
         values[there] = (ticks - ticks[:1]) * {"s": 1.0, "ms": 1e-3, "us": 1e-6, "ns": 1e-9}[kind.unit]
-        return Channel(name, values, "s", is_moment=types.is_timestamp(kind))
+        return Channel(name, values, "s", is_timestamp=types.is_timestamp(kind))
     if types.is_integer(kind) or types.is_floating(kind) or types.is_boolean(kind) or types.is_decimal(kind):
         values = np.array([np.nan if v is None else float(v) for v in column.to_pylist()]) if column.null_count else column.to_numpy()
         return Channel(name, np.asarray(values, dtype=np.float64), said or unit)

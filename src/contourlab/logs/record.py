@@ -31,7 +31,7 @@ class Channel:
         As the file says; empty where it says none.
     time : ndarray (n,) [s] or None
         Time of each value; None where the file numbers them only.
-    is_moment : bool
+    is_timestamp : bool
         Whether it holds dates and times of day, counted in seconds from the first of them.
     notes : tuple of str
         How its values were understood, in words, for whoever uses them.
@@ -45,7 +45,7 @@ class Channel:
     values: Array
     unit: str = ""
     time: Array | None = None
-    is_moment: bool = False
+    is_timestamp: bool = False
     notes: tuple[str, ...] = ()
     fault: LogError | None = None
     symbol: str = ""
