@@ -12,8 +12,8 @@ import math
 import re
 from collections.abc import Callable
 
-from contourlab.program.fault import BlockError
 from contourlab.program.parameters import Key, Parameters
+from contourlab.program.vocabulary import BlockError
 
 MOST_NESTED = 50
 LARGEST_WHOLE = 1e9

@@ -11,10 +11,10 @@ import re
 from collections.abc import Iterator
 from typing import NamedTuple
 
+from contourlab.program.block import without_blanks
 from contourlab.program.expressions import Cursor, read_value
-from contourlab.program.fault import BlockError
-from contourlab.program.lexer import without_blanks
 from contourlab.program.parameters import Parameters
+from contourlab.program.vocabulary import BlockError
 
 KEYWORDS = (
     "elseif", "else", "endif", "endsub", "endwhile", "endrepeat", "sub", "call", "return", "do", "while", "if", "break", "continue",

@@ -6,9 +6,9 @@ from bisect import bisect_left
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field
 
-from contourlab.program.fault import BlockError
 from contourlab.program.flow import OWord, Tape, read_o_word, starts_o_word
 from contourlab.program.parameters import Parameters
+from contourlab.program.vocabulary import BlockError
 
 DEEPEST_CALL = 9
 """LinuxCNC has ten levels, the program itself among them."""
@@ -135,10 +135,7 @@ class Walker:
         place = self.place
         first = self._begun.setdefault((self.frame.label, word.label), place)
         if first != place:
-            raise BlockError(
-                f"O{word.label} {word.keyword}: the label stands for a block that begins in line {first[1]}, take another one",
-                word.column,
-            )
+            raise BlockError(f"O{word.label} {word.keyword}: line {first[1]} uses this label, take another one", word.column)
 
     # Conditions
 
@@ -291,9 +288,7 @@ class Walker:
             If there is no such subprogram, or calls are nested too deep.
         """
         if len(self._frames) > DEEPEST_CALL:
-            raise BlockError(
-                f"calls are nested more than {DEEPEST_CALL} deep: a subprogram that calls itself must end at some time", column
-            )
+            raise BlockError(f"calls are nested more than {DEEPEST_CALL} deep: a subprogram that calls itself must end", column)
         if repeats < 1:
             return
         fanuc = arguments is None

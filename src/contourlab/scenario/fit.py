@@ -11,7 +11,7 @@ from contourlab.feed import route_from_program
 from contourlab.geometry.box import box
 from contourlab.loop import Machine
 from contourlab.program import Program
-from contourlab.program.placing import placed
+from contourlab.program.moves import placed
 
 MARGIN = 0.01
 """Of the travel, left free at either end."""
