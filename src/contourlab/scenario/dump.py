@@ -15,11 +15,10 @@ from contourlab.loop.machine import AXIS_SLOTS, CONTROLLER_SLOTS
 from contourlab.scenario.case import Case, Scenario
 from contourlab.scenario.components import parameters_of
 from contourlab.scenario.files import BUILTIN, builtin_file, builtin_names
-from contourlab.scenario.learning import LearningSettings
 from contourlab.scenario.provenance import origin_table, written
 from contourlab.scenario.toml_text import Noted, toml
 from contourlab.scenario.tree import DEFAULT
-from contourlab.scenario.values import Contour, Motion, PartProgram
+from contourlab.scenario.values import Contour, LearningSettings, Motion, PartProgram
 from contourlab.units import from_si, to_si
 
 _LIMITS = {

@@ -8,6 +8,7 @@ from functools import cached_property
 from pathlib import Path as File
 from typing import Any, Literal, TypeAlias
 
+from contourlab.components.learning.law import LearningLaw
 from contourlab.contours import ContourReading, study_contour
 from contourlab.feed import Route, route_from_program
 from contourlab.feed.path_control import PathControl
@@ -187,3 +188,26 @@ class RunSettings:
     seed: int = 0
     evaluate: Literal["last-lap", "whole"] = "last-lap"
     start: Literal["rest", "moving"] = "rest"
+
+
+@dataclass(frozen=True)
+class LearningSettings:
+    """How a case learns.
+
+    Attributes
+    ----------
+    law : LearningLaw
+    trials : int
+        Largest number of trials after the first, which has learned nothing.
+    improvement : float, 0 to 1
+        Learning has converged once `patience` trials bring no more than this part of the contour error.
+    patience : int
+    table : path or None
+        A learned table to start with.
+    """
+
+    law: LearningLaw
+    trials: int = 30
+    improvement: float = 0.01
+    patience: int = 10
+    table: File | None = None
