@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from dataclasses import dataclass, replace
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
 from itertools import pairwise
 from typing import Any
 
@@ -31,6 +31,7 @@ from contourlab.scenario.tree import DESIGNED, Leaf, Node, Table, hint
 
 SUPERVISOR = "performance"
 """Kind of a supervisor that names none."""
+_OPTIONAL = ("observer", "gap_observer", "compensation", "supervisor")
 
 
 def build_axis(table: Table, name: str) -> Axis:
@@ -44,12 +45,7 @@ def build_axis(table: Table, name: str) -> Axis:
     table, origins = without_origins(table, ("stage_mass", "alignment"))
     plain = read_table(AxisTable, table)
     plant = read_component(table.entries["plant"], "plant", ("?", "?"))
-    units = (plant.command_unit, plant.force_unit)
-    parts: dict[str, Any] = {}
-    for slot in AXIS_SLOTS[1:]:
-        if slot in table.entries:
-            family = slot.removeprefix("motor_")
-            parts[slot] = read_component(table.entries[slot], family, units, optional=slot == "disturbance")
+    parts = _parts(table, AXIS_SLOTS[1:], (plant.command_unit, plant.force_unit), optional=("disturbance",))
     return Axis(
         name=name,
         plant=plant,
@@ -63,6 +59,15 @@ def build_axis(table: Table, name: str) -> Axis:
         correlations=read_correlations(table, {"plant": plant, **{k: v for k, v in parts.items() if v is not None}}),
         **parts,
     )
+
+
+def _parts(table: Table, slots: Sequence[str], units: tuple[str, str], optional: Sequence[str]) -> dict[str, Any]:
+    """Return the components that a table gives, by slot; None where it says ``"none"``."""
+    return {
+        slot: read_component(table.entries[slot], slot.removeprefix("motor_"), units, optional=slot in optional)
+        for slot in slots
+        if slot in table.entries
+    }
 
 
 def _limits(table: Table) -> Limits:
@@ -165,11 +170,8 @@ def build_controller(table: Table, machine: Machine) -> Controller:
         raise axes.error(f"the machine has no axis {others[0]!r}: {hint(others[0], machine.axis_names)}", others[0])
     built = {name: _axis_controller(axes.table(name), machine, name) for name in machine.axis_names}
     units = (machine.axes[0].plant.command_unit, machine.axes[0].plant.force_unit)
-    parts = {
-        slot: read_component(table.entries[slot], slot, units, optional=True) if slot in table.entries else None
-        for slot in ("estimator", "coupling")
-    }
-    check = getattr(parts["estimator"], "check_axes", None)
+    parts = _parts(table, ("estimator", "coupling"), units, ("estimator", "coupling"))
+    check = getattr(parts.get("estimator"), "check_axes", None)
     if check is not None:
         with located(table, "estimator"):
             check(len(machine.axes))
@@ -181,13 +183,10 @@ def _axis_controller(table: Table, machine: Machine, name: str) -> AxisControlle
     plain = read_table(AxisControllerTable, table)
     axis = machine.axis(name)
     units = (axis.plant.command_unit, axis.plant.force_unit)
-    parts: dict[str, Any] = {}
-    for slot in ("predictor", "velocity", "observer", "gap_observer", "compensation", "supervisor"):
-        if slot in table.entries:
-            node = table.entries[slot]
-            if slot == "supervisor" and isinstance(node, Table) and "kind" not in node.entries:
-                node = node.having(kind=Leaf(SUPERVISOR, node.file, node.at("kind")))
-            parts[slot] = read_component(node, slot, units, optional=slot != "velocity")
+    supervisor = table.get("supervisor")
+    if isinstance(supervisor, Table) and "kind" not in supervisor.entries:
+        table = table.having(supervisor=supervisor.having(kind=Leaf(SUPERVISOR, supervisor.file, supervisor.at("kind"))))
+    parts = _parts(table, ("predictor", "velocity", *_OPTIONAL), units, ("predictor", *_OPTIONAL))
     model = _model(machine, axis, parts.get("observer"))
     parts["controller"] = _position(table.entries["controller"], units, model)
     if "feedforward" in table.entries:
@@ -206,7 +205,7 @@ def _link(node: Node, units: tuple[str, str]) -> Division | None:
             return None
         raise node.error(f'{node.value!r} is no link: write a table with division = "...", and down and up')
     plain = read_table(LinkTable, node)
-    ways = {way: read_component(node.entries[way], "link", units, optional=way == "up") for way in ("down", "up") if way in node.entries}
+    ways = {way: read_component(node.entries[way], "link", units, optional=way == "up") for way in plain.parts if way in node.entries}
     with located(node):
         return Division(plain.division, **ways)
 
@@ -248,20 +247,17 @@ def _local(names: list[str], parts: Mapping[str, Any], table: Table) -> tuple[st
     return tuple(names)
 
 
-@dataclass(frozen=True)
-class _Model:
-    """Acceleration per command and decay of what the position loop sees, and in words where they are from."""
-
-    gain: float
-    damping: float
+_Model = tuple[float, float]
+"""Acceleration per command, and damping, of what the position loop sees."""
 
 
 def _model(machine: Machine, axis: Axis, observer: Component | None) -> _Model:
-    """Return the model that gains are placed for: the observer's where there is one, else the plant's with all that it carries."""
+    """Return the model that gains are placed for: the observer's if there is one, else the plant's with all that it carries."""
     if observer is not None and {"model_gain", "model_damping"} <= set(observer.parameters):
         values = observer.values()
-        return _Model(values["model_gain"], values["model_damping"])
-    return _Model(*machine.loaded_plant(axis.name).rigid_model())
+        return values["model_gain"], values["model_damping"]
+    gain, damping = machine.loaded_plant(axis.name).rigid_model()
+    return gain, damping
 
 
 def _position(node: Node, units: tuple[str, str], model: _Model) -> Any:
@@ -276,28 +272,16 @@ def _position(node: Node, units: tuple[str, str], model: _Model) -> Any:
         raise node.error("is given beside gains = {...}, which works it out: leave one of the two out", both[0])
     wanted = read_wishes(kind, gains, units)
     rest = node.without("gains")
-    base = _Model(
-        _given(rest, "model_gain", units, kind, model.gain),
-        _given(rest, "model_damping", units, kind, model.damping),
-    )
+    names = [name for name in ("model_gain", "model_damping") if name in rest.entries and name in kind.parameters]
+    own = read_values(kind, replace(rest, entries={name: rest.entries[name] for name in names}), units)
     with located(gains):
-        placed = kind.designed(wanted, base.gain, base.damping)
+        placed = kind.designed(wanted, float(own.get("model_gain", model[0])), float(own.get("model_damping", model[1])))
     return read_component(rest, "controller", units, given=placed)
 
 
 def _same_place(node: Any, gains: Table) -> bool:
     """Tell whether a gain stands in the same table of the same file as the poles."""
     return bool(node.file == gains.file and node.key.rpartition(".")[0] == gains.key.rpartition(".")[0])
-
-
-def _given(table: Table, name: str, units: tuple[str, str], kind: type[Component], otherwise: float) -> float:
-    if name not in table.entries or name not in kind.parameters:
-        return otherwise
-    only = Table({name: table.entries[name]}, table.file, table.key)
-    return float(read_values(kind, only, units)[name])
-
-
-LIMITS = ("velocity", "acceleration", "jerk", "following_error", "travel")
 
 
 def in_place(table: Table, module: Axis, place: Axis) -> tuple[Axis, str]:
@@ -336,7 +320,7 @@ def in_place(table: Table, module: Axis, place: Axis) -> tuple[Axis, str]:
 def _limits_in_place(table: Table, own: Limits, there: Limits) -> tuple[Limits, list[str]]:
     """Return limits, those that are left out as they are there, and the names of these."""
     plain = Limits()
-    names = [name for name in LIMITS if name not in table.entries and getattr(there, name) != getattr(plain, name)]
+    names = [name for name in LimitsTable.model_fields if name not in table.entries and getattr(there, name) != getattr(plain, name)]
     origins = {name: there.origins[name] for name in names if name in there.origins}
     given = {name: getattr(there, name) for name in names}
     return replace(own, **given, origins={**own.origins, **origins}), [f"limits.{name}" for name in names]
