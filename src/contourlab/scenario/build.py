@@ -12,7 +12,7 @@ import numpy as np
 from contourlab.components.contract import Component
 from contourlab.loop import Axis, AxisController, AxisError, Controller, Division, Limits, Machine
 from contourlab.loop.machine import AXIS_SLOTS
-from contourlab.scenario.components import find_kind, located, read_component, read_values, read_wishes
+from contourlab.scenario.components import find_kind, read_component, read_values, read_wishes
 from contourlab.scenario.files import EVERY
 from contourlab.scenario.provenance import read_correlations, read_machine_correlations, without_origins
 from contourlab.scenario.quantities import read_number
@@ -27,7 +27,7 @@ from contourlab.scenario.tables import (
     ZeroPhaseTable,
     read_table,
 )
-from contourlab.scenario.tree import DESIGNED, Leaf, Node, Table, hint
+from contourlab.scenario.tree import DESIGNED, Leaf, Node, Table, hint, located
 
 SUPERVISOR = "performance"
 """Kind of a supervisor that names none."""

@@ -9,7 +9,7 @@ from pathlib import Path
 
 import contourlab
 from contourlab.errors import ScenarioError
-from contourlab.scenario.tree import DEFAULT, Leaf, Node, Table, hint, merge, read_tree
+from contourlab.scenario.tree import DEFAULT, Leaf, Node, Table, hint, located, merge, read_tree
 
 BUILTIN = "builtin:"
 """Prefix of the names of files that are shipped."""
@@ -52,6 +52,12 @@ def locate(reference: str, folder: Path) -> Path:
     if reference.startswith(BUILTIN):
         return builtin_file(reference)
     return folder / reference
+
+
+def named_in(table: Table, key: str) -> Path:
+    """Return the file that an entry names, relative to the file it stands in."""
+    with located(table, key):
+        return locate(table.entries[key].plain(), Path(table.entries[key].file).parent)
 
 
 @dataclass(frozen=True)

@@ -13,12 +13,12 @@ from contourlab.loop import Change, Machine
 from contourlab.loop.simulate import UNITS
 from contourlab.program import Reading, read_program
 from contourlab.scenario.build import build_controller
-from contourlab.scenario.components import located, read_component
-from contourlab.scenario.files import Reader, join, locate
+from contourlab.scenario.components import read_component
+from contourlab.scenario.files import Reader, join, named_in
 from contourlab.scenario.placing import fitted
 from contourlab.scenario.quantities import read_list, read_number
 from contourlab.scenario.tables import ChangeTable, ContourFileTable, FeedTable, LearningTable, ProgramTable, RunTable, read_table
-from contourlab.scenario.tree import Leaf, Node, Table, from_mapping, hint, settle
+from contourlab.scenario.tree import Leaf, Node, Table, from_mapping, hint, located, settle
 from contourlab.scenario.values import Contour, FeedSettings, LearningSettings, Motion, PartProgram, RunSettings
 
 JUDGED = ("contour_error", "part_error", "planning_deviation", "foot_arc_length", "tracking_error")
@@ -105,25 +105,19 @@ def read_motion(content: Table, machine: Machine) -> Motion:
     if isinstance(node, Leaf):
         node = Table({"file": node}, node.file, node.key)
     plain = read_table(ProgramTable, node)
-    reference = node.entries["file"]
-    assert isinstance(reference, Leaf)  # its text has just been read
-    with located(node, "file"):
-        file = locate(plain.file, Path(reference.file).parent)
+    file = named_in(node, "file")
     letters = tuple(plain.letters) if plain.letters else tuple(name.lower() for name in machine.axis_names)
     _check_letters(node, letters, machine, bool(plain.letters))
-    tools = None
-    if plain.tools is not None:
-        with located(node, "tools"):
-            tools = locate(plain.tools, Path(reference.file).parent)
+    tools = None if plain.tools is None else named_in(node, "tools")
     reading = Reading(dialect=plain.dialect, require_end=plain.require_end, block_delete=plain.block_delete, tools=tools)
     try:
         program = read_program(file, reading=reading)
     except ProgramError as error:
         if error.line:
             raise
-        if reference.file.startswith("<"):  # typed, not read from a file: there is no key to name
+        if node.entries["file"].file.startswith("<"):  # typed, not read from a file: there is no key to name
             raise ScenarioError(error.message, file=error.file) from error
-        raise reference.error(str(error)) from error
+        raise node.error(str(error), "file") from error
     if not plain.fit:
         return PartProgram(file, program, letters, reading)
     program, note = fitted(program, letters, machine)
@@ -195,10 +189,7 @@ def _contour_file(node: Table, machine: Machine) -> Contour:
     if "name" in node.entries:
         raise node.error("name and file are both given: a test contour has a name, a drawing a file", "name")
     plain = read_table(ContourFileTable, node)
-    reference = node.entries["file"]
-    assert isinstance(reference, Leaf)  # its text has just been read
-    with located(node, "file"):
-        file = locate(plain.file, Path(reference.file).parent)
+    file = named_in(node, "file")
     if plain.unit is not None:
         with located(node, "unit"):
             unit_size(plain.unit)
@@ -224,11 +215,7 @@ def read_learning(table: Table, machine: Machine) -> LearningSettings | None:
     law: Any = read_component(table.entries["law"], "learning", (first.command_unit, first.force_unit), optional=True)
     if law is None:
         return None
-    start = None
-    if plain.table is not None:
-        reference = table.entries["table"]
-        assert isinstance(reference, Leaf)  # a string, as the model has seen
-        start = locate(plain.table, Path(reference.file).parent)
+    start = None if plain.table is None else named_in(table, "table")
     return LearningSettings(law, plain.trials, plain.improvement, plain.patience, start)
 
 

@@ -14,12 +14,12 @@ import numpy as np
 
 from contourlab.components.contract import Component, Parameter
 from contourlab.components.origin import SOURCES, Origin
-from contourlab.errors import ContourlabError, ParameterError
+from contourlab.errors import ParameterError
 from contourlab.loop import Machine
 from contourlab.loop.machine import AXIS_SLOTS
 from contourlab.scenario.quantities import read_number
 from contourlab.scenario.toml_text import Noted
-from contourlab.scenario.tree import STATED, Leaf, Node, Table, hint
+from contourlab.scenario.tree import STATED, Leaf, Node, Table, hint, located
 
 _KEYS = (STATED, "source", "deviation", "range", "from", "note")
 _EXAMPLE = '{value = "33 kg", source = "fitted", deviation = "1 %", from = "log.mat"}'
@@ -96,7 +96,9 @@ def _origin(table: Table, of: tuple[Parameter, float] | None, exact: str) -> Ori
         if name in table.entries:
             if of is None:
                 raise table.error(f"has no place here: this is {exact}", name)
-            given["span" if name == "range" else name] = _read(table, name, (_span if name == "range" else _deviation), *of)
+            with located(table, name):
+                value = table.entries[name].plain()
+                given |= {"span": _span(value, *of)} if name == "range" else {"deviation": _deviation(value, *of)}
     try:
         return Origin(words["source"], reference=words["from"], note=words["note"], **given)
     except ParameterError as error:
@@ -110,13 +112,6 @@ def _text(table: Table, name: str) -> str:
     if not isinstance(node, Leaf) or not isinstance(node.value, str) or not 0 < len(node.value) <= 400 or not node.value.isprintable():
         raise table.error("text in quotes is wanted, one line of up to 400 characters", name)
     return node.value
-
-
-def _read(table: Table, name: str, how: Callable[[Any, Parameter, float], Any], parameter: Parameter, value: float) -> Any:
-    try:
-        return how(table.entries[name].plain(), parameter, value)
-    except ContourlabError as error:
-        raise table.error(str(error), name) from error
 
 
 def _deviation(given: Any, parameter: Parameter, value: float) -> float:
