@@ -76,9 +76,8 @@ class ClockReport:
         if self.gaps:
             found.append(f"{self.missing} of {self.n_sample + self.missing} samples are missing, {self._gaps()}")
         if self.repeated:
-            many = self.repeated > 1
-            words = ("samples repeat", "were") if many else ("sample repeats", "was")
-            found.append(f"{self.repeated} {words[0]} the time of the one before and {words[1]} left out")
+            many = "samples repeat" if self.repeated > 1 else "sample repeats"
+            found.append(f"{self.repeated} {many} the time of the one before: left out")
         if self.resampled:
             own = f"a sample every {show(self.period, 'us')}, " if abs(onto - self.period) > EVEN * onto else ""
             found.append(f"{own}interpolated to an even clock of {show(onto, 'us')}")
@@ -126,19 +125,11 @@ def look_at_clock(time: Array, name: str, file: Path, period: float | None = Non
     jitter = _jitter(even, count, usual)
     report = ClockReport(usual, even.size, float(np.sqrt(np.mean(jitter**2))), float(np.abs(jitter).max()), gaps, int((~kept).sum()))
     if report.missing > MOST_MISSING * (report.n_sample + report.missing):
-        raise LogError(
-            f"{report.missing} of {report.n_sample + report.missing} samples of {name!r} are missing at a period of {show(usual, 'us')}, "
-            f"{report._gaps()}: {_too_much(report)}",
-            file=file,
-        )
+        lost = f"{report.missing} of {report.n_sample + report.missing} samples of {name!r}"
+        # A few gaps are in the record, many are in its clock.
+        cure = "cut the log there" if len(report.gaps) <= FEW else "that is no even sampling, or the wrong period"
+        raise LogError(f"{lost} are missing at a period of {show(usual, 'us')}, {report._gaps()}: {cure}", file=file)
     return report, kept
-
-
-def _too_much(report: ClockReport) -> str:
-    """Return what may be wrong where too much is missing: a few gaps are in the record, many are in its clock."""
-    if len(report.gaps) <= FEW:
-        return "cut the log there and take the parts apart"
-    return "that is no even sampling, or the wrong period"
 
 
 def _kept(time: Array, name: str, file: Path) -> NDArray[np.bool_]:
@@ -148,18 +139,14 @@ def _kept(time: Array, name: str, file: Path) -> NDArray[np.bool_]:
     step = np.diff(time)
     if (step < 0.0).any():
         k = int(np.argmax(step < 0.0))
-        raise LogError(
-            f"time goes back from {time[k]:.9g} s to {time[k + 1]:.9g} s at sample {k + 1} ({name!r}): are two records in one file, "
-            "or is the column no time?",
-            file=file,
-        )
+        where = f"from {time[k]:.9g} s to {time[k + 1]:.9g} s at sample {k + 1} ({name!r})"
+        raise LogError(f"time goes back {where}: are two records in one file, or is the column no time?", file=file)
     kept = np.append(True, step > 0.0)
     n = int(np.count_nonzero(kept))
     repeated = time.size - n
     if n >= 3 and repeats_too_often(time):
-        raise LogError(
-            f"{repeated} of {time.size} samples of {name!r} repeat the time of the one before: times are written too coarsely", file=file
-        )
+        count = f"{repeated} of {time.size} samples of {name!r}"
+        raise LogError(f"{count} repeat the time of the one before: times are written too coarsely", file=file)
     if n < 3:
         raise LogError(f"holds {n} samples of {name!r} at different times: three or more are wanted", file=file)
     return np.asarray(kept)

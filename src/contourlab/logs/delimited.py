@@ -29,14 +29,13 @@ def matches(file: Path, head: bytes) -> bool:
     if b"\0" in head or file.suffix.lower() == ".xml":
         return False
     lines = [line for line in head.decode("utf-8-sig", errors="replace").splitlines()[:50] if _bare(line)]
-    return any(_is_row(_cells(line, _mark(line))) for line in lines) or _is_called_a_table(file, lines)
-
-
-def _is_called_a_table(file: Path, lines: list[str]) -> bool:
-    """Tell whether a file by its name a table is one, if a faulty one: all its lines are parted, and there are few or some hold numbers."""
-    if file.suffix.lower() not in ENDINGS or not lines or not all(_mark(line) for line in lines):
+    rows = [_cells(line, _mark(line)) for line in lines]
+    if any(_is_row(cells) for cells in rows):
+        return True
+    # A faulty table: all lines are separated, and there are few or some hold numbers.
+    if file.suffix.lower() not in ENDINGS or not rows or not all(_mark(line) for line in lines):
         return False
-    return len(lines) <= 2 or any(_NUMBER.match(cell.strip(' "')) for line in lines for cell in _cells(line, _mark(line)))
+    return len(rows) <= 2 or any(_NUMBER.match(cell.strip(' "')) for cells in rows for cell in cells)
 
 
 def read(file: Path) -> Record:
@@ -168,14 +167,9 @@ def _is_row(cells: list[str]) -> bool:
 
 
 def _is_value(cell: str) -> bool:
-    """Tell whether a cell is a number, a moment, or a word that stands for a value or for none."""
-    return _NUMBER.match(cell) is not None or _is_word(cell) or is_timestamp(cell)
-
-
-def _is_word(cell: str) -> bool:
-    """Tell whether a word stands for a value, or for none."""
+    """Tell whether a cell is a number, a timestamp, or a word that stands for a value or for none."""
     try:
-        return not np.isinf(number(cell))
+        return _NUMBER.match(cell) is not None or is_timestamp(cell) or not np.isinf(number(cell))
     except ValueError:
         return False
 
@@ -210,15 +204,13 @@ def _bare_units(names: list[str], cells: list[str]) -> bool:
 def _values(lines: list[tuple[int, str]], names: list[str], mark: str | None, file: Path, heads: set[str]) -> Array:
     text = "\n".join(line for _, line in lines)
     comma = mark != "," and "," in text
-    plain = text if not comma else text.replace(",", ".") if "." not in text else None
-    empty = re.compile(rf"(?m)(^|{mark})[ ]*(?={mark}|$)")
-    for attempt in (lambda text: text, lambda text: empty.sub(r"\1nan", text)):
-        try:
-            found = np.loadtxt(io.StringIO(attempt(plain)), delimiter=mark, ndmin=2, comments=None) if plain else np.empty(0)
-            if found.shape == (len(lines), len(names)):
-                return np.asarray(found, dtype=np.float64)
-        except ValueError:
-            pass  # the slow way says which line it is
+    plain = text if not comma else text.replace(",", ".") if "." not in text else ""
+    try:
+        found = np.loadtxt(io.StringIO(plain), delimiter=mark, ndmin=2, comments=None) if plain else np.empty(0)
+        if found.shape == (len(lines), len(names)):
+            return np.asarray(found, dtype=np.float64)
+    except ValueError:
+        pass  # empty cells, words and faults: read cell by cell
     again = next((i for i, line in lines if line in heads), 0)
     if again:
         raise LogError("the head stands here again: two records are in one file", file=file, line=again)

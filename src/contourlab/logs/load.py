@@ -133,54 +133,39 @@ def load_log(
 
 def result_of(record: Record, given: Columns) -> Log:
     """Return the signals of a record; see `load_log`."""
-    more, doubtful = _guessed(record, given)
-    columns = (*given.columns, *more)
+    guesses, doubtful = _guesses(record, given)
+    columns = (*given.columns, *guesses)
     wanted = [column for column in columns if column.signal != TIME]
     if not wanted:
         raise LogError("; ".join([*doubtful, unknown(record)]), file=record.file)
-    times, how = _times(record, columns, given)
-    usable: dict[str, Timed] = {}
-    for name in dict.fromkeys(column.column for column in wanted):
-        channel, time = _timed(record.channel(name), times, record, given.period, doubtful)
-        report, kept = look_at_clock(time, channel.name, record.file, given.period or record.period)
-        usable[name] = Timed(replace(channel, values=channel.values[kept]), time[kept], report)
-    clock = common_clock([(one.report, float(one.time[0]), float(one.time[-1])) for one in usable.values()], record.file)
-    signals, notes = _signals(record, {column: usable[column.column] for column in wanted}, clock)
-    clocks = {one.channel.name: one.report for one in usable.values()}
+    times, time_notes = _times(record, columns, given)
+    timed = {name: _timed(record, name, times, given.period, doubtful) for name in dict.fromkeys(column.column for column in wanted)}
+    clock = common_clock([(one.report, float(one.time[0]), float(one.time[-1])) for one in timed.values()], record.file)
+    signals, unit_notes = _signals(record, {column: timed[column.column] for column in wanted}, clock)
     axes = tuple(sorted({column.axis for column in wanted}, key=_order))
-    result = Result(
-        record.file.stem,
-        axes,
-        clock[0],
-        _stacked(signals, axes),
-        attributes={**record.attributes, "log": record.file.name, "format": record.format},
-    )
-    by_name = [f"{column.target} {column.column!r}" for column in more if column.signal != TIME and not _is_its_own(column)]
-    said = [f"taken by their names: {', '.join(by_name)}"] if by_name else []
-    found = Log(result, record, columns, clocks, start=clock[1], doubtful=tuple(doubtful))
-    return replace(found, notes=(*record.notes, *said, *doubtful, *how, *notes, *found.clock_notes()))
+    attributes = {**record.attributes, "log": record.file.name, "format": record.format}
+    result = Result(record.file.stem, axes, clock[0], _stacked(signals, axes), attributes=attributes)
+    by_name = [f"{column.target} {column.column!r}" for column in guesses if column.signal != TIME and column.column != column.target]
+    notes = (*record.notes, *([f"taken by their names: {', '.join(by_name)}"] if by_name else []), *doubtful, *time_notes, *unit_notes)
+    clocks = {one.channel.name: one.report for one in timed.values()}
+    log = Log(result, record, columns, clocks, start=clock[1], doubtful=tuple(doubtful))
+    return replace(log, notes=(*notes, *log.clock_notes()))
 
 
-def _guessed(record: Record, given: Columns) -> tuple[list[Column], list[str]]:
-    """Return the columns that are taken by their names beside those that are given, and what is to be said of those that are not."""
+def _guesses(record: Record, given: Columns) -> tuple[list[Column], list[str]]:
+    """Return the columns that their names identify besides those given, and a line for each signal that is in doubt."""
     named = {(column.signal, column.axis) for column in given.columns}
     taken = {record.channel(column.column).name for column in given.columns}
-    found, words = [], []
-    for target, all_names in guessed(record).items():
-        names = [name for name in all_names if name not in taken]
+    guesses, doubtful = [], []
+    for target, candidates in guessed(record).items():
+        names = [name for name in candidates if name not in taken]
         if target in named or not names:
             continue
-        column = Column(*target, names[0])
-        if len(names) == 1:
-            found.append(column)
-        else:
-            words.append(f"{column.target} may be {' or '.join(map(repr, names))}: none is taken, say which with --column")
-    return found, words
-
-
-def _is_its_own(column: Column) -> bool:
-    """Tell whether a column is named as its signal is, which needs no word."""
-    return column.column == column.target
+        guesses.append(Column(*target, names[0]))
+        if len(names) > 1:
+            choice = " or ".join(map(repr, names))
+            doubtful.append(f"{guesses.pop().target} may be {choice}: none is taken, say which with --column")
+    return guesses, doubtful
 
 
 def _order(axis: str) -> tuple[int, str]:
@@ -189,77 +174,71 @@ def _order(axis: str) -> tuple[int, str]:
 
 
 def _times(record: Record, columns: Sequence[Column], given: Columns) -> tuple[Array | None, list[str]]:
-    """Return the times [s] that channels without their own share, None where samples are even by their number; and what to say of them."""
-    how: list[str] = []
+    """Return the times [s] of channels without their own, None if the samples are evenly counted; and notes."""
+    notes: list[str] = []
     column = next((c for c in columns if c.signal == TIME), None)
-    needed = any(record.channel(c.column).time is None for c in columns if c.signal != TIME)
-    if column is not None and needed:
+    if column is not None and any(record.channel(c.column).time is None for c in columns if c.signal != TIME):
         channel = record.channel(column.column)
-        unfit = _unfit(channel, record)
-        if unfit is None or given.period is None or column in given.columns:
-            return _told_by(channel, column, record)
-        how = [f"{unfit.message.removesuffix(f': {CURE}')}: samples are counted by the period that was given"]
+        try:
+            return _times_in(channel, column, record)
+        except LogError as error:
+            if given.period is None or column in given.columns:
+                raise
+            notes = [f"{error.message.removesuffix(f': {CURE}')}: samples are counted by the period that was given"]
     numbered = next((c for c in record.channels if c.name == "sample" and record.format == "halsampler"), None)
-    every = given.period or record.period
-    if numbered is not None and every is not None:
-        return np.asarray(numbered.values * every), how
-    return None, how
+    period = given.period or record.period
+    return (np.asarray(numbered.values * period), notes) if numbered is not None and period is not None else (None, notes)
 
 
-def _unfit(channel: Channel, record: Record) -> LogError | None:
-    """Return why a column cannot tell the times of samples, None where it can."""
+def _times_in(channel: Channel, column: Column, record: Record) -> tuple[Array, list[str]]:
+    """Return the times [s] in a column, and notes."""
     if channel.fault is not None:
-        return channel.fault
-    there = channel.values[~np.isnan(channel.values)]
-    if not there.size:
-        return LogError(f"column {channel.name!r} holds no times: {CURE}", file=record.file)
-    if repeats_too_often(there):
-        return LogError(f"times in column {channel.name!r} are written too coarsely: {CURE}", file=record.file)
-    return None
-
-
-def _told_by(channel: Channel, column: Column, record: Record) -> tuple[Array, list[str]]:
-    """Return the times [s] that a column holds, and what there is to say of them."""
-    if (unfit := _unfit(channel, record)) is not None:
-        raise unfit
+        raise channel.fault
+    missing = np.isnan(channel.values)
+    if missing.all():
+        raise LogError(f"column {channel.name!r} holds no times: {CURE}", file=record.file)
+    if repeats_too_often(channel.values[~missing]):
+        raise LogError(f"times in column {channel.name!r} are written too coarsely: {CURE}", file=record.file)
     if channel.is_timestamp and column.unit:
         raise LogError(f"column {channel.name!r} holds dates and times of day: name it without {column.unit}", file=record.file)
     unit = column.unit or channel.unit
-    how = [*channel.notes] if unit else ["time is taken in s: its column says no unit"]
-    untold = int(np.isnan(channel.values).sum())
-    how += [f"{untold} of {channel.values.size} rows say no time, and are left out"] if untold else []
-    return _in_si(channel, column, unit or "s", "s", record) * column.factor, how
+    notes = [*channel.notes] if unit else ["time is taken in s: its column says no unit"]
+    if missing.any():
+        notes.append(f"{int(missing.sum())} of {missing.size} rows say no time, and are left out")
+    return _in_si(channel, column, unit or "s", "s", record) * column.factor, notes
 
 
 @dataclass(eq=False)
 class Timed:
-    """A channel with the times [s] of its values, one value for each time, and what its clock is like."""
+    """A channel with the times [s] of its values, one value for each time, and its clock."""
 
     channel: Channel
     time: Array
     report: ClockReport
 
 
-def _timed(channel: Channel, times: Array | None, record: Record, period: float | None, doubtful: Sequence[str]) -> tuple[Channel, Array]:
-    """Return a channel and the times of its values, without what are none."""
+def _timed(record: Record, name: str, times: Array | None, period: float | None, doubtful: Sequence[str]) -> Timed:
+    """Return a channel with the times of its values, without gaps."""
+    channel = record.channel(name)
     if channel.fault is not None:
         raise channel.fault
-    time: Array | None = channel.time if channel.time is not None else times
-    every = period or record.period
+    time = channel.time if channel.time is not None else times
+    period = period or record.period
     if time is None:
-        if every is None:
+        if period is None:
             doubt = "".join(f"{words}; " for words in doubtful if words.startswith(f"{TIME} "))
-            raise LogError(
-                f'{doubt}says no sample times: give the period, as --period "1 ms", or the column, as --column time=NAME', file=record.file
-            )
-        time = np.asarray(np.arange(channel.values.size) * every)
+            cure = 'give the period, as --period "1 ms", or the column, as --column time=NAME'
+            raise LogError(f"{doubt}says no sample times: {cure}", file=record.file)
+        time = np.asarray(np.arange(channel.values.size) * period)
     if time.size != channel.values.size:
         raise LogError(f"column {channel.name!r} has {channel.values.size} values for {time.size} times", file=record.file)
     there = np.isfinite(channel.values)
     if not there.any():
         raise LogError(f"column {channel.name!r} holds no numbers", file=record.file)
     there &= ~np.isnan(time)
-    return (channel, time) if there.all() else (replace(channel, values=channel.values[there]), time[there])
+    values, time = channel.values[there], time[there]
+    report, kept = look_at_clock(time, channel.name, record.file, period)
+    return Timed(replace(channel, values=values[kept]), time[kept], report)
 
 
 def _in_si(channel: Channel, column: Column, unit: str, expected: str, record: Record) -> Array:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 import tomllib
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
@@ -70,7 +70,6 @@ class Columns:
     columns: tuple[Column, ...] = ()
     period: float | None = None
     format: str | None = None
-    notes: tuple[str, ...] = field(default=())
 
 
 def parse_columns(texts: Iterable[str], where: str = "--column") -> tuple[Column, ...]:
@@ -125,7 +124,12 @@ def read_columns(file: str | Path) -> Columns:
     if not isinstance(table, Mapping):
         raise LogError('columns: must be a table, such as [columns] with "position.x" = "enc_x [mm]"', file=path)
     columns = [_of_table(target, value, path) for target, value in table.items()]
-    period = _period(content["period"], path) if "period" in content else None
+    try:
+        period = to_si(content["period"], "s") if "period" in content else None
+    except (UnitError, TypeError, ValueError) as error:
+        raise LogError(f"period: {error}", file=path) from error
+    if period is not None and not period > 0.0:
+        raise LogError(f"period = {content['period']}: must be > 0", file=path)
     return Columns(once(columns, path), period, content.get("format"))
 
 
@@ -144,31 +148,19 @@ def _of_table(target: str, value: Any, path: Path) -> Column:
     return _column(target, value["column"], str(value.get("unit", "")), float(factor), path)
 
 
-def _period(value: Any, path: Path) -> float:
-    try:
-        period = to_si(value, "s")
-    except (UnitError, TypeError, ValueError) as error:
-        raise LogError(f"period: {error}", file=path) from error
-    if not period > 0.0:
-        raise LogError(f"period = {value}: must be > 0", file=path)
-    return period
-
-
 def _column(target: str, name: str, unit: str, factor: float, where: str | Path) -> Column:
     found = _TARGET.match(target)
-    if found is None or (found["signal"] != TIME and found["signal"] not in SIGNALS):
+    if found is None or found["signal"] not in (TIME, *SIGNALS):
         raise LogError(f"{target!r} is no signal: write one of {TIME}, {', '.join(SIGNALS)}, and its axis, such as position.x", file=where)
     signal, axis = found["signal"], found["axis"] or ""
     if (signal == TIME) != (not axis):
         raise LogError(f"{target!r}: " + ("time has no axis" if axis else f"of which axis? Write {signal}.x"), file=where)
-    if unit:
-        expected = "s" if signal == TIME else SIGNALS[signal]
-        try:
-            if expected and not same_dimension(unit, expected):
-                raise LogError(f"{target}: {unit} is no unit of {signal}, such as {expected}", file=where)
-            same_dimension(unit, unit)
-        except UnitError as error:
-            raise LogError(f"{target}: {error}", file=where) from error
+    expected = "s" if signal == TIME else SIGNALS[signal]
+    try:
+        if unit and not same_dimension(unit, expected or unit):
+            raise LogError(f"{target}: {unit} is no unit of {signal}, such as {expected}", file=where)
+    except UnitError as error:
+        raise LogError(f"{target}: {error}", file=where) from error
     return Column(signal, axis, name, unit, factor)
 
 
@@ -203,11 +195,11 @@ def guessed(record: Record) -> dict[tuple[str, str], list[str]]:
     for channel in record.channels:
         if (own := _own(channel)) is not None:
             found[own] = [channel.name]
-    moments = [channel for channel in record.channels if channel.is_timestamp]
-    if (TIME, "") not in found and moments:
-        told = [channel for channel in moments if channel.fault is None] or moments
-        called = [channel for channel in told if _meaning(channel) == (TIME, "")] or told
-        found[TIME, ""] = [channel.name for channel in called]
+    dates = [channel for channel in record.channels if channel.is_timestamp]
+    if (TIME, "") not in found and dates:
+        dates = [channel for channel in dates if channel.fault is None] or dates
+        dates = [channel for channel in dates if _meaning(channel) == (TIME, "")] or dates
+        found[TIME, ""] = [channel.name for channel in dates]
     return found
 
 

@@ -6,19 +6,16 @@ subprograms, loops and conditions. `reader` frames the program and knows the dia
 never skipped.
 """
 
-from contourlab.program.coordinates import Tools, read_tools
 from contourlab.program.files import iter_moves, open_program, parse_program, read_program
-from contourlab.program.moves import PLANE_AXES, Arc, Dwell, Event, Feed, Mode, Move, Notice, Plane, Point, Program, Spline, Traverse
-from contourlab.program.reader import Dialect, Reader, Reading
+from contourlab.program.moves import PLANE_AXES, Arc, Dwell, Event, Feed, Move, Notice, Plane, Point, Program, Spline, Traverse
+from contourlab.program.reader import Reader, Reading
 
 __all__ = [
     "PLANE_AXES",
     "Arc",
-    "Dialect",
     "Dwell",
     "Event",
     "Feed",
-    "Mode",
     "Move",
     "Notice",
     "Plane",
@@ -27,11 +24,9 @@ __all__ = [
     "Reader",
     "Reading",
     "Spline",
-    "Tools",
     "Traverse",
     "iter_moves",
     "open_program",
     "parse_program",
     "read_program",
-    "read_tools",
 ]

@@ -109,12 +109,7 @@ def _check_values(keyword: str, count: int, column: int) -> None:
 
 def _label(cursor: Cursor, parameters: Parameters) -> str:
     if cursor.next == "<":
-        end = cursor.text.find(">", cursor.at)
-        name = cursor.text[cursor.at + 1 : end]
-        if end < 0 or not name:
-            raise BlockError("the name of the O-word has no end: write for example O<drill>", cursor.column)
-        cursor.at = end + 1
-        return name
+        return cursor.name("O-word")
     column, digits = cursor.column, cursor.take(_DIGITS)
     if digits:
         if len(digits) > 9:

@@ -212,8 +212,10 @@ class ModalState:
             self.mode = replace(self.mode, tool=self.frame.tool)
 
 
-_VERSION = 2.9
-"""The language read here is that of LinuxCNC 2.9."""
+_FIXED = {"_vmajor": 2.9, "_ccomp": 400.0, "_spindle_rpm_mode": 1.0} | dict.fromkeys(
+    ("_vminor", "_spindle_css_mode", "_remap_level", "_task", *(f"_{where}{letter}" for letter in "abcuvw" for where in ("", "abs_"))), 0.0
+)
+"""Parameters that never change; the language is that of LinuxCNC 2.9."""
 _PLANES = {"XY": 170.0, "ZX": 180.0, "YZ": 190.0}
 _SYSTEMS = (540.0, 550.0, 560.0, 570.0, 580.0, 590.0, 591.0, 592.0, 593.0)
 
@@ -225,12 +227,9 @@ def own_names(state: ModalState, line: Callable[[], int]) -> Mapping[str, Callab
     """
     parameters = state.parameters
     names: dict[str, Callable[[], float]] = {
-        "_vmajor": lambda: _VERSION,
-        "_vminor": lambda: 0.0,
         "_line": lambda: float(line()),
         "_motion_mode": lambda: -1.0 if state.motion is None else float(state.motion),
         "_plane": lambda: _PLANES[state.plane],
-        "_ccomp": lambda: 400.0,
         "_metric": lambda: float(state.millimetres),
         "_imperial": lambda: float(not state.millimetres),
         "_absolute": lambda: float(state.absolute),
@@ -242,8 +241,6 @@ def own_names(state: ModalState, line: Callable[[], int]) -> Mapping[str, Callab
         "_tool_offset": lambda: float(any(state.frame.tool)),
         "_retract_r_plane": lambda: float(state.back_to_clearance),
         "_retract_old_z": lambda: float(not state.back_to_clearance),
-        "_spindle_rpm_mode": lambda: 1.0,
-        "_spindle_css_mode": lambda: 0.0,
         "_ijk_absolute_mode": lambda: float(state.absolute_centre),
         "_lathe_diameter_mode": lambda: float(state.diameter),
         "_lathe_radius_mode": lambda: float(not state.diameter),
@@ -256,12 +253,8 @@ def own_names(state: ModalState, line: Callable[[], int]) -> Mapping[str, Callab
         "_value": lambda: parameters.returned or 0.0,
         "_value_returned": lambda: float(parameters.returned is not None),
         "_call_level": lambda: float(parameters.depth),
-        "_remap_level": lambda: 0.0,
-        "_task": lambda: 0.0,
     }
     for axis, letter in enumerate("xyz"):
         names[f"_{letter}"] = lambda axis=axis: state.shown_position()[axis]  # type: ignore[misc]  # the default binds it
         names[f"_abs_{letter}"] = lambda axis=axis: state.shown(state.axes[axis])  # type: ignore[misc]
-    for letter in "abcuvw":
-        names[f"_{letter}"] = names[f"_abs_{letter}"] = lambda: 0.0
-    return names
+    return names | {name: lambda value=value: value for name, value in _FIXED.items()}

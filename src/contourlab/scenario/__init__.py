@@ -5,7 +5,7 @@ Inside: `tree` (raw content with the place of each value), `files` (parts in fil
 (contour, program, feed, run, learning), `values` and `case` (the results), `load` (the ways in), `dump` and `toml_text` (the way back).
 """
 
-from contourlab.scenario.case import FEATURES, Case, Scenario, chosen
+from contourlab.scenario.case import Case, Scenario, chosen
 from contourlab.scenario.dump import dump
 from contourlab.scenario.files import BUILTIN, builtin_file, builtin_names
 from contourlab.scenario.load import load_axis, load_controller, load_machine, load_scenario, parse_scenario, scenario_from_parts
@@ -13,7 +13,6 @@ from contourlab.scenario.values import Contour, FeedSettings, LearningSettings, 
 
 __all__ = [
     "BUILTIN",
-    "FEATURES",
     "Case",
     "Contour",
     "FeedSettings",

@@ -56,8 +56,9 @@ def locate(reference: str, folder: Path) -> Path:
 
 def named_in(table: Table, key: str) -> Path:
     """Return the file that an entry names, relative to the file it stands in."""
+    node = table.entries[key]
     with located(table, key):
-        return locate(table.entries[key].plain(), Path(table.entries[key].file).parent)
+        return locate(str(node.plain()), Path(node.file).parent)
 
 
 @dataclass(frozen=True)
@@ -128,7 +129,7 @@ class Reader:
         if reference is None:
             return None, node
         if isinstance(reference, Table):
-            raise reference_error(reference)
+            raise reference.error("the name of a file is wanted, in quotes")
         rest = node.without("file")
         return self.include(reference, part), rest if rest.entries else None
 
@@ -138,7 +139,9 @@ class Reader:
 
     def axis_file(self, content: Table) -> Table:
         """Read an axis' own file: plant, friction, drive ... stand at its top."""
-        refuse(content, ("machine", "axes"), "an axis")
+        for name in ("machine", "axes"):
+            if name in content.entries:
+                raise content.error("this is not the file of an axis: its parts stand at the top of its own file", name)
         return content
 
     def machine(self, content: Table) -> Table:
@@ -186,23 +189,11 @@ class Reader:
         return found
 
 
-def reference_error(reference: Table) -> ScenarioError:
-    """Return the error about a file name that is a table."""
-    return reference.error("the name of a file is wanted, in quotes")
-
-
 def refuse_others(content: Table, known: tuple[str, ...], what: str) -> None:
     """Refuse a key that has no place in a file."""
     for name in content.entries:
         if name not in known:
             raise content.error(f"unknown key in the file of {what}: {hint(name, known)}", name)
-
-
-def refuse(content: Table, names: tuple[str, ...], what: str) -> None:
-    """Refuse a file that is one of something else."""
-    for name in names:
-        if name in content.entries:
-            raise content.error(f"this is not the file of {what}: its parts stand at the top of its own file", name)
 
 
 def listed(machine: Table) -> tuple[str, ...]:
