@@ -21,8 +21,6 @@ class Format:
     ----------
     name : str
         As ``--format`` takes it.
-    doc : str
-        One line for people.
     matches : callable
         ``matches(file, head) -> bool``, from the name and the first bytes.
     read : callable
@@ -30,7 +28,6 @@ class Format:
     """
 
     name: str
-    doc: str
     matches: Callable[[Path, bytes], bool]
     read: Callable[[Path], Record]
 
@@ -59,14 +56,14 @@ def _read_result(file: Path) -> Record:
 FORMATS = {
     kind.name: kind
     for kind in (
-        Format("contourlab", "a result that contourlab wrote (.nc)", _is_result, _read_result),
-        Format("matlab", "MATLAB .mat, version 4 to 7.3: flat, structures, captures of ControlDesk", matlab.matches, matlab.read),
-        Format("parquet", "Apache Parquet", parquet.matches, parquet.read),
-        Format("sinumerik", "trace of a Sinumerik control (.xml)", sinumerik.matches, sinumerik.read),
-        Format("twincat", "text export of TwinCAT Scope", twincat.matches, twincat.read),
-        Format("halscope", "LinuxCNC halscope, new (.csv) and old", linuxcnc.matches_scope, linuxcnc.read_scope),
-        Format("halsampler", "LinuxCNC halsampler", linuxcnc.matches_sampler, linuxcnc.read_sampler),
-        Format("csv", "table of numbers parted by commas, semicolons, tabs or blanks", delimited.matches, delimited.read),
+        Format("contourlab", _is_result, _read_result),
+        Format("matlab", matlab.matches, matlab.read),
+        Format("parquet", parquet.matches, parquet.read),
+        Format("sinumerik", sinumerik.matches, sinumerik.read),
+        Format("twincat", twincat.matches, twincat.read),
+        Format("halscope", linuxcnc.matches_scope, linuxcnc.read_scope),
+        Format("halsampler", linuxcnc.matches_sampler, linuxcnc.read_sampler),
+        Format("csv", delimited.matches, delimited.read),
     )
 }
 

@@ -244,71 +244,60 @@ def _timed(record: Record, name: str, times: Array | None, period: float | None,
 def _in_si(channel: Channel, column: Column, unit: str, expected: str, record: Record) -> Array:
     try:
         size = to_si(f"1 {unit}", expected or unit)
-        # Dividing by what is a whole number of them keeps 20 mm exactly 0.02 m.
+        # Division by a whole number keeps 20 mm exactly 0.02 m.
         return channel.values / from_si(1.0, unit) if size < 1.0 else channel.values * size
     except UnitError as error:
-        raise LogError(
-            f"column {channel.name!r} is in {unit}, which is no unit of {column.signal}" + (f", such as {expected}" if expected else ""),
-            file=record.file,
-        ) from error
+        example = f", such as {expected}" if expected else ""
+        raise LogError(f"column {channel.name!r} is in {unit}, which is no unit of {column.signal}{example}", file=record.file) from error
 
 
 def _signals(
-    record: Record, usable: dict[Column, Timed], clock: tuple[float, float, int]
+    record: Record, timed: dict[Column, Timed], clock: tuple[float, float, int]
 ) -> tuple[dict[str, dict[str, tuple[Array, str]]], list[str]]:
-    """Return values and unit of each signal and axis on the clock, and what there is to say of them."""
-    found: dict[str, dict[str, tuple[Array, str]]] = {}
+    """Return values and unit of each signal and axis on the clock, and notes."""
+    signals: dict[str, dict[str, tuple[Array, str]]] = {}
     notes = []
-    for column, one in usable.items():
-        channel = one.channel
-        unit, note = _unit(column, channel, usable, record)
+    for column, one in timed.items():
+        unit, note = _unit(column, one.channel, timed, record)
         notes += [note] if note else []
         expected = SIGNALS[column.signal]
-        values = _in_si(channel, column, unit, expected, record) * column.factor if unit else channel.values * column.factor
-        _check_size(values, column, channel, unit, record)
-        _check_steps(values, column, one, unit, record)
+        values = _in_si(one.channel, column, unit, expected, record) if unit else one.channel.values
+        values = values * column.factor
+        _check_size(values, column, one, unit, record)
         even, between = resampled(one.time, values, one.report, clock)
         if between:
             one.report = replace(one.report, resampled=True)
-        found.setdefault(column.signal, {})[column.axis] = (even, expected or si_unit(unit))
-    return found, list(dict.fromkeys(notes))
+        signals.setdefault(column.signal, {})[column.axis] = (even, expected or si_unit(unit))
+    return signals, list(dict.fromkeys(notes))
 
 
-def _unit(column: Column, channel: Channel, usable: dict[Column, Timed], record: Record) -> tuple[str, str]:
-    """Return the unit of a column and a note where it is not its own: a reference is in the unit of the position beside it."""
-    unit = column.unit or channel.unit
-    expected = SIGNALS[column.signal]
+def _unit(column: Column, channel: Channel, timed: dict[Column, Timed], record: Record) -> tuple[str, str]:
+    """Return the unit of a column, and a note if it is that of another signal of the axis."""
+    unit, expected = column.unit or channel.unit, SIGNALS[column.signal]
     if unit or not expected:
         return unit, ""
-    for other, beside in usable.items():
+    for other, beside in timed.items():
         shared = other.unit or beside.channel.unit
         if other is not column and other.axis == column.axis and SIGNALS[other.signal] == expected and shared:
             return shared, f"{column.signal} is taken in {shared}, as {other.signal} is: its columns say no unit"
-    raise LogError(
-        f"column {channel.name!r} says no unit: write --column '{column.signal}.{column.axis}={channel.name} [mm]'", file=record.file
-    )
+    cure = f"write --column '{column.target}={channel.name} [mm]'"
+    raise LogError(f"column {channel.name!r} says no unit: {cure}", file=record.file)
 
 
-def _check_size(values: Array, column: Column, channel: Channel, unit: str, record: Record) -> None:
-    limit = {"m": FARTHEST, "m/s": FASTEST}.get(SIGNALS[column.signal])
-    largest = float(np.abs(values).max())
-    if limit is not None and largest > limit:
-        shown = show(largest, SIGNALS[column.signal], 4)
-        raise LogError(f"column {channel.name!r} reaches {shown}, beyond any machine: is {unit} its unit?", file=record.file)
-
-
-def _check_steps(values: Array, column: Column, one: Timed, unit: str, record: Record) -> None:
-    """Refuse positions that change faster than any machine: wrong units, counters that wrap, two records. References may jump."""
-    if SIGNALS[column.signal] != "m" or column.signal == "reference":
+def _check_size(values: Array, column: Column, one: Timed, unit: str, record: Record) -> None:
+    """Refuse what no machine does: wrong units, counters that wrap, two records. References may jump."""
+    si, name = SIGNALS[column.signal], one.channel.name
+    limit, largest = {"m": FARTHEST, "m/s": FASTEST}.get(si, np.inf), float(np.abs(values).max())
+    if largest > limit:
+        raise LogError(f"column {name!r} reaches {show(largest, si, 4)}, beyond any machine: is {unit} its unit?", file=record.file)
+    if si != "m" or column.signal == "reference":
         return
     speed = np.abs(np.diff(values)) / np.maximum(np.diff(one.time), one.report.period)
     k = int(np.argmax(speed))
     if speed[k] > FASTEST:
-        raise LogError(
-            f"column {one.channel.name!r} goes from {show(values[k], 'mm')} to {show(values[k + 1], 'mm')} at t = {one.time[k]:.6g} s, "
-            f"{show(float(speed[k]), 'm/s', 3)}, faster than any machine: is {unit} its unit, does a counter wrap, are there two records?",
-            file=record.file,
-        )
+        jump = f"goes from {show(values[k], 'mm')} to {show(values[k + 1], 'mm')} at t = {one.time[k]:.6g} s"
+        cure = f"is {unit} its unit, does a counter wrap, are there two records?"
+        raise LogError(f"column {name!r} {jump}, {show(float(speed[k]), 'm/s', 3)}, faster than any machine: {cure}", file=record.file)
 
 
 def _stacked(found: dict[str, dict[str, tuple[Array, str]]], axes: tuple[str, ...]) -> dict[str, Signal]:
