@@ -1,4 +1,4 @@
-"""One clock for all channels: what the samples' own times are like, and the signals on an even one."""
+"""One clock for all channels: report on the samples' own times, and resample onto an even one."""
 
 from __future__ import annotations
 
@@ -13,13 +13,13 @@ from contourlab.units import show
 
 Array = NDArray[np.float64]
 GAP = 1.5
-"""Periods between two samples from which on one is missing."""
+"""Distance of two samples, in periods, above which samples are missing."""
 MOST_MISSING = 0.05
-"""Part of the samples that may be missing before a log is refused: what would be judged is mostly interpolation."""
+"""Largest share of missing samples; beyond it a log is refused."""
 FEW = 3
-"""Gaps up to which a record is even but for them."""
+"""Most gaps of a record that is otherwise even."""
 EVEN = 1e-3
-"""Jitter over the period below which samples are taken as even: times are rounded when they are written."""
+"""Jitter over the period below which samples count as even, because written times are rounded."""
 
 
 @dataclass(frozen=True)
@@ -32,7 +32,7 @@ class Gap:
 
 @dataclass(frozen=True)
 class ClockReport:
-    """What the times of a channel are like.
+    """Regularity of the times of a channel.
 
     Attributes
     ----------
@@ -62,7 +62,7 @@ class ClockReport:
         return sum(gap.missing for gap in self.gaps)
 
     def lines(self, period: float | None = None) -> list[str]:
-        """Return what there is to say, in words; nothing for an even clock.
+        """Return notes; none for an even clock.
 
         Parameters
         ----------
@@ -92,7 +92,7 @@ class ClockReport:
 
 
 def look_at_clock(time: Array, name: str, file: Path, period: float | None = None) -> tuple[ClockReport, NDArray[np.bool_]]:
-    """Return what the times of a channel are like, and which of its samples are kept.
+    """Return the regularity of a channel's times, and which of its samples to keep.
 
     Parameters
     ----------
@@ -115,7 +115,7 @@ def look_at_clock(time: Array, name: str, file: Path, period: float | None = Non
     usual = float(np.median(step))
     if period is not None:
         if period > GAP * usual:
-            raise LogError(f"the times of {name!r} are {show(usual, 'us')} apart, the period is said to be {show(period, 'us')}", file=file)
+            raise LogError(f"the times of {name!r} are {show(usual, 'us')} apart, the given period is {show(period, 'us')}", file=file)
         usual = period
     count = np.maximum(np.rint(step / usual), 1.0)
     wide = step > GAP * usual

@@ -18,9 +18,9 @@ Array = NDArray[np.float64]
 MARKS = (";", "\t", ",")
 ENDINGS = (".csv", ".tsv", ".txt", ".dat", ".log")
 NO_UNIT = ("", "-", "1")
-"""What stands in a line of units where a column has none."""
+"""Cells of a line of units for columns without one."""
 LOOKED_AT = 1000
-"""Lines among which the one is looked for that comes nearest to a row of numbers."""
+"""Lines searched for the one most like a row of numbers."""
 _NUMBER = re.compile(r"[-+]?(\d+([.,]\d*)?|[.,]\d+)([eE][-+]?\d+)?\Z")
 
 
@@ -41,10 +41,9 @@ def matches(file: Path, head: bytes) -> bool:
 def read(file: Path) -> Record:
     """Read a table of numbers.
 
-    Lines that begin with # or % are passed over. The last line before the first row of numbers names the columns, with units in brackets;
-    a line of units may stand below it. Cells are parted by semicolons, tabs, commas or blanks; beside semicolons and tabs a decimal comma
-    is read. Empty cells are gaps; true and false are 1 and 0. Columns of dates and times of day become seconds from the first of them, with
-    the milliseconds of a column that is called so.
+    Lines that begin with # or % are skipped. The last line before the first row of numbers names the columns, with units in brackets;
+    a line of units may follow. Semicolons, tabs, commas or blanks separate the cells; with semicolons and tabs a decimal comma is read.
+    Empty cells are gaps; true and false are 1 and 0. Columns of timestamps become seconds from the first one.
 
     Raises
     ------
@@ -119,7 +118,7 @@ def _first_row(lines: list[tuple[int, str]], file: Path) -> tuple[int, str | Non
 
 
 def _no_row(lines: list[tuple[int, str]], file: Path) -> LogError:
-    """Return what is said where no line is a row of numbers: the cell that is none in the line that has most of them."""
+    """Return the error if no line is a row of numbers; it names the bad cell of the best line."""
     if len(lines) <= 2:
         return LogError("has no rows: there are names of columns and no numbers below them", file=file, line=lines[0][0])
     parted = [_cells(line, _mark(line)) for _, line in lines[:LOOKED_AT]]
@@ -134,7 +133,7 @@ def _no_row(lines: list[tuple[int, str]], file: Path) -> LogError:
 
 
 def _is_closed(heads: list[tuple[int, str]], rows: list[tuple[int, str]], mark: str | None) -> bool:
-    """Tell whether a mark at the end of every line closes the last cell, rather than to open an empty one."""
+    """Tell whether the mark at the end of every line closes the last cell, and opens no empty one."""
     if mark is None or not all(line.rstrip(" ").endswith(mark) for _, line in rows):
         return False
     above = heads[-1][1] if heads else ""
@@ -197,8 +196,8 @@ def _bracketed(cells: list[str]) -> bool:
 
 def _bare_units(names: list[str], cells: list[str]) -> bool:
     """Tell whether cells below names are units without brackets: each that holds something is one that is known, and has a name."""
-    told = [(name, cell) for name, cell in zip(names, cells, strict=True) if cell not in NO_UNIT]
-    return bool(told) and all(name and name != cell and is_unit(cell) for name, cell in told)
+    units = [(name, cell) for name, cell in zip(names, cells, strict=True) if cell not in NO_UNIT]
+    return bool(units) and all(name and name != cell and is_unit(cell) for name, cell in units)
 
 
 def _values(lines: list[tuple[int, str]], names: list[str], mark: str | None, file: Path, heads: set[str]) -> Array:

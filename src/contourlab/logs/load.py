@@ -1,4 +1,4 @@
-"""The one door for measured logs: a file becomes a `Result` on one clock, in SI, with a report of what its times are like."""
+"""Read a measured log into a `Result` on one clock, in SI, with a report on its clock."""
 
 from __future__ import annotations
 
@@ -14,18 +14,17 @@ from contourlab.logs.clock import EVEN, ClockReport, common_clock, look_at_clock
 from contourlab.logs.formats import read_record
 from contourlab.logs.mapping import SIGNALS, Column, Columns, guessed, unknown
 from contourlab.logs.names import TIME
-from contourlab.logs.record import AXIS_LETTERS, Channel, Record
-from contourlab.logs.record import said as names_said
+from contourlab.logs.record import AXIS_LETTERS, Channel, Record, quoted
 from contourlab.logs.timestamps import CURE
 from contourlab.result import Result, Signal
 from contourlab.units import from_si, show, si_unit, to_si
 
 Array = NDArray[np.float64]
 FARTHEST, FASTEST = 50.0, 50.0
-"""Positions [m] and speeds [m/s] beyond these are no machine's: the unit is wrong, or a position jumps."""
+"""No machine exceeds these positions [m] and speeds [m/s]: the unit is wrong, or a position jumps."""
 
 LONG_GAP = 10
-"""Samples that may be missing in a row before a model is not to be fitted across them: what stands there is a line."""
+"""Most missing samples in a row across which a model may be fitted; the gap holds a straight line."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -36,17 +35,17 @@ class Log:
     ----------
     result : Result
     record : Record
-        As the file has it.
+        As read.
     columns : tuple of Column
         Which column became which signal.
     clocks : mapping of str to ClockReport
         By the name of the channel.
     notes : tuple of str
-        What there is to know of how it was read.
+        Notes on how it was read.
     start : float [s]
         Time of the result's first sample, as the file counts.
     doubtful : tuple of str
-        Signals that two columns or more may be by their names, and that none was taken for; in words.
+        A line for each signal that several columns may be by their names; none is taken.
     """
 
     result: Result
@@ -58,21 +57,21 @@ class Log:
     doubtful: tuple[str, ...] = ()
 
     def clock_notes(self) -> list[str]:
-        """Return what there is to say of the channels' times, and of which channels where it is not of all."""
+        """Return notes on the times of the channels; each names its channels unless it holds for all."""
         of: dict[str, list[str]] = {}
         for name, report in self.clocks.items():
             for line in report.lines(self.result.servo_period):
                 of.setdefault(line, []).append(name)
-        return [line if len(names) == len(self.clocks) else f"{names_said(names)}: {line}" for line, names in of.items()]
+        return [line if len(names) == len(self.clocks) else f"{quoted(names)}: {line}" for line, names in of.items()]
 
     def gaps_at(self, time: float) -> list[str]:
-        """Return the channels of positions that have a gap at a time [s] of the result: what stands there is a line between samples."""
+        """Return the channels of positions with a gap at a time [s] of the result."""
         lengths = [signal for signal, unit in SIGNALS.items() if unit == "m"]
         rounded = EVEN * self.result.servo_period
         return list(dict.fromkeys(name for name, first, last in self.gaps(*lengths) if first + rounded < time < last - rounded))
 
     def gaps(self, *signals: str) -> list[tuple[str, float, float]]:
-        """Return the gaps of signals: channel, and the times [s] of the result of the samples before and behind each."""
+        """Return the gaps of signals: channel, and the times [s] of the result of the samples around each."""
         named = {self.record.channel(c.column).name for c in self.columns if c.signal in signals}
         return [
             (name, gap.time - self.start, gap.time - self.start + (gap.missing + 1) * report.period)
@@ -111,9 +110,9 @@ def load_log(
     format : str, optional
         One of `contourlab.logs.formats.FORMATS`; by default what the file looks like.
     columns : sequence of Column
-        Which column is which signal; those that are not named are taken where their names leave no doubt.
+        Which column is which signal; others are taken if their names leave no doubt.
     period : float [s], > 0, optional
-        Between samples, where the file does not say.
+        Between samples, if the file does not give it.
 
     Returns
     -------

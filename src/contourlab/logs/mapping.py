@@ -1,4 +1,4 @@
-"""Which column is which signal: as the user says, or as its name leaves no doubt of."""
+"""Map columns to signals: as the user says, or by name if it leaves no doubt."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from typing import Any
 from contourlab.errors import LogError, UnitError
 from contourlab.logs.names import TIME, meant
 from contourlab.logs.reading import name_and_unit
-from contourlab.logs.record import Channel, Record, said
+from contourlab.logs.record import Channel, Record, quoted
 from contourlab.units import same_dimension, to_si
 
 SIGNALS = {
@@ -65,7 +65,7 @@ class Column:
 
 @dataclass(frozen=True)
 class Columns:
-    """What a user says of a log: its columns, and what the file leaves open."""
+    """The user's mapping of a log: columns, period and format."""
 
     columns: tuple[Column, ...] = ()
     period: float | None = None
@@ -165,7 +165,7 @@ def _column(target: str, name: str, unit: str, factor: float, where: str | Path)
 
 
 def once(columns: Sequence[Column], where: str | Path) -> tuple[Column, ...]:
-    """Return columns of which no two are the same signal.
+    """Return the columns; refuse two for the same signal.
 
     Raises
     ------
@@ -183,9 +183,8 @@ def once(columns: Sequence[Column], where: str | Path) -> tuple[Column, ...]:
 def guessed(record: Record) -> dict[tuple[str, str], list[str]]:
     """Return which columns each signal and axis may be by their names: a time, and for each axis a reference, a position, a velocity.
 
-    A name says it as of `contourlab.logs.names`, or the path of what a channel records where its name does not; ``position.x`` is what it
-    says, whatever else sounds alike. Where no other column is named as a time, one of dates and times of day is, before all one that is
-    named so. Of several names there is a doubt.
+    `contourlab.logs.names` reads the name, or else the channel's path in the control. A column named ``position.x`` is that signal,
+    whatever else sounds alike. Timestamps are the time if no other column is named so. Several names for one signal leave a doubt.
     """
     found: dict[tuple[str, str], list[str]] = {}
     for channel in record.channels:
@@ -214,8 +213,6 @@ def _meaning(channel: Channel) -> tuple[str, str] | None:
 
 
 def unknown(record: Record) -> str:
-    """Return the words that help who has to say which column is which."""
-    return (
-        f"which column is what? There are {said(record.names)}; say for example "
-        "--column 'position.x=NAME [mm]', or name a file of columns with --columns"
-    )
+    """Return the message that asks for columns."""
+    cure = "say for example --column 'position.x=NAME [mm]', or name a file of columns with --columns"
+    return f"which column is what? There are {quoted(record.names)}; {cure}"

@@ -16,16 +16,16 @@ from contourlab.units import same_dimension
 
 Array = NDArray[np.float64]
 HEAD = 1 << 16
-"""Bytes of a file that its format is told from."""
+"""Bytes of a file that identify its format."""
 UTF_16 = (b"\xff\xfe", b"\xfe\xff")
 """Marks that text in UTF-16 begins with."""
 CUT = "the last line is cut short and left out"
-"""What is said of a file whose writing was broken off."""
+"""Note on a file whose writing was interrupted."""
 SHOWN = 40
 """Characters of a faulty cell that a message shows."""
 _UNIT = re.compile(r"\s*(?P<name>.*?)\s*[\[(]\s*(?P<unit>[^\])]*?)\s*[\])]\s*\Z")
 _NO_UNIT = re.compile(r".*,|\d+\s+[A-Za-z]|.*[A-Za-z]\s+\d+\Z|[XYZxyz]\Z")
-"""What is no unit though it stands in brackets: ``(64 bit)``, ``[u1, 1]``, ``PosFbk (X)``."""
+"""Text in brackets that is no unit: ``(64 bit)``, ``[u1, 1]``, ``PosFbk (X)``."""
 _EMPTY = frozenset(("", "nan", "-nan", "na", "n/a", "null", "none", "#n/a", "-"))
 _BITS = {"true": 1.0, "false": 0.0}
 
@@ -111,7 +111,7 @@ def is_unit(text: str) -> bool:
 
 
 def is_empty(cell: str) -> bool:
-    """Tell whether a cell says that there is no value."""
+    """Tell whether a cell holds no value."""
     return _bare(cell) in _EMPTY
 
 
@@ -120,7 +120,7 @@ def _bare(cell: str) -> str:
 
 
 def number(text: str, comma: bool = False) -> float:
-    """Return a number; 1 and 0 for true and false, not a number where no value is said. Raises ValueError for anything else."""
+    """Return a number; 1 and 0 for true and false, NaN for no value. Raise ValueError for anything else."""
     word = _bare(text)
     if word in _EMPTY:
         return math.nan

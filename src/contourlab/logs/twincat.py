@@ -33,7 +33,7 @@ def matches(file: Path, head: bytes) -> bool:
 def read(file: Path) -> Record:
     """Read an export with timelines for all channels, for each sample time, or for none; decimal point or comma.
 
-    Values are taken as they stand: the scope has scaled them, unless its export was told not to.
+    Values are taken as they are: the scope has scaled them, unless its export was set not to.
 
     Raises
     ------

@@ -22,31 +22,31 @@ from contourlab.program.walker import Walker
 Dialect: TypeAlias = Literal["linuxcnc", "grbl"]
 MOST_NOTICES = 1000
 MOST_PROBLEMS = 100
-"""So many faults are kept at most."""
+"""Most faults that are kept."""
 MOST_REPEATED = 5_000_000
-"""So many moves are made in loops and subprograms: a few lines could ask for any number."""
+"""Most moves in loops and subprograms, where a few lines could make any number."""
 _PROGRAM_ENDS = (2, 30)
 _RETURN = 99
 
 
 @dataclass(frozen=True, kw_only=True)
 class Reading:
-    """How a program is to be read.
+    """How to read a program.
 
     Parameters
     ----------
     dialect : {"linuxcnc", "grbl"}
-        With ``"grbl"`` a program need not say where it ends, the first motion is G0 where none is given, comments need no end, and lines
-        for the controller itself ($...) are passed over; each of these is told in a `Notice`.
+        With ``"grbl"`` a program needs no end, the first motion is G0 if none is given, comments need no end, and lines
+        for the controller itself ($...) are passed over; each gives a `Notice`.
     require_end : bool
-        Whether a program must say where it ends: by M2, by M30, by M99, or by standing between two lines of ``%``. LinuxCNC does;
-        without it, the end of the text is the end of the program.
+        Whether a program must end with M2, M30 or M99, or stand between two lines of ``%``, as in LinuxCNC. Otherwise the end of the text
+        is the end of the program.
     block_delete : bool
-        Whether lines that begin with / are passed over; LinuxCNC executes them unless the operator's switch is on.
+        Whether to skip lines that begin with /; LinuxCNC executes them unless the operator's switch is on.
     tools : str, Path, or None
-        LinuxCNC tool table, for G43; tools that it does not hold, and all without it, have no length.
+        LinuxCNC tool table, for G43. Without it all tools have length 0.
     folder : Path or None
-        Where subprograms in files of their own are looked for; by default beside the program.
+        Folder of subprograms in files of their own; by default that of the program.
 
     Raises
     ------
@@ -66,7 +66,7 @@ class Reading:
 
 
 class Reader:
-    """Reads a part program line by line, holding no more lines than something may lead back to.
+    """Read a part program line by line; keep only the lines that a loop or call may lead back to.
 
     Parameters
     ----------
@@ -78,12 +78,12 @@ class Reader:
     still : bool
         Whether moves of no length are yielded, too.
     problems : list of ProgramError, optional
-        Faults are added to it and the faulty line is passed over, up to `MOST_PROBLEMS`; without it the first fault is raised.
+        Collects up to `MOST_PROBLEMS` faults; faulty lines are skipped. Without it the first fault is raised.
 
     Attributes
     ----------
     state : ModalState
-        What is in force after the block whose moves were yielded last.
+        The state after the block whose moves were yielded last.
     notices : list of Notice
     """
 
@@ -145,10 +145,10 @@ class Reader:
         self._check_end(moved)
 
     def _take(self, fault: BlockError) -> None:
-        """Keep a fault where faults are kept and one can go on behind it; raise it otherwise."""
+        """Keep a fault if faults are kept and reading can go on; raise it otherwise."""
         file, number = self._walker.place
         error = ProgramError(fault.message, file=file, line=max(number, 1), column=fault.column)
-        # A fault of no column is that of a whole loop or file: nothing good comes behind it.
+        # A fault without a column concerns a whole loop or file: reading cannot go on.
         if self.problems is None or not fault.column or len(self.problems) >= MOST_PROBLEMS:
             raise error from None
         # A loop meets its fault in every turn.

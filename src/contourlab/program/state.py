@@ -1,4 +1,4 @@
-"""The modal state of the interpreter: what earlier blocks left behind, and the moves that can be made from it."""
+"""The modal state of the interpreter, and the moves and named parameters that it gives."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ FeedMode: TypeAlias = Literal["per_minute", "per_turn", "inverse_time"]
 
 @dataclass(slots=True)
 class Cycle:
-    """What a canned cycle remembers from block to block, in program coordinates [m] and seconds, and the units it was written in."""
+    """Modal values of a canned cycle, in program coordinates [m] and seconds, and their units."""
 
     depth: float = 0.0
     clearance: float = 0.0
@@ -47,14 +47,14 @@ class Curve:
 
 @dataclass(slots=True)
 class ModalState:
-    """What earlier blocks left behind; the defaults hold at the start of a program.
+    """The modal state; the defaults hold at the start of a program.
 
     Parameters
     ----------
     parameters : Parameters
     tools : Tools
     still : bool
-        Whether moves of no length are made, too.
+        Whether to make moves of no length, too.
     position : (x, y, z) [m]
         The programmed point, in the coordinate system in force.
     reached : (x, y, z) [m]
@@ -67,7 +67,7 @@ class ModalState:
         Sense of the spindle: 1 clockwise, -1 counterclockwise, 0 at rest.
     speed : float [turns/min]
     made : int
-        How many moves have been made.
+        Number of moves made.
     """
 
     parameters: Parameters = field(default_factory=Parameters)
@@ -193,7 +193,7 @@ class ModalState:
         return [Feed(start, axes, feedrate, line, self.mode)]
 
     def wait(self, seconds: float, line: int) -> list[Move]:
-        """Return a dwell; one of no time is kept as an event, since the machine comes to rest for it."""
+        """Return a dwell; one of no time becomes an event, because the machine stops for it."""
         if seconds == 0.0:
             self.tell("G4", 0.0, line)
             return []
@@ -201,11 +201,11 @@ class ModalState:
         return [Dwell(seconds, line)]
 
     def tell(self, word: str, value: float | None, line: int, index: float | None = None) -> None:
-        """Keep what is asked for besides motion, with its place among the moves."""
+        """Keep an event with its place among the moves."""
         self.events.append(Event(word, value, line, index, self.made))
 
     def see_from(self, axes: Point) -> None:
-        """Work out the programmed point anew after a change of the offsets, from the positions of the axes [m] before it."""
+        """Recompute the programmed point after a change of the offsets, from the axis positions [m] before it."""
         self.frame.refresh()
         self.position = self.frame.point(axes)
         if self.mode.tool != self.frame.tool:

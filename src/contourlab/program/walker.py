@@ -1,4 +1,4 @@
-"""Walks over the lines of a program: in order, and through subprograms, loops and conditions."""
+"""Walk over the lines of a program: in order, and through subprograms, loops and conditions."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from contourlab.program.vocabulary import BlockError
 DEEPEST_CALL = 9
 """LinuxCNC has ten levels, the program itself among them."""
 MOST_IDLE = 1_000_000
-"""So many lines in loops and subprograms are executed without a move; more are taken for an endless loop."""
+"""Most lines in loops and subprograms without a move; more are taken for an endless loop."""
 MOST_REPEATS = 1e9
 _ENDS = {"while": "endwhile", "do": "while", "repeat": "endrepeat"}
 
@@ -51,7 +51,7 @@ class _Seen:
 
 
 class Walker:
-    """Yields the lines that are executed, one after another.
+    """Yield the lines in the order of execution.
 
     Parameters
     ----------
@@ -73,7 +73,7 @@ class Walker:
 
     @property
     def frame(self) -> _Frame:
-        """Where one is."""
+        """The innermost subprogram, or the program itself."""
         return self._frames[-1]
 
     @property
@@ -266,7 +266,7 @@ class Walker:
         return Tape.of(lines, start, tape.name), start
 
     def _ahead_of_time(self, line: str) -> OWord | None:
-        """Return the O-word of a line that is only looked at; what is wrong with it is told where it is executed."""
+        """Return the O-word of a line that is not executed yet; execution reports its faults."""
         try:
             return read_o_word(line, self.parameters, skipping=True) if starts_o_word(line) else None
         except BlockError:

@@ -285,10 +285,10 @@ def _same_place(node: Any, gains: Table) -> bool:
 
 
 def in_place(table: Table, module: Axis, place: Axis) -> tuple[Axis, str]:
-    """Return a module as it stands in a place, and in words what its file leaves out that the axis there has; empty if nothing.
+    """Return a module in the place of an axis, and a note on what it takes over or lacks.
 
-    Stage mass, limits and substeps are then those of the place, as a machine's file often has them beside the name of the axis' file.
-    Components and the axis' errors are the module's own: what its file leaves out of these it is taken without.
+    Stage mass, limits and substeps that the module's file leaves out are those of the place. Components and errors of the axis are the
+    module's own, or absent.
 
     Parameters
     ----------
@@ -297,7 +297,7 @@ def in_place(table: Table, module: Axis, place: Axis) -> tuple[Axis, str]:
     module : Axis
         As built of it.
     place : Axis
-        That of the machine which it replaces.
+        The axis of the machine that it replaces.
     """
     kept, words = module, []
     if "stage_mass" not in table.entries and place.stage_mass:
@@ -308,13 +308,13 @@ def in_place(table: Table, module: Axis, place: Axis) -> tuple[Axis, str]:
         kept = replace(kept, substeps=place.substeps)
         words.append(f"substeps, {place.substeps}")
     limits, names = _limits_in_place(table.table("limits"), module.limits, place.limits)
-    said = ["; ".join([*words, *names]) + " (kept from the axis there)"] if words or names else []
+    notes = ["; ".join([*words, *names]) + " (kept from the axis there)"] if words or names else []
     lost = [slot for slot in AXIS_SLOTS[1:] if slot not in table.entries and getattr(module, slot) != getattr(place, slot)]
     if "error" not in table.entries and (place.error.position.size or place.error.repeatability):
         lost.append("error")
     if lost:
-        said.append(", ".join(lost) + " (taken without, unlike the axis there)")
-    return replace(kept, limits=limits), "; ".join(said)
+        notes.append(", ".join(lost) + " (taken without, unlike the axis there)")
+    return replace(kept, limits=limits), "; ".join(notes)
 
 
 def _limits_in_place(table: Table, own: Limits, there: Limits) -> tuple[Limits, list[str]]:

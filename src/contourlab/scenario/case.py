@@ -1,4 +1,4 @@
-"""A scenario and its cases once they have been read: frozen values."""
+"""A scenario and its cases: frozen values. Schemes by their parts: ``fb``, ``ccc``, ``mr``, ``me`` and ``ilc``, joined by +."""
 
 from __future__ import annotations
 
@@ -54,7 +54,7 @@ class Case:
 
     @property
     def notes(self) -> tuple[str, ...]:
-        """What is to be known of the motion."""
+        """Notes on the motion."""
         return self.motion.notes
 
     @property
@@ -132,7 +132,7 @@ class Case:
     def _sampled(self, factor: float) -> Reference:
         period = self.machine.servo_period
         if self.feed.law == "uniform":
-            assert isinstance(self.motion, Contour) and self.feed.frequency is not None  # said by the reader
+            assert isinstance(self.motion, Contour) and self.feed.frequency is not None  # checked by the reader
             return uniform(self.motion.path, self.feed.frequency * factor, self.feed.laps, period)
         return plan(
             self._own_route if factor == self.feed.override else self._route(factor),
@@ -154,7 +154,7 @@ class Case:
     def _route(self, factor: float) -> Route:
         tolerance = DEFAULT_CORNER_TOLERANCE if self.feed.corner_tolerance is None else self.feed.corner_tolerance
         if isinstance(self.motion, Contour):
-            assert self.feed.feedrate is not None  # said by the reader
+            assert self.feed.feedrate is not None  # checked by the reader
             route = route_from_path(self.motion.path, self.feed.feedrate)
         else:
             route = self.motion.route(tolerance)
@@ -249,8 +249,8 @@ def chosen(scenario: Scenario, names: Iterable[str]) -> Scenario:
     ----------
     scenario : Scenario
     names : iterable of str
-        Schemes of the scenario, or parts joined by +: see `FEATURES`. A scheme of the scenario goes before. One whose name has commas may
-        come in the pieces between them, as a list with commas is taken apart.
+        Schemes of the scenario, or parts joined by +: see `FEATURES`. A scheme of the scenario has priority. A scheme name with commas
+        may come in pieces, as split from a list.
 
     Raises
     ------
@@ -320,5 +320,4 @@ def _first(scenario: Scenario, of: Callable[[Case], Any]) -> Any:
 
 
 def _missing(part: str) -> str:
-    said = f"{part} stands for {FEATURES[part]}, of which neither the base nor a scheme says anything"
-    return f"{said}; write, for example:\n\n{_WANTED[part]}\n"
+    return f"{part} stands for {FEATURES[part]}, which neither the base nor a scheme has; write, for example:\n\n{_WANTED[part]}\n"

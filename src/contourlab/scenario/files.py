@@ -122,7 +122,7 @@ class Reader:
         return replace(join(base, own, self.names), afresh=True)
 
     def _split(self, node: Node, part: Callable[[Reader, Table], Table]) -> tuple[Table | None, Node | None]:
-        """Return what the file of a part holds, if it names one, and what is said besides."""
+        """Return the content of the file that a part names, if any, and the rest of the part."""
         if isinstance(node, Leaf):
             return (None, node) if node.value == DEFAULT else (self.include(node, part), None)
         reference = node.get("file")
@@ -197,7 +197,7 @@ def refuse_others(content: Table, known: tuple[str, ...], what: str) -> None:
 
 
 def listed(machine: Table) -> tuple[str, ...]:
-    """Return the names that ``machine.axes`` lists; what is wrong with the list is said when the machine is built."""
+    """Return the names that ``machine.axes`` lists; `build_machine` reports faults of the list."""
     node = machine.get("machine")
     names = node.get("axes") if isinstance(node, Table) else None
     if not isinstance(names, Leaf) or not isinstance(names.value, list):
@@ -206,9 +206,9 @@ def listed(machine: Table) -> tuple[str, ...]:
 
 
 def join(base: Table, over: Table, names: tuple[str, ...]) -> Table:
-    """Merge two machines, or two controllers, whose ``axes`` may say something for every axis at once.
+    """Merge two machines, or two controllers, whose ``axes`` may have an entry for every axis.
 
-    What the upper one says for ``"*"`` goes before what the lower one says for an axis by name.
+    ``"*"`` in `over` has priority over an axis by name in `base`.
     """
     return merge(_spread(base, names), _spread(over, names))
 

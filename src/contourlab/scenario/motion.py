@@ -185,7 +185,7 @@ def _on_machine(found: Contour, offset: tuple[float, ...], machine: Machine, nod
 
 
 def _contour_file(node: Table, machine: Machine) -> Contour:
-    """Return the contour of a drawing, or of points; the file is read here, so that what is wrong with it is said before anything runs."""
+    """Return the contour of a drawing, or of points; read the file now, to report its faults before anything runs."""
     if "name" in node.entries:
         raise node.error("name and file are both given: a test contour has a name, a drawing a file", "name")
     plain = read_table(ContourFileTable, node)

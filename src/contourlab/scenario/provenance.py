@@ -1,6 +1,6 @@
-"""Where the numbers of a file are from: ``mass = {value = "33 kg", source = "datasheet", from = "catalogue, page 12"}``.
+"""Sources and correlations of numbers: ``mass = {value = "33 kg", source = "datasheet", from = "catalogue, page 12"}``.
 
-The number and what is known of it stand in one table, so that whatever replaces the number replaces both.
+A number and its source stand in one table, so that a replacement replaces both.
 """
 
 from __future__ import annotations
@@ -89,8 +89,8 @@ def _origin(table: Table, of: tuple[Parameter, float] | None, exact: str) -> Ori
     """Return what the table of a number says; `of` is what may have a deviation, and `exact` why it may not."""
     words = {name: _text(table, name) for name in ("source", "from", "note")}
     if words["source"] not in SOURCES:
-        told = ", ".join(f"{name} ({meaning})" for name, meaning in SOURCES.items())
-        raise table.error(f"{words['source']!r} is no source: {told}", "source")
+        known = ", ".join(f"{name} ({meaning})" for name, meaning in SOURCES.items())
+        raise table.error(f"{words['source']!r} is no source: {known}", "source")
     given: dict[str, Any] = {}
     for name in ("deviation", "range"):
         if name in table.entries:
@@ -285,7 +285,7 @@ def written(table: dict[str, Any], origins: Mapping[str, Origin]) -> dict[str, A
 
 
 def unstated(value: Any) -> Any:
-    """Return a machine or a controller of which nothing is stated: what it is, for comparisons.
+    """Return a machine or a controller without sources and correlations, for comparisons.
 
     Parameters
     ----------

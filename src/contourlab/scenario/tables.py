@@ -1,4 +1,4 @@
-"""The tables of fixed shape in scenario, machine and controller files, as strict models, and what is said when one does not fit."""
+"""The tables of fixed shape in scenario, machine and controller files, as strict models, and their error messages."""
 
 from __future__ import annotations
 
@@ -268,7 +268,7 @@ _WORDS = {
 
 
 def _in_words(fault: Any, given: str) -> str:
-    """Return a fault in words that a person who edits the file understands."""
+    """Return a fault in plain words."""
     message = str(fault["msg"])
     if fault["type"] == "value_error":
         return message.removeprefix("Value error, ")
