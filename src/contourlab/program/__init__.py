@@ -7,7 +7,7 @@ never skipped.
 """
 
 from contourlab.program.files import iter_moves, open_program, parse_program, read_program
-from contourlab.program.moves import PLANE_AXES, Arc, Dwell, Event, Feed, Move, Notice, Plane, Point, Program, Spline, Traverse
+from contourlab.program.moves import PLANE_AXES, Arc, Dwell, Event, Feed, Mode, Move, Notice, Plane, Point, Program, Spline, Traverse
 from contourlab.program.reader import Reader, Reading
 
 __all__ = [
@@ -16,6 +16,7 @@ __all__ = [
     "Dwell",
     "Event",
     "Feed",
+    "Mode",
     "Move",
     "Notice",
     "Plane",
