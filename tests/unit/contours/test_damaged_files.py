@@ -74,7 +74,7 @@ def test_numbers_that_are_none_are_refused_with_their_entity(tmp_path: File, wro
 
 
 def test_svg_coordinates_far_out_are_refused(tmp_path: File) -> None:
-    with pytest.raises(GeometryError, match=r"SimpleLine 'far': reaches 1e\+27 m"):
+    with pytest.raises(GeometryError, match=r"line 'far': reaches 1e\+27 m"):
         read_contour(svg(tmp_path, '<line id="far" x1="0" x2="1e30"/>'))
 
 

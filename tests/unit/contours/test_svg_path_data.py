@@ -125,9 +125,9 @@ def test_an_error_is_noted_with_its_element(tmp_path: File) -> None:
     assert len(drawing.chains) == 1
     assert drawing.chains[0].length == pytest.approx(5 * MM)
     assert drawing.notes == (
-        "Path 'a': stops at character 15: a number is wanted",
-        "Path, element 2: stops at character 1: M or m is wanted before 'h'",
-        "Path, element 3: has no length",
+        "path 'a': stops at character 15: a number is wanted",
+        "path, element 2: stops at character 1: M or m is wanted before 'h'",
+        "path, element 3: has no length",
     )
 
 
