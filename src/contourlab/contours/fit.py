@@ -14,7 +14,7 @@ from contourlab.contours.laying import Laid, doubts, interpolated, smoothed
 from contourlab.contours.polygon import Polygon
 from contourlab.errors import GeometryError
 from contourlab.geometry import BSpline, Curve, Path
-from contourlab.geometry.spline_cut import split_at
+from contourlab.geometry.nurbs import split_at
 
 Array = NDArray[np.float64]
 SAME_PLACE = 1e-9

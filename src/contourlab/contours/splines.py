@@ -7,7 +7,7 @@ from numpy.typing import NDArray
 
 from contourlab.errors import GeometryError
 from contourlab.geometry import BSpline, Curve, Line, Nurbs
-from contourlab.geometry.spline_cut import cut_where_curvature_jumps, inner_knots, split_at
+from contourlab.geometry.nurbs import cut_where_curvature_jumps, inner_knots, split_at
 
 Array = NDArray[np.float64]
 SAME_KNOT = 1e-10

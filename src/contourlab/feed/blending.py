@@ -102,7 +102,7 @@ def _corners(route: Route) -> _Corners:
     path, n = route.path, route.n_curve
     before = np.arange(n if path.closed and n > 1 else n - 1)
     after = (before + 1) % n
-    first, second = path._ends[1][before], path._starts[1][after]
+    first, second = path.ends[1][before], path.starts[1][after]
     turn = 2.0 * np.arctan2(np.linalg.norm(second - first, axis=1), np.linalg.norm(second + first, axis=1))
     plain = np.array([type(curve) in (Line, Arc) for curve in path.curves], dtype=bool)
     wanted = (route.corner_tolerance[before] > 0.0) & (route.dwell[before] == 0.0) & ~route.exact_stop[before]
@@ -186,7 +186,7 @@ def _trimmed(path: Path, corners: _Corners, reach: Array, points: Array, span: A
     cut = stays & ((low > 0.0) | (high < span))
     straight = np.array([type(curve) is Line for curve in path.curves], dtype=bool)
     lines = np.flatnonzero(straight & cut)
-    start, end = path._starts[0].copy(), path._ends[0].copy()
+    start, end = path.starts[0].copy(), path.ends[0].copy()
     uncut: list[Any] = [path.curves[i] for i in lines.tolist()]
     end[lines] = np.reshape([line.end for line in uncut], (-1, path.n_axis))
     # The very points of the blends, so that nothing opens by a rounding.

@@ -61,8 +61,8 @@ def control_points(path: Path, before: Index, after: Index, turn: Array, reach: 
     """
     b, c = shape(turn)
     h, k = ((1.0 - b) * reach)[:, None], ((1.0 - c) * reach)[:, None]
-    p, d, bend = path._at(before, np.diff(path.breaks)[before] - reach, 2)
-    q, e, other = path._at(after, reach, 2)
+    p, d, bend = path.at(before, np.diff(path.breaks)[before] - reach, 2)
+    q, e, other = path.at(after, reach, 2)
     return np.stack([p, p + h * d, p + k * d + 1.25 * h**2 * bend, q - k * e + 1.25 * h**2 * other, q - h * e, q], axis=1)
 
 
@@ -82,7 +82,7 @@ def largest_reach(path: Path, before: Index, after: Index, turn: Array, toleranc
     b, c = shape(turn)
     in_closed_form = 16.0 * tolerance / ((1.0 + 5.0 * b + 10.0 * c) * np.sin(0.5 * turn))
     span = np.diff(path.breaks)
-    bend = np.maximum(*(np.linalg.norm(path._at(i, at, 2)[2], axis=1) for i, at in ((before, span[before]), (after, 0.0 * room))))
+    bend = np.maximum(*(np.linalg.norm(path.at(i, at, 2)[2], axis=1) for i, at in ((before, span[before]), (after, 0.0 * room))))
     # Blunt the closed form by a rounding, so that a measured deviation never comes out above the tolerance.
     reach = np.minimum(room, in_closed_form * (1.0 - 1e-9))
     on = np.flatnonzero(bend > 0.0)
@@ -122,7 +122,7 @@ def _deviation_of_some(path: Path, before: Index, after: Index, turn: Array, rea
     points = control_points(path, before, after, turn, reach)
     corner = path.breaks[before + 1]
     away, at = _distances(path, points, np.broadcast_to(_GRID, (reach.size, _GRID.size)), corner, reach)
-    missed = np.linalg.norm(at - path._starts[0][after][:, None, :], axis=2).min(axis=1)
+    missed = np.linalg.norm(at - path.starts[0][after][:, None, :], axis=2).min(axis=1)
     # Where the nearer curve changes the distance has a peak, which falls between the samples.
     top = _GRID[np.argmax(away, axis=1)]
     step = _GRID[1] * np.linspace(-1.0, 1.0, 17)

@@ -61,7 +61,7 @@ class _Side:
     """Limits along a curve next to its corner."""
 
     def __init__(self, route: Route, curve: Index, at: Array, limits: AxisLimits) -> None:
-        _, tangent, second = route.path._at(curve, at, 2)
+        _, tangent, second = route.path.at(curve, at, 2)
         with np.errstate(divide="ignore"):
             share = np.abs(tangent)
             self.acceleration, self.jerk = (np.min(limit / share, axis=1) for limit in (limits.acceleration, limits.jerk))

@@ -49,7 +49,7 @@ def merged(route: Route) -> Route:
         return route
     path = route.path
     last_curve = path.curves[-1]
-    points = np.concatenate([path._starts[0], last_curve.end[None] if isinstance(last_curve, Line) else path._ends[0][-1:]])
+    points = np.concatenate([path.starts[0], last_curve.end[None] if isinstance(last_curve, Line) else path.ends[0][-1:]])
     first = run_starts(points, _reach(route), linked)
     n = route.n_curve
     last = np.append(first[1:], n) - 1
@@ -171,7 +171,7 @@ def _within(axis: Array, wide: Array, other: Array, also: Array) -> tuple[Array,
 def _feet(planned: Path, points: Array, first: Index) -> tuple[Array, Array]:
     """Return where the start of each old line falls along the new one of its run, and how far beside it [m]."""
     run = np.searchsorted(first, np.arange(len(points) - 1), side="right") - 1
-    direction, away = planned._starts[1][run], points[:-1] - points[first][run]
+    direction, away = planned.starts[1][run], points[:-1] - points[first][run]
     foot = np.einsum("ij,ij->i", away, direction)
     return foot, np.asarray(np.linalg.norm(away - foot[:, None] * direction, axis=1))
 

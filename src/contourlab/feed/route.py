@@ -12,7 +12,7 @@ from numpy.typing import ArrayLike, NDArray
 from contourlab.errors import FeedError, ProgramError
 from contourlab.feed.correspondence import Correspondence, place_on_programmed
 from contourlab.geometry import Arc, BSpline, Curve, Line, Nurbs, Path
-from contourlab.geometry.spline_cut import cut_where_curvature_jumps
+from contourlab.geometry.nurbs import cut_where_curvature_jumps
 from contourlab.program import Arc as ArcMove
 from contourlab.program import Dwell, Program, Spline, Traverse
 

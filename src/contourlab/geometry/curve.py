@@ -114,9 +114,11 @@ class Together:
         raise NotImplementedError
 
     def marks(self) -> tuple[Array, Index]:
-        """Return arc lengths at which a table of each curve has to be cut, its ends among them, one curve after another; and how many."""
-        each = [np.asarray(getattr(curve, "_marks", (0.0, curve.length)), dtype=float) for curve in self.curves]
-        return np.concatenate(each), np.array([len(marks) for marks in each])
+        """Return the arc lengths at which a table must cut each curve, ends included, curve after curve; and how many each has."""
+        if not hasattr(self.curves[0], "marks"):
+            return np.column_stack([np.zeros_like(self.length), self.length]).ravel(), np.full(self.length.size, 2)
+        marks = [curve.marks for curve in self.curves]
+        return np.concatenate(marks), np.array([len(of_curve) for of_curve in marks])
 
     def smallest_radii(self) -> Array:
         """Return the smallest curvature radius (n_curve,) [m] of each curve."""
@@ -131,11 +133,6 @@ def rows(curves: Sequence[Any], name: str) -> Array:
 def of_each(values: Array, slot: Index) -> Array:
     """Return numbers (..., n_curve) of the curves in `slot`; those of one curve are broadcast, not gathered: circles are asked often."""
     return values if values.shape[-1] == 1 else values[..., slot]
-
-
-def ends(length: Array) -> tuple[Array, Index]:
-    """Return both ends of each curve, and how many: what `Together.marks` says of curves without marks inside."""
-    return np.column_stack([np.zeros_like(length), length]).ravel(), np.full(length.size, 2)
 
 
 def vector(values: ArrayLike, name: str) -> Array:
@@ -183,3 +180,25 @@ def by_arc_length(raw: Array, order: int) -> Array:
     w = ((4.0 * along**2 / square**3 - change / square**2)[:, None]) * p  # d3u/ds3
     found[3] = raw[3] * p**3 + 3.0 * raw[2] * p * q + first * w
     return found
+
+
+def clenshaw(c: Array, x: Array) -> Array:
+    """Return Chebyshev series with coefficients c (terms, ...) at x, by Clenshaw's recursion; c[k] and x broadcast."""
+    b1, b2 = np.zeros(np.broadcast_shapes(x.shape, c.shape[1:])), np.zeros(1)
+    twice = 2.0 * x
+    for row in c[:0:-1]:
+        b1, b2 = twice * b1 - b2 + row, b1
+    return np.asarray(x * b1 - b2 + c[0])
+
+
+def positive(**values: float) -> None:
+    """Refuse values that are not finite and > 0.
+
+    Raises
+    ------
+    GeometryError
+        Names the value.
+    """
+    for name, value in values.items():
+        if not 0.0 < value < float("inf"):
+            raise GeometryError(f"{name} = {value!r}: must be > 0 and finite")

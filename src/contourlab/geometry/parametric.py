@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from abc import abstractmethod
 from functools import cached_property
 
@@ -9,10 +10,8 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from contourlab.errors import GeometryError
-from contourlab.geometry.curve import Curve, by_arc_length
+from contourlab.geometry.curve import Array, Curve, Index, by_arc_length, clenshaw
 
-Array = NDArray[np.float64]
-Index = NDArray[np.int64]
 Flags = NDArray[np.bool_]
 _NODES, _WEIGHTS = np.polynomial.legendre.leggauss(12)
 _TERMS = 12
@@ -29,14 +28,6 @@ _CHUNK = 4096
 """Pieces that are inverted at a time."""
 
 
-def _clenshaw(coefficients: Array, x: Array) -> Array:
-    """Return Chebyshev series (n, m) at places (n, k), all at a time."""
-    b1, b2 = np.zeros_like(x), np.zeros_like(x)
-    for k in range(coefficients.shape[1] - 1, 0, -1):
-        b1, b2 = 2.0 * x * b1 - b2 + coefficients[:, k, None], b1
-    return np.asarray(x * b1 - b2 + coefficients[:, 0, None])
-
-
 def _unit(vectors: Array) -> Array:
     return np.asarray(vectors / np.linalg.norm(vectors, axis=1, keepdims=True))
 
@@ -48,8 +39,9 @@ class Parametric(Curve):
     1e-14 of the curve; the parameter of an arc length is found by Newton steps inside its interval, to the last digit.
     """
 
-    first: float
-    last: float
+    first: float = 0.0
+    last: float = 2.0 * math.pi
+    n_joint: int = 2
 
     @abstractmethod
     def raw(self, u: Array, order: int) -> Array:
@@ -57,7 +49,7 @@ class Parametric(Curve):
 
     def joints(self) -> Array:
         """Return parameters at which higher derivatives may jump, ends included."""
-        return np.array([self.first, self.last])
+        return np.linspace(self.first, self.last, self.n_joint)
 
     def measure(self) -> None:
         """Work out the length; a subclass calls it once its data stand."""
@@ -80,8 +72,8 @@ class Parametric(Curve):
             raise GeometryError(f"{type(self).__name__}: its length does not converge; the curve has a point where it stands still")
         done.sort()
         self._knots = np.array([d[0] for d in done] + [done[-1][1]])
-        self._marks = np.concatenate([[0.0], np.cumsum([d[2] for d in done])])
-        self.length = float(self._marks[-1])
+        self.marks = np.concatenate([[0.0], np.cumsum([d[2] for d in done])])
+        self.length = float(self.marks[-1])
         self._check_smooth()
 
     def _check_smooth(self) -> None:
@@ -115,9 +107,9 @@ class Parametric(Curve):
         left, right = self._knots[i], self._knots[i + 1]
         middle, half = 0.5 * (left + right), 0.5 * (right - left)
         speed, rise, holds = self._rise(left, right)
-        x = 2.0 * wanted / np.diff(self._marks)[i, None] - 1.0
+        x = 2.0 * wanted / np.diff(self.marks)[i, None] - 1.0
         for _ in range(12):
-            step = (_clenshaw(rise, x) - wanted) / np.maximum(_clenshaw(speed, x) * half[:, None], 1e-300)
+            step = (clenshaw(rise.T[:, :, None], x) - wanted) / np.maximum(clenshaw(speed.T[:, :, None], x) * half[:, None], 1e-300)
             x = np.clip(x - step, -1.0, 1.0)
             if np.abs(step).max(initial=0.0) <= 4e-16:
                 break
@@ -137,7 +129,7 @@ class Parametric(Curve):
         rise = half[:, None] * (speed @ _TO_RISE.T)
         probes = middle[:, None] + half[:, None] * _PROBES
         exact = self._lengths(np.repeat(left, _PROBES.size), probes.ravel()).reshape(probes.shape)
-        gap = np.abs(_clenshaw(rise, np.broadcast_to(_PROBES, probes.shape)) - exact)
+        gap = np.abs(clenshaw(rise.T[:, :, None], np.broadcast_to(_PROBES, probes.shape)) - exact)
         return speed @ _TO_SPEED.T, rise, np.asarray((gap <= 1e-15 * self.length).all(axis=1))
 
     def _solve_by_quadrature(self, left: Array, right: Array, wanted: Array, start: Array) -> Array:
@@ -155,8 +147,8 @@ class Parametric(Curve):
         """Chebyshev coefficients of the parameter over arc length, on pieces halved until they hold to 1e-14 of the length."""
         starts: list[Array] = []
         held: list[Array] = []
-        for first in range(0, len(self._marks) - 1, _CHUNK):
-            marks = self._marks[first : first + _CHUNK + 1]
+        for first in range(0, len(self.marks) - 1, _CHUNK):
+            marks = self.marks[first : first + _CHUNK + 1]
             self._invert(marks[:-1], marks[1:], starts, held)
         begin, rows = np.concatenate(starts), np.concatenate(held)
         order = np.argsort(begin)
@@ -169,10 +161,10 @@ class Parametric(Curve):
         at = np.concatenate([_CHEBYSHEV, _PROBES])
         for _ in range(30):
             middle, half = 0.5 * (left + right), 0.5 * (right - left)
-            i = np.clip(np.searchsorted(self._marks, middle, side="right") - 1, 0, len(self._marks) - 2)
-            found = self._solve(i, middle[:, None] + half[:, None] * at - self._marks[i, None])
+            i = np.clip(np.searchsorted(self.marks, middle, side="right") - 1, 0, len(self.marks) - 2)
+            found = self._solve(i, middle[:, None] + half[:, None] * at - self.marks[i, None])
             coefficients, exact = found[:, :_TERMS] @ _TO_CHEBYSHEV.T, found[:, _TERMS:]
-            gap = np.abs(_clenshaw(coefficients, np.broadcast_to(_PROBES, exact.shape)) - exact)
+            gap = np.abs(clenshaw(coefficients.T[:, :, None], np.broadcast_to(_PROBES, exact.shape)) - exact)
             speed = self._speed(exact)
             good = (gap * speed <= np.maximum(1e-14 * self.length, rounding * speed)).all(axis=1) | (half <= 1e-9 * self.length)
             starts.append(left[good])
@@ -192,7 +184,7 @@ class Parametric(Curve):
         i = np.clip(np.searchsorted(begin, along, side="right") - 1, 0, len(rows) - 1)
         low, high = begin[i], begin[i + 1]
         x = np.clip((2.0 * along - low - high) / (high - low), -1.0, 1.0)
-        return np.asarray(np.clip(_clenshaw(rows[i], x[:, None])[:, 0], self.first, self.last))
+        return np.asarray(np.clip(clenshaw(rows[i].T, x), self.first, self.last))
 
     def smallest_radius(self) -> float:
         # The stretches are short where the curve turns sharply; samples evenly spread would step over a cusp-like tail.

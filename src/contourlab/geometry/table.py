@@ -11,14 +11,12 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from contourlab.errors import GeometryError
-from contourlab.geometry.curve import Together
-from contourlab.geometry.path import Path
+from contourlab.geometry.curve import Array, Index, Together
+from contourlab.geometry.curve_sequence import CurveSequence
 
-Array = NDArray[np.float64]
-Index = NDArray[np.int64]
 MOST_CELLS = 8_000_000
 _FREE_CELLS = 1 << 20
 """A table of so many cells is taken without a thought; a larger one has to be worth its memory by its pieces."""
@@ -86,12 +84,12 @@ class PathTable:
         return np.array(found)
 
 
-def path_table(path: Path, tolerance: float, pieces: int = 1) -> PathTable:
+def path_table(path: CurveSequence, tolerance: float, pieces: int = 1) -> PathTable:
     """Return the table of a path.
 
     Parameters
     ----------
-    path : Path
+    path : CurveSequence
     tolerance : float [m], > 0
     pieces : int
         At least so many pieces, evenly spread.
@@ -113,7 +111,7 @@ def path_table(path: Path, tolerance: float, pieces: int = 1) -> PathTable:
     if len(parts) > 1:
         order = np.lexsort([a, index])
         index, a, b = index[order], a[order], b[order]
-    coefficients = _hermite(path._at(index, a, 2), path._at(index, b, 2), b - a)
+    coefficients = _hermite(path.at(index, a, 2), path.at(index, b, 2), b - a)
     start = np.concatenate([path.breaks[index] + a, [path.length]])
     cell, inverse, halvings = _cells(start, path.length)
     return PathTable(start, coefficients, cell, inverse, bound, path.length, path.closed, halvings)

@@ -12,7 +12,7 @@ from hypothesis import strategies as st
 from contourlab.contours.splines import spline_curves
 from contourlab.errors import GeometryError
 from contourlab.geometry import Arc, BSpline, Curve, EllipticalArc, Lemniscate, Line, Nurbs, Path, Spiral, backwards, with_ends
-from contourlab.geometry.spline_cut import split_at
+from contourlab.geometry.nurbs import split_at
 
 POINTS = np.array([(0, 0), (10, 20), (20, -15), (30, 10), (45, 5), (50, 0)]) * 1e-3
 CLAMPED = np.array([0, 0, 0, 0, 1, 2.5, 4, 4, 4, 4.0])

@@ -5,16 +5,14 @@ from __future__ import annotations
 from functools import singledispatch
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from contourlab.errors import GeometryError
 from contourlab.geometry.arc import Arc
 from contourlab.geometry.conics import EllipticalArc
-from contourlab.geometry.curve import Curve, vector
+from contourlab.geometry.curve import Array, Curve, vector
 from contourlab.geometry.line import Line
 from contourlab.geometry.nurbs import BSpline, Nurbs
-
-Array = NDArray[np.float64]
 
 
 class _Backwards(Curve):
