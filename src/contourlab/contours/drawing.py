@@ -169,14 +169,14 @@ def unit_size(unit: str) -> float:
     >>> unit_size("inch")
     0.0254
     """
-    if not re.fullmatch(r"[A-Za-zµμ_]{1,30}", unit):
-        raise UnitError(f'{unit!r} is no unit of length: write for example "mm" or "inch"')
-    try:
-        size = to_si(f"1 {unit}", "m")
-    except UnitError as error:
-        raise UnitError(f'unit = "{unit}": {error}') from error
-    except Exception as error:  # the unit parser passes on whatever its tokenizer raises
-        raise UnitError(f'{unit!r} is no unit of length: write for example "mm" or "inch"') from error
+    size = 0.0
+    if re.fullmatch(r"[A-Za-zµμ_]{1,30}", unit):
+        try:
+            size = to_si(f"1 {unit}", "m")
+        except UnitError as error:
+            raise UnitError(f'unit = "{unit}": {error}') from error
+        except Exception:  # the unit parser passes on whatever its tokenizer raises
+            size = 0.0
     if not (size > 0.0 and math.isfinite(size)):
-        raise UnitError(f'{unit!r} is no unit of length: write for example "mm" or "inch"')
+        raise UnitError(f'{unit!r} is not a unit of length: write for example "mm" or "inch"')
     return size

@@ -56,7 +56,8 @@ def read_points(
     path = File(file)
     rows = _rows(path)
     names, factors, rows = _head(rows, path, unit)
-    points = _values(rows, len(names), path) * (scale * np.array(factors))
+    values = [_numbers(cells, len(names), path, line) for line, cells in rows]
+    points = np.array(values).reshape(len(rows), len(names)) * (scale * np.array(factors))
     far = np.flatnonzero((np.abs(points) > OUTERMOST).any(axis=1))
     if far.size:
         line, cells = rows[int(far[0])]
@@ -76,17 +77,6 @@ def read_points(
         return fit_points(points, tolerance, corner_angle, lambda i: f"line {lines[i]}")
     except GeometryError as error:
         raise GeometryError(f"{path}: {error}") from error
-
-
-def _values(rows: list[tuple[int, list[str]]], n: int, path: File) -> Array:
-    """Return the numbers of the rows (n_row, n); row by row only where one is at fault, to say which."""
-    try:
-        found = np.array([[float(cell) for cell in cells] for _, cells in rows]).reshape(len(rows), n)
-        if np.isfinite(found).all():
-            return found
-    except ValueError:
-        pass
-    return np.array([_numbers(cells, n, path, line) for line, cells in rows])
 
 
 def _rows(path: File) -> list[tuple[int, list[str]]]:

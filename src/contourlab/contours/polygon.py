@@ -8,7 +8,8 @@ from typing import TypeVar
 import numpy as np
 from numpy.typing import NDArray
 
-Array = NDArray[np.float64]
+from contourlab.geometry.curve import Array, angle_between
+
 Kind = TypeVar("Kind", np.float64, np.bool_)
 LONG = 4.0
 """A chord this many times as long as its neighbour is long beside it."""
@@ -56,7 +57,7 @@ class Polygon:
         self.length = np.linalg.norm(chords, axis=1)
         self.direction = chords / self.length[:, None]
         before, after = self._sides(self.direction)
-        self.turn = _angle(before, after)
+        self.turn = angle_between(before, after)
         if not closed:
             self.turn[[0, -1]] = 0.0
         sharp = self.turn > corner_angle
@@ -104,8 +105,8 @@ class Polygon:
                 bend = np.where(open_, np.maximum(bend, turn), bend)
             self._bends.append(bend)
         # The angle between a chord and the tangent that the finer side has at its start, and at its end.
-        self._off_start = _angle(self._tangents[0][:-1], self.direction)
-        self._off_end = _angle(self._tangents[1][1:], self.direction)
+        self._off_start = angle_between(self._tangents[0][:-1], self.direction)
+        self._off_end = angle_between(self._tangents[1][1:], self.direction)
 
     def _finer(self) -> tuple[Array, Array]:
         """Return how many times a chord is as long as the one before it, and as the one after it; 0 over corners and ends."""
@@ -193,11 +194,6 @@ class Polygon:
             weight = 0.5**step
             found = np.maximum(found, weight * np.maximum(self._shifted(found, step), self._shifted(found, -step)))
         return found
-
-
-def _angle(a: Array, b: Array) -> Array:
-    """Return the angles between unit vectors (n, n_axis): as good at small turns as at half a turn."""
-    return np.asarray(2.0 * np.arctan2(np.linalg.norm(b - a, axis=1), np.linalg.norm(a + b, axis=1)))
 
 
 def _leeway(ratio: Array) -> Array:

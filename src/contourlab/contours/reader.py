@@ -85,17 +85,9 @@ def read_contour(
         If `unit` is no unit of length.
     """
     return study_contour(
-        file,
-        unit=unit,
-        tolerance=tolerance,
-        layer=layer,
-        chain=chain,
-        scale=scale,
-        axes=axes,
-        ignore=ignore,
-        corner_angle=corner_angle,
+        file, unit=unit, tolerance=tolerance, layer=layer, chain=chain, scale=scale, axes=axes, ignore=ignore, corner_angle=corner_angle,
         reverse=reverse,
-    ).path
+    ).path  # fmt: skip
 
 
 def study_contour(

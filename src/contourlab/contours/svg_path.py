@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 import re
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 
 import numpy as np
 from numpy.typing import NDArray
@@ -134,55 +134,45 @@ class _Pen:
         origin = self.here if command.islower() else np.zeros(2)
         kind = command.upper()
         family, self.family = self.family, {"S": "C", "T": "Q"}.get(kind, kind) if kind in "CSQT" else ""
-        if kind in "CSQT":
+        if kind == "H":
+            self._line_to(np.array([origin[0] + numbers[0], self.here[1]]))
+        elif kind == "V":
+            self._line_to(np.array([self.here[0], origin[1] + numbers[0]]))
+        elif kind == "L":
+            self._line_to(origin + np.array(numbers))
+        elif kind == "A":
+            self._arc(origin + np.array(numbers[5:]), *numbers[:5])
+        elif kind in "CSQT":
             points = [origin + pair for pair in np.array(numbers).reshape(-1, 2)]
             if kind in "ST":
                 # Reflected only after a command of its own family; else the first control point is the current point.
                 points.insert(0, 2.0 * self.here - self.control if family == self.family else self.here)
             self._bezier(points)
-            return
-        draws: dict[str, Callable[[Array, list[float]], None]] = {
-            "M": self._move, "L": self._line, "H": self._line, "V": self._line, "A": self._arc, "Z": self._close,
-        }  # fmt: skip
-        if kind == "H":
-            numbers = [numbers[0], self.here[1] - origin[1]]
-        elif kind == "V":
-            numbers = [self.here[0] - origin[0], numbers[0]]
-        draws[kind](origin, numbers)
-
-    def _flush(self) -> None:
-        self.done.append(self.open)
-        self.open = []
-
-    def _move(self, origin: Array, numbers: list[float]) -> None:
-        self._flush()
-        self.here = self.start = origin + np.array(numbers)
-
-    def _line(self, origin: Array, numbers: list[float]) -> None:
-        self._line_to(origin + np.array(numbers))
+        else:
+            if kind == "Z":
+                self._line_to(self.start)
+            self.done.append(self.open)
+            self.open = []
+            if kind == "M":
+                self.here = self.start = origin + np.array(numbers)
 
     def _line_to(self, end: Array) -> None:
         if np.any(end != self.here):
             self.open.append(LineShape(self.here, end))
         self.here = end
 
-    def _close(self, origin: Array, numbers: list[float]) -> None:
-        self._line_to(self.start)
-        self._flush()
-
     def _bezier(self, points: list[Array]) -> None:
         if any(np.any(point != self.here) for point in points):
             self.open.append(SplineShape.bezier(self.here, *points))
         self.control, self.here = points[-2], points[-1]
 
-    def _arc(self, origin: Array, numbers: list[float]) -> None:
-        rx, ry, turn, large, sweep = abs(numbers[0]), abs(numbers[1]), math.radians(numbers[2] % 360.0), numbers[3], numbers[4]
-        end = origin + np.array(numbers[5:])
-        # Beside radii of which the chord is less than their rounding, there is no centre to be found.
+    def _arc(self, end: Array, rx: float, ry: float, turn: float, large: float, sweep: float) -> None:
+        rx, ry = abs(rx), abs(ry)
+        # A chord within the rounding of the radii determines no centre.
         if rx == 0.0 or ry == 0.0 or float(np.abs(end - self.here).max()) <= 1e-14 * max(rx, ry):
             self._line_to(end)
             return
-        self.open.append(_arc_shape(self.here, end, (rx, ry), turn, bool(large), bool(sweep)))
+        self.open.append(_arc_shape(self.here, end, (rx, ry), math.radians(turn % 360.0), bool(large), bool(sweep)))
         self.here = end
 
 

@@ -7,10 +7,9 @@ from enum import IntEnum
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from contourlab.errors import FeedError
-from contourlab.feed.joints import joints
+from contourlab.feed.junctions import junctions
 from contourlab.feed.limits import AxisLimits
-from contourlab.feed.pieces import joint_speed
+from contourlab.feed.pieces import junction_speed
 from contourlab.feed.profile import Profile
 from contourlab.feed.route import Route
 
@@ -74,14 +73,12 @@ def limiting(route: Route, limits: AxisLimits, profile: Profile, arc_length: Arr
     Below 90 % of every limit the planner itself is named.
     """
     limits = limits.for_axes(route.path.n_axis)
-    if not curvature_step >= 0.0:
-        raise FeedError(f"curvature_step = {curvature_step}: give a part of the acceleration limit, >= 0")
     where = np.clip(np.atleast_1d(np.asarray(arc_length, dtype=np.float64)), 0.0, profile.length)
     v, a, j = _along(profile, where)
     _, t, k, c = route.path.derivatives(where, 3)
     turn = 3.0 * k * (v * a)[:, None] + c * v[:, None] ** 3
     index = route.path.curve_index(where)
-    at_joint = _joint_ceiling(route, limits, where, curvature_step)
+    at_joint = _junction_ceiling(route, limits, where, curvature_step)
     with np.errstate(invalid="ignore"):
         used = np.stack(
             [
@@ -101,12 +98,12 @@ def limiting(route: Route, limits: AxisLimits, profile: Profile, arc_length: Arr
     return np.asarray(np.where(v <= STILL, Binding.REST, found), dtype=np.int8)
 
 
-def _joint_ceiling(route: Route, limits: AxisLimits, where: Array, curvature_step: float) -> Array:
+def _junction_ceiling(route: Route, limits: AxisLimits, where: Array, curvature_step: float) -> Array:
     """Return the ceiling of speed of a joint at each place (n,), inf where there is none."""
     breaks = np.asarray(route.path.breaks)
     within = np.mod(where, route.path.length) if route.path.closed else where
     joint = np.clip(np.searchsorted(0.5 * (breaks[1:] + breaks[:-1]), within), 0, breaks.size - 1)
-    ceiling = joint_speed(joints(route), limits, curvature_step)
+    ceiling = junction_speed(junctions(route), limits, curvature_step)
     return np.asarray(np.where(np.abs(within - breaks[joint]) <= MARGIN, ceiling[joint - 1], np.inf))
 
 

@@ -8,14 +8,14 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from contourlab.feed.corner_blend import MOST_TURN, control_points, largest_reach
-from contourlab.feed.corner_choice import quicker_blended
+from contourlab.feed.corner_blend import MOST_TURN, control_points, largest_reach, quicker_blended
 from contourlab.feed.correspondence import Correspondence
 from contourlab.feed.limits import AxisLimits
 from contourlab.feed.merging import merged
 from contourlab.feed.route import Route
 from contourlab.geometry import Arc, Curve, Line, Path
 from contourlab.geometry.blend import blends, halves, quintic_bezier
+from contourlab.geometry.curve import angle_between
 from contourlab.geometry.path import CORNER_ANGLE
 
 Array = NDArray[np.float64]
@@ -47,7 +47,7 @@ def blended(route: Route, limits: AxisLimits | None = None) -> Route:
     route : Route
         With `merge_tolerance` and `corner_tolerance`; the route itself where both are 0 everywhere.
     limits : AxisLimits, optional
-        Of the machine. With them a corner stays where a stop takes less time than its blend; see `contourlab.feed.corner_choice`.
+        Of the machine. With them a corner stays where a stop takes less time than its blend; see `contourlab.feed.corner_blend`.
 
     Returns
     -------
@@ -102,8 +102,7 @@ def _corners(route: Route) -> _Corners:
     path, n = route.path, route.n_curve
     before = np.arange(n if path.closed and n > 1 else n - 1)
     after = (before + 1) % n
-    first, second = path.ends[1][before], path.starts[1][after]
-    turn = 2.0 * np.arctan2(np.linalg.norm(second - first, axis=1), np.linalg.norm(second + first, axis=1))
+    turn = angle_between(path.ends[1][before], path.starts[1][after])
     plain = np.array([type(curve) in (Line, Arc) for curve in path.curves], dtype=bool)
     wanted = (route.corner_tolerance[before] > 0.0) & (route.dwell[before] == 0.0) & ~route.exact_stop[before]
     # A rapid comes to rest before a cut begins or after it has ended: slowing down to a cut within a blend would gain no time.

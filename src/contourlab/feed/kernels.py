@@ -149,7 +149,7 @@ def lower(arc_length, faults, factors, half, haste, low, parts, flags):
     ----------
     arc_length (n,)
     faults (m, 7)
-        As filled by `looking.demand`.
+        As filled by `speed_profile.demand`.
     factors (3, m)
         By which each part is to be lowered.
     half [s]

@@ -20,6 +20,7 @@ from numpy.typing import NDArray
 from contourlab.feed.correspondence import Correspondence
 from contourlab.feed.route import Route
 from contourlab.geometry import Line, Path
+from contourlab.geometry.curve import angle_between
 
 Array = NDArray[np.float64]
 Index = NDArray[np.int64]
@@ -137,16 +138,11 @@ def _one_more(
         axis, open_by = _within(axis, open_by, heading, np.full_like(near, _FORWARD))
         total = chord + step
         size = np.linalg.norm(total, axis=1)
-        fits = joins & (open_by >= 0.0) & (size > 0.0) & (_angle(axis, total / size[:, None]) <= open_by)
+        fits = joins & (open_by >= 0.0) & (size > 0.0) & (angle_between(axis, total / size[:, None]) <= open_by)
     fresh = ~fits
     chord = np.where(fresh[:, None], step, total)
     axis = np.where(fresh[:, None], heading, axis)
     return chord, axis, np.where(fresh, _FORWARD, open_by), fresh
-
-
-def _angle(a: Array, b: Array) -> Array:
-    """Return the angles (n,) between unit vectors, good to the last digits of small ones."""
-    return np.asarray(2.0 * np.arctan2(np.linalg.norm(a - b, axis=1), np.linalg.norm(a + b, axis=1)))
 
 
 def _within(axis: Array, wide: Array, other: Array, also: Array) -> tuple[Array, Array]:
@@ -156,7 +152,7 @@ def _within(axis: Array, wide: Array, other: Array, also: Array) -> tuple[Array,
     >>> np.round(np.arctan2(axis[:, 1], axis[:, 0]), 12).tolist(), np.round(wide, 12).tolist()
     ([0.15], [0.05])
     """
-    apart = _angle(axis, other)
+    apart = angle_between(axis, other)
     inner, outer = apart + wide <= also, apart + also <= wide
     half = np.where(inner, wide, np.where(outer, also, 0.5 * (wide + also - apart)))
     # From the first axis towards the second, along the great circle.

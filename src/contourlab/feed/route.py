@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
-from typing import Any, NamedTuple
+from dataclasses import dataclass, replace
+from typing import Any, Literal, NamedTuple, TypeAlias
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -17,6 +17,7 @@ from contourlab.program import Arc as ArcMove
 from contourlab.program import Dwell, Program, Spline, Traverse
 
 Array = NDArray[np.float64]
+PathControl: TypeAlias = Literal["program", "exact_path", "exact_stop", "blend"]
 _PER_CURVE: dict[str, Any] = {
     "feedrate": float,
     "rapid": bool,
@@ -92,8 +93,9 @@ class Route:
         good = (self.feedrate > 0.0) & (np.isfinite(self.feedrate) | self.rapid)
         if not np.all(good):
             worst = int(np.argmin(good))
+            line = f" (line {self.source_line[worst]})" if self.source_line[worst] else ""
             raise FeedError(
-                f"feedrate of curve {worst}{_line(int(self.source_line[worst]))} is {self.feedrate[worst]:g} m/s: "
+                f"feedrate of curve {worst}{line} is {self.feedrate[worst]:g} m/s: "
                 "it must be finite and > 0 (inf on rapid curves only)"
             )
         if not (np.all(np.isfinite(self.dwell) & (self.dwell >= 0.0)) and 0.0 <= self.dwell_before < np.inf):
@@ -111,10 +113,6 @@ class Route:
     def programmed_arc_length(self, s: ArrayLike) -> Array:
         """Return the arc lengths (n,) [m] on `programmed` that belong to arc lengths (n,) [m] on `path`."""
         return place_on_programmed(self.correspondence, self.path, self.programmed, s)
-
-
-def _line(source_line: int) -> str:
-    return f" (line {source_line})" if source_line else ""
 
 
 def route_from_path(path: Path, feedrate: float, *, dwell: float = 0.0, programmed: Path | None = None) -> Route:
@@ -286,3 +284,39 @@ def _curves(ends: Array, bent: dict[int, Curve]) -> list[Curve]:
     straight = [i for i in range(len(ends)) if i not in bent]
     lines = dict(zip(straight, Line.many(ends[straight, 0], ends[straight, 1]), strict=True)) if straight else {}
     return [bent[i] if i in bent else lines[i] for i in range(len(ends))]
+
+
+def controlled(route: Route, control: PathControl, corner_tolerance: float, merge_tolerance: float | None = None) -> Route:
+    """Return a route with its corners met one way throughout.
+
+    Parameters
+    ----------
+    route : Route
+    control : {"program", "exact_path", "exact_stop", "blend"}
+        ``"program"`` leaves the route as it is; ``"exact_path"`` (G61) meets every corner exactly and stops where the direction jumps;
+        ``"exact_stop"`` (G61.1) stops at the end of every curve; ``"blend"`` (G64) rounds every corner.
+    corner_tolerance : float [m], >= 0
+        How far a blend may leave its corner.
+    merge_tolerance : float [m], >= 0, optional
+        How far points of merged lines may lie off; as `corner_tolerance` where it is not given.
+
+    Raises
+    ------
+    FeedError
+        If the control is unknown.
+
+    Notes
+    -----
+    `contourlab.feed.blended` does the rounding and the merging.
+    """
+    if control == "program":
+        return route
+    none = np.zeros(route.n_curve)
+    if control == "exact_path":
+        return replace(route, corner_tolerance=none, merge_tolerance=none, exact_stop=none.astype(bool))
+    if control == "exact_stop":
+        return replace(route, corner_tolerance=none, merge_tolerance=none, exact_stop=np.ones(route.n_curve, dtype=bool))
+    if control == "blend":
+        merge = corner_tolerance if merge_tolerance is None else merge_tolerance
+        return replace(route, corner_tolerance=none + corner_tolerance, merge_tolerance=none + merge, exact_stop=none.astype(bool))
+    raise FeedError(f"path control {control!r}: one of program, exact_path, exact_stop, blend")

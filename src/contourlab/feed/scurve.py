@@ -175,8 +175,3 @@ def move_spans(
     s0[:, 5] = s0[:, 4] + step[:, 4]
     s0[:, 6] = length - step[:, 6]
     return duration, s0, v0, a0, j
-
-
-def spans_end(duration: Array, s0: Array, v0: Array, a0: Array, j: Array) -> Array:
-    """Return the progress at the end of each span [m], for the shapes of `move_spans`."""
-    return s0 + duration * (v0 + duration * (a0 / 2.0 + duration * j / 6.0))

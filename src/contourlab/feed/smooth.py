@@ -18,8 +18,8 @@ Only a stretch that has passed step 3 is handed back. Every step is linear in th
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
 from functools import cache
+from types import SimpleNamespace
 from typing import NamedTuple
 
 import numpy as np
@@ -27,7 +27,7 @@ from numpy.typing import NDArray
 
 from contourlab.feed.kernels import LOWERED, MOVED
 from contourlab.feed.limits import AxisLimits
-from contourlab.feed.stretches import Samples
+from contourlab.feed.segments import Samples
 from contourlab.geometry import Path
 
 Array = NDArray[np.float64]
@@ -69,33 +69,23 @@ class Shaped(NamedTuple):
         return np.asarray(np.add.reduceat(self.spans[:, 0], self.begin[:-1]))
 
 
-class _Kernels(NamedTuple):
-    """The compiled recursions of `kernels`."""
-
-    reach: Callable[..., None]
-    spread: Callable[..., None]
-    flatten: Callable[..., None]
-    demand: Callable[..., None]
-    clock: Callable[..., None]
-    steps: Callable[..., None]
-    lower: Callable[..., None]
-
-
 @cache
-def _kernels() -> _Kernels:
-    from contourlab.feed import kernels, looking
+def _kernels() -> SimpleNamespace:
+    """Return the compiled recursions of `kernels` and `speed_profile`, by name."""
+    from contourlab.feed import kernels, speed_profile
     from contourlab.native.door import kernel  # the compiler is loaded when something is planned
 
     f, m, i = "f8[:]", "f8[:,:]", "i8[:]"
-    return _Kernels(
-        kernel(kernels.reach, " ".join([f, m, m, m, f, f, f, f, f, f, "f8", f, f, f, f, i])),
-        kernel(kernels.spread, " ".join([f, f, "f8", f, i])),
-        kernel(kernels.flatten, " ".join([f, f, "f8", f])),
-        kernel(looking.demand, " ".join([f, m, m, m, f, i, m, i, f, f, f, "i8", "f8", i, "f8[:,:,:]", f, f, m, i])),
-        kernel(looking.clock, " ".join([f, f, i, i, i, "f8", f, f, i])),
-        kernel(looking.steps, " ".join([f, f, f, i, i, f, i, i, "f8", f])),
-        kernel(kernels.lower, " ".join([f, m, m, "f8", "f8", f, m, i])),
-    )
+    signatures = {
+        kernels.reach: [f, m, m, m, f, f, f, f, f, f, "f8", f, f, f, f, i],
+        kernels.spread: [f, f, "f8", f, i],
+        kernels.flatten: [f, f, "f8", f],
+        speed_profile.demand: [f, m, m, m, f, i, m, i, f, f, f, "i8", "f8", i, "f8[:,:,:]", f, f, m, i],
+        speed_profile.clock: [f, f, i, i, i, "f8", f, f, i],
+        speed_profile.steps: [f, f, f, i, i, f, i, i, "f8", f],
+        kernels.lower: [f, m, m, "f8", "f8", f, m, i],
+    }
+    return SimpleNamespace(**{step.__name__: kernel(step, " ".join(types)) for step, types in signatures.items()})
 
 
 class _Blocks(NamedTuple):

@@ -191,6 +191,11 @@ def clenshaw(c: Array, x: Array) -> Array:
     return np.asarray(x * b1 - b2 + c[0])
 
 
+def angle_between(a: Array, b: Array) -> Array:
+    """Return the angles (n,) [rad] between unit vectors (n, n_axis), exact for small and for large ones."""
+    return np.asarray(2.0 * np.arctan2(np.linalg.norm(b - a, axis=1), np.linalg.norm(a + b, axis=1)))
+
+
 def positive(**values: float) -> None:
     """Refuse values that are not finite and > 0.
 

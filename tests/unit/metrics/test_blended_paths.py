@@ -13,7 +13,7 @@ from contourlab.feed import Reference, Route, blended
 from contourlab.geometry import Arc, Line, Path
 from contourlab.metrics import judge
 from contourlab.metrics.circles import circles_of
-from contourlab.metrics.coverage import left_out
+from contourlab.metrics.figures import left_out
 
 
 def rounded(curves: list[Any], tolerance: float, closed: bool = False) -> Route:
