@@ -58,7 +58,7 @@ class PointFit:
 
     @property
     def note(self) -> str:
-        """What was done, in a line."""
+        """A summary in one line."""
         how = f"at most {1e6 * self.deviation:.3g} um from the curve" if self.smoothed else "on the curve"
         parts = [f"{self.n_point} points", how, f"at most {1e6 * self.bulge:.3g} um from their chords between them"]
         parts.append(f"{self.n_corner} corners")
@@ -91,7 +91,7 @@ def fit_points(
     Raises
     ------
     GeometryError
-        If tolerance or angle are out of range, the spline stands still somewhere, or no spline keeps to the polygon.
+        If tolerance or angle are out of range, the spline has a cusp, or no spline keeps to the polygon.
 
     Notes
     -----
@@ -137,7 +137,7 @@ def _marks(polygon: Polygon) -> tuple[dict[int, Array | None], int]:
 
 
 def _breaks(polygon: Polygon) -> tuple[list[tuple[int, int]], list[int]]:
-    """Return the straight stretches, and the points where spacing jumps, but for those at which one spline is sure of itself.
+    """Return the straight stretches, and the points where spacing jumps, except where a single spline is reliable.
 
     Points of a smooth curve, however unevenly spaced, are better served by one spline.
     """
@@ -145,11 +145,11 @@ def _breaks(polygon: Polygon) -> tuple[list[tuple[int, int]], list[int]]:
     n, corners = len(polygon.length), polygon.corners
     doubt = np.full(n, np.inf)
     ends = [*corners, corners[0] + n] if polygon.closed and corners else [0, *corners, n]
-    asked = np.zeros(n, dtype=bool)
-    asked[[chord for _, chord in (*straights, *jumps)]] = True
+    doubtful = np.zeros(n, dtype=bool)
+    doubtful[[chord for _, chord in (*straights, *jumps)]] = True
     for first, last in pairwise(ends):
         chords = np.arange(first, last) % n
-        if asked[chords].any():
+        if doubtful[chords].any():
             doubt[chords] = disagreement(polygon.span(first, last), polygon.closed and not corners)
     sound = [(a, b) for a, b in straights if (doubt[np.arange(a, b + 1 if b >= a else b + 1 + n) % n] > DOUBT).any()]
     return sound, [point for point, chord in jumps if doubt[chord] > DOUBT]
@@ -158,7 +158,7 @@ def _breaks(polygon: Polygon) -> tuple[list[tuple[int, int]], list[int]]:
 class _Fitting:
     """Splines between marks: points where a spline ends, with the tangent it has there, or None where it is free.
 
-    The splines begin at the first mark. Divided are those that leave their polygon, and they alone are laid anew.
+    The splines begin at the first mark. Only splines that leave their polygon are divided and fitted again.
     """
 
     def __init__(self, polygon: Polygon, tolerance: float | None, marks: dict[int, Array | None], place: Callable[[int], str]) -> None:
@@ -208,7 +208,7 @@ class _Fitting:
             if not loose.size and found.curve:
                 self.kept[span] = found, bulge
                 return []
-        except GeometryError:  # it stands still, where splines stray from all points
+        except GeometryError:  # a cusp: splines stray from all points
             loose = np.arange(first, last)
         if last - first == 1:
             raise GeometryError(self._refusal(first, last, bulge))

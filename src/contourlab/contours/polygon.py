@@ -1,4 +1,4 @@
-"""What the polygon of a list of points says of the curve they are from: corners, straight stretches, tangents, how far it can bulge."""
+"""Properties of a curve from the polygon of its points: corners, straight stretches, tangents, largest bulge."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ LONGER = 2.0
 INLINE = 1e-3
 """Largest turn [rad] within a straight stretch of several chords."""
 NOISE = 50.0
-"""Chords shorter than so many tolerances are not told from noise, and are never straight stretches."""
+"""Chords shorter than so many tolerances may be noise, and are never straight stretches."""
 TINY = 1e-300
 LOOKED_AT = 4
 """Points on the finer side whose turns say how strongly the curve bends there."""
@@ -37,7 +37,7 @@ class Polygon:
         No two in a row alike; of a closed polygon the last is the first.
     closed : bool
     corner_angle : float [rad]
-        A turn by more than this is a corner: what lies on its other side says nothing of this side.
+        A turn by more than this is a corner: its two sides are independent.
     tolerance : float [m]
         How far the points may lie off their curve, 0 where they are exact.
 
@@ -48,7 +48,7 @@ class Polygon:
     turn : ndarray (n,) [rad]
         Of the polygon at each point; 0 at the ends of an open one and at corners.
     corners : list of int
-        In a closed polygon 0 stands for its first and last point.
+        In a closed polygon 0 is its first and last point.
     """
 
     def __init__(self, points: Array, closed: bool, corner_angle: float, tolerance: float) -> None:
@@ -69,7 +69,7 @@ class Polygon:
         self._look()
 
     def _sides(self, of_chords: Array) -> tuple[Array, Array]:
-        """Return what the chords before and after each point have; at the ends of an open polygon the other end's stands in."""
+        """Return what the chords before and after each point have; at the ends of an open polygon, that of the other end."""
         return np.concatenate([of_chords[-1:], of_chords]), np.concatenate([of_chords, of_chords[:1]])
 
     def _shifted(self, of_points: NDArray[Kind], by: int) -> NDArray[Kind]:

@@ -1,4 +1,4 @@
-"""What drawings are made of, before it becomes curves: any affine map of a shape is a shape of the same kind."""
+"""Shapes of drawings, before they become curves: an affine map of a shape is a shape of the same kind."""
 
 from __future__ import annotations
 
@@ -131,12 +131,12 @@ def spline_curves(degree: int, points: Array, knots: Array, weights: Array | Non
     Raises
     ------
     GeometryError
-        If the data do not fit together, or the curve has a gap or a point where it stands still.
+        If the data do not fit together, or the curve has a gap or a cusp.
     """
     if len(knots) != len(points) + degree + 1 or len(points) <= degree:
-        raise GeometryError(f"degree {degree} with {len(points)} control points wants {len(points) + degree + 1} knots, {len(knots)} given")
+        raise GeometryError(f"degree {degree} with {len(points)} control points needs {len(points) + degree + 1} knots, not {len(knots)}")
     if weights is not None and (len(weights) != len(points) or not (weights > 0.0).all()):
-        raise GeometryError("one weight > 0 for each control point is wanted")
+        raise GeometryError("give one weight > 0 for each control point")
     if weights is not None and np.ptp(weights) <= 1e-14 * weights.max():
         weights = None
     t = _settled(knots)
@@ -145,7 +145,7 @@ def spline_curves(degree: int, points: Array, knots: Array, weights: Array | Non
     lifted = points if weights is None else np.column_stack([points * weights[:, None], weights])
     lifted, t = _without_gaps(degree, lifted, t)
     inner, count = inner_knots(degree, t)
-    # Where a knot stands `degree` times or as often as a tangent may jump there.
+    # At a knot of multiplicity `degree` or more the tangent may jump.
     pieces = split_at(degree, lifted, t, inner[count >= degree])
     found = [_curve(degree, c, k, weights is not None) for c, k in _smoothly_joined(degree, pieces, weights is not None)]
     return [piece for curve in found for piece in (cut_where_curvature_jumps(curve) if isinstance(curve, BSpline | Nurbs) else [curve])]
@@ -163,7 +163,7 @@ def _settled(knots: Array) -> Array:
 
 
 def _without_gaps(degree: int, points: Array, t: Array) -> tuple[Array, Array]:
-    """Make one control point of two that coincide at a knot which stands more often than the degree."""
+    """Merge control points that coincide at a knot whose multiplicity exceeds the degree."""
     inner, count = inner_knots(degree, t)
     for u in inner[count > degree]:
         k = int(np.searchsorted(t, u))
@@ -223,7 +223,7 @@ def _curve(degree: int, points: Array, t: Array, rational: bool) -> Curve:
 
 
 def _moving(points: Array) -> Array:
-    """Return control points of which the second does not lie on the first, where the curve would stand still.
+    """Move the second control point off the first, where the curve would have a cusp.
 
     It is moved towards the third by up to a micrometre, which moves the curve by less than half of that; drawing programs leave such
     points where a handle was not pulled out.

@@ -19,7 +19,7 @@ ALONG = 2e-7
 """A tangent [rad] this near to a chord is the chord's."""
 _NODES, _WEIGHTS = np.polynomial.legendre.leggauss(8)
 BLOCK = 4096
-"""Chords looked at together: enough to be quick, few enough to need little memory."""
+"""Chords per pass: enough to be quick, few enough to need little memory."""
 _INSIDE = np.linspace(0.0, 1.0, 9)[1:-1]
 
 
@@ -45,7 +45,7 @@ class FittedSpline:
 
     @cached_property
     def curve(self) -> Curve:
-        """The curve by its arc length; a GeometryError if it stands still somewhere."""
+        """The curve by its arc length; a GeometryError if it has a cusp."""
         if not self.knots.size:
             return Line(self.points[0], self.points[1])
         return BSpline(self.degree, self.points, self.knots)

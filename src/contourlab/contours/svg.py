@@ -129,7 +129,7 @@ def _pixels(root: Element, name: str, path: File) -> float | None:
     if match and match[2] == "%":
         return None
     if not match or match[2].lower() not in PIXELS or not float(match[1]) > 0.0:
-        raise GeometryError(f'{path}: {name} = "{text}" is no size: write unit = "mm", or the unit of its coordinates')
+        raise GeometryError(f'{path}: {name} = "{text}" is not a size: write unit = "mm", or the unit of its coordinates')
     return float(match[1]) * PIXELS[match[2].lower()]
 
 

@@ -1,4 +1,4 @@
-"""The path data of SVG, as the standard draws them: up to the first error, which is said."""
+"""SVG path data, drawn up to the first error, as the standard demands."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ _COUNT = {"M": 2, "L": 2, "H": 1, "V": 1, "C": 6, "S": 4, "Q": 4, "T": 2, "A": 7
 
 
 class _DataError(Exception):
-    """The data are wrong from here on."""
+    """Where and why path data stop."""
 
     def __init__(self, at: int, why: str) -> None:
         super().__init__(f"stops at character {at + 1}: {why}")
@@ -40,7 +40,7 @@ def path_shapes(data: str) -> tuple[list[list[Shape]], str | None]:
     list of list of Shape
         Of subpaths that have a length, up to the first error, as the standard draws them.
     str or None
-        ``stops at character 14: a number is wanted``, counted from 1; None where all of it was read.
+        ``stops at character 14: expected a number``, counted from 1; None where all of it was read.
 
     References
     ----------
@@ -64,9 +64,9 @@ def _segments(data: str) -> Iterator[tuple[str, list[float]]]:
     while at < len(data):
         command = data[at]
         if command.upper() not in _COUNT:
-            raise _DataError(at, f"a command is wanted, not {command!r}")
+            raise _DataError(at, f"expected a command, not {command!r}")
         if first and command not in "Mm":
-            raise _DataError(at, f"M or m is wanted before {command!r}")
+            raise _DataError(at, f"expected M or m before {command!r}")
         first = False
         at += 1
         if command in "Zz":
@@ -93,13 +93,13 @@ def _numbers(data: str, at: int, command: str, again: bool) -> tuple[list[float]
             at = _after_blanks(data, at + 1)
         if command == "A" and i in (3, 4):
             if data[at : at + 1] not in ("0", "1"):
-                raise _DataError(at, "a flag is wanted, 0 or 1")
+                raise _DataError(at, "expected a flag, 0 or 1")
             found.append(float(data[at]))
             at += 1
             continue
         met = _NUMBER.match(data, at)
         if met is None:
-            raise _DataError(at, "a number is wanted")
+            raise _DataError(at, "expected a number")
         number = float(met[0])
         if abs(number) > LARGEST:
             raise _DataError(at, f"{met[0]} is too large")

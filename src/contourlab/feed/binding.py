@@ -1,4 +1,4 @@
-"""What holds the speed of a motion at each place: the feed that was programmed, a limit of an axis, or a stop."""
+"""What limits the speed of a motion at each place: the programmed feedrate, a limit of an axis, or a stop."""
 
 from __future__ import annotations
 
@@ -15,14 +15,14 @@ from contourlab.feed.route import Route
 
 Array = NDArray[np.float64]
 
-NEAR_FEED = 0.98  # of the programmed feedrate: what is as fast is held by it
+NEAR_FEED = 0.98  # of the programmed feedrate: at or above, the feedrate is the limit
 NEAR = 0.9  # of any other limit
 MARGIN = 1e-9  # [m] places this near to a joint are at it
 STILL = 1e-7  # [m/s] rounding of a place next to a stop
 
 
 class Binding(IntEnum):
-    """What holds the speed."""
+    """What limits the speed."""
 
     REST = 0
     """The motion stands still: a corner, a dwell, an exact stop, the start or the end."""
@@ -37,11 +37,11 @@ class Binding(IntEnum):
     CURVATURE_STEP = 5
     """The step of acceleration where the curvature jumps."""
     PLANNER = 6
-    """None of them: the planner keeps some distance, near the narrow places that it looks ahead and back to."""
+    """None of them: the planner keeps a margin near slow places ahead and behind."""
 
 
 def limiting(route: Route, limits: AxisLimits, profile: Profile, arc_length: ArrayLike, *, curvature_step: float = 1.0) -> NDArray[np.int8]:
-    """Tell what holds the speed of a planned motion at some places.
+    """Find what limits the speed of a planned motion at given places.
 
     Parameters
     ----------
@@ -59,8 +59,7 @@ def limiting(route: Route, limits: AxisLimits, profile: Profile, arc_length: Arr
     Returns
     -------
     ndarray (n,) of int8
-        Values of `Binding`. Of several limits the one of which the greatest part is used; a speed within 2 % of the programmed feedrate is
-        held by that.
+        Values of `Binding`: the limit that is used to the greatest part; within 2 % of the programmed feedrate, the feedrate.
 
     Raises
     ------

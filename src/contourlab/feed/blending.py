@@ -1,4 +1,4 @@
-"""Corners rounded within a tolerance (G64 P): a route of exact corners becomes one that can be driven without a stop."""
+"""Round corners within a tolerance (G64 P), so that the motion need not stop at them."""
 
 from __future__ import annotations
 
@@ -128,7 +128,7 @@ def _reach(route: Route, corners: _Corners, span: Array) -> Array:
 
 
 class _Part(NamedTuple):
-    """Curves of the new path: where in the old order they belong, the old curve that speaks for each, and their places on the old path."""
+    """Curves of the new path: their rank in the old order, the old curve that each belongs to, and where they begin on the old path."""
 
     rank: Index
     owner: Index
@@ -169,7 +169,7 @@ def _assembled(route: Route, corners: _Corners, reach: Array, points: Array, spa
 
 
 def _halved(coefficients: Array, wanted: NDArray[np.bool_]) -> tuple[Array, Index, NDArray[np.bool_]]:
-    """Return curves (n, 6, n_axis) with the wanted ones in halves, to which of the n each belongs, and whether it is a second half."""
+    """Halve the chosen curves (n, 6, n_axis); return all curves, the index of each one's original, and whether it is a second half."""
     corner = np.repeat(np.arange(len(wanted)), np.where(wanted, 2, 1))
     second = np.append(False, corner[1:] == corner[:-1])
     found = coefficients[corner]

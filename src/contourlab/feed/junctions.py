@@ -1,4 +1,4 @@
-"""Where the curves of a path meet: exact stops, jumps of curvature, and small jumps of direction."""
+"""Junctions of the curves of a path: exact stops, jumps of curvature, and small jumps of direction."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from contourlab.geometry.path import CORNER_ANGLE
 
 Array = NDArray[np.float64]
 
-NUDGE = 1e-7  # of a curve's length: the ends are looked at from inside the curve
+NUDGE = 1e-7  # of a curve's length: the ends are evaluated from inside the curve
 MOST_KINK = 0.1
 """Larger jumps of direction [rad] are corners, and stops."""
 KINK_TIME = 1e-5
@@ -92,9 +92,8 @@ def junctions(route: Route) -> Junctions:
 
     Notes
     -----
-    Decimals of a program leave small jumps of direction where none are meant. As controls do under exact path mode, the motion goes through
-    where the velocity of no axis jumps by more than its acceleration limit makes up for in
-    `KINK_TIME`, or on the way to the next joint where that is shorter.
+    Rounded coordinates leave small jumps of direction. As controls do in exact path mode, the motion passes them where the velocity of no
+    axis jumps by more than its acceleration limit makes up for in `KINK_TIME`, or on the way to the next junction if that is shorter.
     """
     turn = direction_jump(route.path)
     angle = np.linalg.norm(turn, axis=1)

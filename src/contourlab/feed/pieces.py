@@ -2,7 +2,7 @@
 
 A line, an arc and a helix are one piece each; lines that follow one another in one direction at one feedrate are
 joined. Other curves are sampled, more densely where they turn more, and cut where the permitted speed has changed by
-the factor `GROUP`. All derivatives are asked for in a few calls for the whole path, never curve by curve.
+the factor `GROUP`. Derivatives are evaluated in a few calls for the whole path, never curve by curve.
 """
 
 from __future__ import annotations
@@ -179,7 +179,7 @@ def junction_speed(meet: Junctions, limits: AxisLimits, curvature_step: float) -
 
 
 class Survey(NamedTuple):
-    """What a route is like: its joints, and by curve the kind and the ceiling of speed at its end."""
+    """Properties of a route: its junctions, and for each curve its kind and the ceiling of speed at its end."""
 
     meet: Junctions
     kind: NDArray[np.int8]  # 0 line, 1 arc or helix, 2 any other, 3 blend of a corner
@@ -192,7 +192,7 @@ class Survey(NamedTuple):
 
 
 def survey(route: Route, limits: AxisLimits, curvature_step: float) -> Survey:
-    """Look at a route.
+    """Find junctions, kinds of curves and ceilings of speed.
 
     Parameters
     ----------
@@ -209,7 +209,7 @@ def survey(route: Route, limits: AxisLimits, curvature_step: float) -> Survey:
     meet = junctions(route)
     kind = np.array([_kind(curve) for curve in route.path.curves], dtype=np.int8)
     ceiling = junction_speed(meet, limits, curvature_step)
-    # To slow down for a kink and not to stop there gains nothing.
+    # Slowing down for a kink without stopping gains nothing.
     slow = np.any(meet.kink != 0.0, axis=1) & (ceiling < WORTH * np.minimum(route.feedrate, np.roll(route.feedrate, -1)))
     meet = meet._replace(stop=meet.stop | slow, kink=np.where(slow[:, None], 0.0, meet.kink))
     return Survey(meet, kind, ceiling)

@@ -1,4 +1,4 @@
-"""A path with what the program says about driving along it."""
+"""A path with feedrates, dwells and tolerances for each of its curves."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ _PER_CURVE: dict[str, Any] = {
     "merge_tolerance": float,
     "exact_stop": bool,
 }
-"""What a route says of each curve."""
+"""Data of each curve, and their types."""
 
 
 def _per_curve(name: str, value: ArrayLike, n_curve: int, dtype: Any) -> NDArray[Any]:
@@ -41,7 +41,7 @@ def _per_curve(name: str, value: ArrayLike, n_curve: int, dtype: Any) -> NDArray
 
 @dataclass(frozen=True, eq=False)
 class Route:
-    """A path and, for each of its curves, how it is to be driven.
+    """A path and how to drive along each of its curves.
 
     Parameters
     ----------
@@ -195,7 +195,7 @@ def _arc(move: ArcMove, columns: list[int]) -> Curve:
 
 
 class _Row(NamedTuple):
-    """What a route says of one move's curve."""
+    """Data of one move's curve."""
 
     feedrate: float
     rapid: bool
@@ -235,7 +235,7 @@ def route_from_program(program: Program, axes: Sequence[str] = ("x", "y", "z"), 
     Raises
     ------
     ProgramError
-        If the program moves an axis that is not among `axes`; says the line.
+        If the program moves an axis that is not among `axes`; names the line.
     FeedError
         If the program moves nothing, or `axes` is wrong.
     """
@@ -260,7 +260,7 @@ def route_from_program(program: Program, axes: Sequence[str] = ("x", "y", "z"), 
         if isinstance(move, Spline):
             for piece in _spline(move, columns):
                 bent[len(rows)] = piece
-                ends.append((move.start, move.end))  # of no consequence beside a curve
+                ends.append((move.start, move.end))  # replaced by the curve
                 rows.append(row._replace(exact_stop=False))
                 dwell.append(0.0)
             rows[-1] = row
@@ -275,19 +275,19 @@ def route_from_program(program: Program, axes: Sequence[str] = ("x", "y", "z"), 
     if not rows:
         raise FeedError(f"{program.name}: the program moves no axis: there is nothing to drive along")
     path = Path(_curves(np.array(ends)[:, :, columns], bent))
-    says: dict[str, Any] = {name: np.array(column) for name, column in zip(_Row._fields, zip(*rows, strict=True), strict=True)}
-    return Route(path, dwell=np.array(dwell), programmed=path, dwell_before=before, **says)
+    per_curve: dict[str, Any] = {name: np.array(column) for name, column in zip(_Row._fields, zip(*rows, strict=True), strict=True)}
+    return Route(path, dwell=np.array(dwell), programmed=path, dwell_before=before, **per_curve)
 
 
 def _curves(ends: Array, bent: dict[int, Curve]) -> list[Curve]:
-    """Return a line between each pair of ends (n, 2, n_axis), but where there is another curve."""
+    """Return a line between each pair of ends (n, 2, n_axis), or the given curve."""
     straight = [i for i in range(len(ends)) if i not in bent]
     lines = dict(zip(straight, Line.many(ends[straight, 0], ends[straight, 1]), strict=True)) if straight else {}
     return [bent[i] if i in bent else lines[i] for i in range(len(ends))]
 
 
 def controlled(route: Route, control: PathControl, corner_tolerance: float, merge_tolerance: float | None = None) -> Route:
-    """Return a route with its corners met one way throughout.
+    """Return a route that meets all its corners in one way.
 
     Parameters
     ----------

@@ -1,4 +1,4 @@
-"""Stretches: what is driven from one stop to the next, and the samples along those that are not straight."""
+"""Segments from one stop to the next, and the samples along those that are not straight."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ Index = NDArray[np.intp]
 N_CURVE = 4  # intervals of a curve at least ...
 N_LONG = 96  # ... and for the sake of its length alone at most, ...
 N_RAMP = 12  # ... so many to the way in which full speed is reached
-CHUNK = 32_768  # samples looked at together
+CHUNK = 32_768  # samples per pass
 WINDOW = 1024  # curves sampled at once
 REST = 1e-4  # [m] least length that such a ramp counts with
 
@@ -226,7 +226,7 @@ def _window(route: Route, seen: Survey, limits: AxisLimits, gap: Array, curves: 
 
 
 def _joined(windows: list[list[NDArray[Any]]]) -> list[NDArray[Any]]:
-    """Put windows together, column by column, and let go of each as it is done."""
+    """Concatenate windows column by column, and free each column when it is done."""
     columns = []
     for _ in range(len(windows[0])):
         parts = [window.pop(0) for window in windows]

@@ -1,7 +1,7 @@
-"""The independent judge of a reference: what a drive gets, held against the limits of its axis.
+"""The independent judge of a reference: what each drive gets, against the limits of its axis.
 
-It looks at nothing but the position samples and their differences over the servo period, so it judges planned,
-imported and measured references alike and does not trust a planner's own derivatives. Differences are weighted means
+It uses only position samples and their differences over the servo period. So it judges planned, imported and measured
+references alike, and does not trust a planner's own derivatives. Differences are weighted means
 of the derivatives over the samples they span, hence never above the true peak.
 """
 
@@ -20,7 +20,7 @@ from contourlab.geometry import Path
 
 Array = NDArray[np.float64]
 
-BLOCK = 65536  # samples looked at together
+BLOCK = 65536  # samples per pass
 
 
 @dataclass(frozen=True)
@@ -182,7 +182,7 @@ def limit_report(reference: Reference, limits: AxisLimits) -> LimitReport:
 
     Notes
     -----
-    Sample k stands for the differences p[k+1] - p[k], p[k+1] - 2 p[k] + p[k-1] and p[k+2] - 3 p[k+1] + 3 p[k] - p[k-1].
+    Sample k labels the differences p[k+1] - p[k], p[k+1] - 2 p[k] + p[k-1] and p[k+2] - 3 p[k+1] + 3 p[k] - p[k-1].
     A curvature step between k and k+1 is the second difference at k+2 less the one at k-1, the nearest that lie
     clear of it; three servo periods of permitted jerk are allowed for. At a kink the velocity of an axis jumps by the
     jump of the path's direction times the speed, which is the least that the samples around show, less what the

@@ -1,4 +1,4 @@
-"""Quintic curves by arc length, made and evaluated in thousands: what rounds the corners of a path."""
+"""Quintic curves by arc length that round the corners of a path, made and evaluated in thousands."""
 
 from __future__ import annotations
 
@@ -169,7 +169,7 @@ class Blend(Curve):
     def __init__(self, coefficients: ArrayLike) -> None:
         c = np.array(coefficients, dtype=float)
         if c.ndim != 2 or c.shape[0] != 6 or c.shape[1] < 1 or not np.isfinite(c).all():
-            raise GeometryError(f"coefficients of shape {c.shape}: six finite ones are wanted for each coordinate, (6, n_axis)")
+            raise GeometryError(f"coefficients of shape {c.shape}: must be finite, (6, n_axis)")
         borders, inverse, good = _inverted(c[None])
         if not good[0]:
             raise GeometryError("a blend without length, or too uneven for its series: make it with blends(), which divides it")
@@ -252,7 +252,7 @@ def blends(coefficients: ArrayLike) -> tuple[list[Blend], Index]:
     """
     c = np.array(coefficients, dtype=float)
     if c.ndim != 3 or c.shape[1] != 6 or c.shape[2] < 1:
-        raise GeometryError(f"coefficients of shape {c.shape}: (n, 6, n_axis) is wanted")
+        raise GeometryError(f"coefficients of shape {c.shape}: must be (n, 6, n_axis)")
     usable = np.isfinite(c).all(axis=(1, 2)) & (c[:, 1:] != 0.0).any(axis=(1, 2))
     if not usable.all():
         raise GeometryError(f"blend {int(np.argmin(usable))} has no length, or coordinates that are not finite")
@@ -266,7 +266,7 @@ def blends(coefficients: ArrayLike) -> tuple[list[Blend], Index]:
         c, owner, begin = halves(c[~good]), np.repeat(owner[~good], 2), np.repeat(begin[~good], 2)
         begin[1::2] += 0.5 ** (depth + 1)
     if len(c):
-        raise GeometryError(f"blend {int(owner[0])} has a cusp, where it stands still: no arc length can be told there")
+        raise GeometryError(f"blend {int(owner[0])} has a cusp, where arc length is undefined")
     if not made:
         return [], owner
     owner, begin, c, borders, inverse = (np.concatenate(column) for column in zip(*made, strict=True))

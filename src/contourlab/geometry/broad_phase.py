@@ -1,4 +1,4 @@
-"""Which curves of a path may hold the closest point, by distances to their joints alone.
+"""Find the curves of a path that may hold the closest point, by distances to their junctions alone.
 
 Between two joints the path is no longer than its arc length. So a stretch of length L, whose ends are d and e away, comes nowhere closer
 than (d + e - L) / 2, and is left out where a joint is closer than that. Stretches are halved, the better half first, until single curves
@@ -17,7 +17,7 @@ from contourlab.geometry.curve import Array, Index
 from contourlab.geometry.curve_sequence import CurveSequence
 
 _FEW = 4
-"""Curves for each sample, on average, up to which all of them are looked at."""
+"""Curves for each sample, on average, up to which all are candidates."""
 _DEPTH = 128
 _SLACK = 1e-9
 """Metres by which arc lengths and distances may be off."""
@@ -43,7 +43,7 @@ def curves_in_reach(path: CurveSequence, points: Array, around: Array, window: A
     """
     first, last = around - window, around + window
     if path.closed:
-        # More than a lap on either side says nothing new.
+        # More than half a lap on either side adds nothing.
         first, last = np.maximum(first, around - 0.5 * path.length), np.minimum(last, around + 0.5 * path.length)
     else:
         first, last = np.clip(first, 0.0, path.length), np.clip(last, 0.0, path.length)

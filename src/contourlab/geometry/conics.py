@@ -64,7 +64,7 @@ class EllipticalArc(Parametric):
         if n < 2 or self.p.size != n or self.q.size != n:
             raise GeometryError(f"centre, p and q have {n}, {self.p.size} and {self.q.size} coordinates: two or more, the same for all")
         size = np.linalg.norm([self.p, self.q], axis=1)
-        # The area of the parallelogram; a needle thinner than this cannot be told from a line that is run to and fro.
+        # The area of the parallelogram; a thinner needle is indistinguishable from a line run to and fro.
         area = math.sqrt(max(0.0, float((size[0] * size[1]) ** 2 - (self.p @ self.q) ** 2)))
         if not area > 1e-7 * float(size.max()) ** 2:
             raise GeometryError(f"an ellipse with the half-diameters {self.p.tolist()} and {self.q.tolist()} has no width")
@@ -139,7 +139,7 @@ class Lissajous(Parametric):
     def __init__(self, axes: float, amplitude: float, lowest: float, phase: float) -> None:
         for name, value, low, high in (("axes", axes, 2, 9), ("lowest", lowest, 1, 20)):
             if not (low <= value <= high and float(value).is_integer()):
-                raise GeometryError(f"{name} = {value!r}: a whole number from {low} to {high} is wanted")
+                raise GeometryError(f"{name} = {value!r}: must be a whole number from {low} to {high}")
         positive(amplitude=amplitude)
         self.n_axis, self.amplitude, self.lowest, self.phase = int(axes), float(amplitude), int(lowest), float(phase)
         if not math.isfinite(self.phase):
@@ -180,7 +180,7 @@ class Star(Parametric):
         self.radius, self.depth = float(radius), float(depth)
         if not float(lobes).is_integer() or lobes < 2 or not 0.0 <= self.depth < 1.0:
             raise GeometryError(
-                f"star of {lobes} lobes, depth {depth}: a whole number >= 2 of lobes and a depth from 0 to below 1 are wanted"
+                f"star of {lobes} lobes, depth {depth}: lobes must be a whole number >= 2, depth from 0 to below 1"
             )
         self.lobes = int(lobes)
         self.n_joint = 4 * self.lobes + 1

@@ -1,4 +1,4 @@
-"""What a curve is: a smooth map from arc length to position."""
+"""The interface of curves: smooth maps from arc length to position."""
 
 from __future__ import annotations
 
@@ -46,12 +46,12 @@ class Curve(ABC):
 
     @classmethod
     def together(cls, curves: Sequence[Any]) -> Together:
-        """Return what evaluates many curves of this kind at once; a kind that comes in thousands brings its own."""
+        """Return an evaluator of many curves of this kind at once; kinds that come in thousands have their own."""
         return Together(curves)
 
     @abstractmethod
     def describe(self) -> tuple[object, ...]:
-        """Return all the numbers that make the curve, for its digest."""
+        """Return all numbers that define the curve, for its digest."""
 
     def position(self, s: ArrayLike) -> Array:
         """Return positions (n, n_axis) [m]."""
@@ -64,7 +64,7 @@ class Curve(ABC):
 
 
 class Together:
-    """Many curves of one kind, evaluated at once. This one asks each curve by itself; a kind of its own arrays does better.
+    """Many curves of one kind, evaluated at once. This one evaluates curve by curve; kinds with arrays of their own are faster.
 
     Parameters
     ----------
@@ -102,14 +102,14 @@ class Together:
         # Sorted once, so that the cost is that of the samples and not of samples times curves.
         ranked = np.argsort(slot, kind="stable")
         begins = np.flatnonzero(np.append(True, np.diff(slot[ranked]) > 0)) if slot.size else np.zeros(0, dtype=np.int64)
-        for mine in np.split(ranked, begins[1:]) if slot.size else ():
-            found[:, :, mine] = self.curves[int(slot[mine[0]])].derivatives(along[mine], order).transpose(0, 2, 1)
+        for chosen in np.split(ranked, begins[1:]) if slot.size else ():
+            found[:, :, chosen] = self.curves[int(slot[chosen[0]])].derivatives(along[chosen], order).transpose(0, 2, 1)
         return found
 
     def closest(self, slot: Index, points: Array, low: Array, high: Array, middle: Array) -> Array:
         """Return the arc lengths (n,) between `low` and `high` closest to points (n, n_axis), of curves that are `direct`.
 
-        `middle` (n,) says which of several is wanted: the nearest to it.
+        Of several, the one nearest to `middle` (n,).
         """
         raise NotImplementedError
 
@@ -131,7 +131,7 @@ def rows(curves: Sequence[Any], name: str) -> Array:
 
 
 def of_each(values: Array, slot: Index) -> Array:
-    """Return numbers (..., n_curve) of the curves in `slot`; those of one curve are broadcast, not gathered: circles are asked often."""
+    """Return numbers (..., n_curve) of the curves in `slot`; those of a single curve are broadcast, not gathered: circles are frequent."""
     return values if values.shape[-1] == 1 else values[..., slot]
 
 
@@ -148,7 +148,7 @@ def vector(values: ArrayLike, name: str) -> Array:
     except (TypeError, ValueError):
         found = np.empty(0)
     if found.ndim != 1 or found.size < 1 or not np.isfinite(found).all():
-        raise GeometryError(f"{name} = {values!r}: a vector of finite coordinates is wanted")
+        raise GeometryError(f"{name} = {values!r}: must be a vector of finite coordinates")
     return found
 
 

@@ -1,6 +1,6 @@
-"""The exact foot point: the closest point of a path, found anew for each sample, for the judge.
+"""The exact foot point, for the judge: the closest point of a path, searched afresh for each sample.
 
-Within a window around each sample's progress along the path, every curve in reach is asked for its closest point: lines and flat arcs in
+Within a window around each sample's progress along the path, every curve in reach gives its closest point: lines and flat arcs in
 closed form, other curves by samples and a Newton iteration held in its bracket. The nearest wins; among equals the one nearest to the
 progress, which keeps to the right branch where the path crosses itself.
 """
@@ -63,7 +63,7 @@ def foot_point(path: CurveSequence, points: ArrayLike, around: ArrayLike, window
     """
     p, s = np.atleast_2d(np.asarray(points, dtype=float)), np.atleast_1d(np.asarray(around, dtype=float))
     if p.shape != (s.size, path.n_axis):
-        raise GeometryError(f"points of shape {p.shape} with {s.size} values of progress: ({s.size}, {path.n_axis}) is wanted")
+        raise GeometryError(f"points of shape {p.shape} with {s.size} values of progress: must be ({s.size}, {path.n_axis})")
     reach = np.asarray(window, dtype=float)
     if reach.shape not in ((), s.shape) or not (reach > 0.0).all():
         raise GeometryError(f"window = {window!r}: must be > 0 m, one for all points or one for each")
@@ -138,10 +138,10 @@ def _on_curves(path: CurveSequence, points: Array, curve: Index, low: Array, hig
 
 def _newton(points: Array, at: Any, pair: Index, s: Array, a: Array, b: Array, most: int, enough: float) -> Array:
     """Improve foot points on their curves, each within its bracket."""
-    mine = points[pair]
+    target = points[pair]
     for _ in range(most):
         r, first, second = at(pair, s, 2)
-        gap = r - mine
+        gap = r - target
         g = np.einsum("ij,ij->i", first, gap)
         h = np.einsum("ij,ij->i", first, first) + np.einsum("ij,ij->i", second, gap)
         a, b = np.where(g < 0.0, s, a), np.where(g > 0.0, s, b)

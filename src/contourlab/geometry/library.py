@@ -116,7 +116,7 @@ def polygon(sides: float = 6, radius: float = 0.02) -> Path:
     """Regular polygon in a circle of `radius` around the origin, counter-clockwise from the corner at (radius, 0)."""
     positive(radius=radius)
     if not (float(sides).is_integer() and 3 <= sides <= 100_000):
-        raise GeometryError(f"sides = {sides!r}: a whole number from 3 to 100000 is wanted")
+        raise GeometryError(f"sides = {sides!r}: must be a whole number from 3 to 100000")
     n = int(sides)
     return _round_of([(radius * math.cos(2.0 * math.pi * k / n), radius * math.sin(2.0 * math.pi * k / n)) for k in range(n)])
 

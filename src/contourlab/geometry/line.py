@@ -52,7 +52,7 @@ class Line(Curve):
         length = np.sqrt(((b - a) ** 2).sum(axis=1))
         good = (length > 0.0) & np.isfinite(length)
         if not good.all():
-            return [cls(a[i], b[i]) for i in (int(np.argmin(good)),)]  # says what is wrong with it
+            return [cls(a[i], b[i]) for i in (int(np.argmin(good)),)]  # raises with the reason
         direction = (b - a) / length[:, None]
         found = []
         for row in zip(a, b, direction, length.tolist(), strict=True):

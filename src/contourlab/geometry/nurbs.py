@@ -52,7 +52,7 @@ def _checked(degree: int, points: ArrayLike, knots: ArrayLike) -> tuple[Array, A
     if c.ndim != 2 or not (np.isfinite(c).all() and np.isfinite(t).all()):
         raise GeometryError("control points must be finite and of the shape (n, n_axis), knots finite")
     if degree < 1 or len(c) <= degree or t.shape != (len(c) + degree + 1,):
-        raise GeometryError(f"degree {degree} with {len(c)} control points wants {len(c) + degree + 1} knots, {t.size} given")
+        raise GeometryError(f"degree {degree} with {len(c)} control points needs {len(c) + degree + 1} knots, not {t.size}")
     inner = t[degree : len(c) + 1]
     if np.any(np.diff(t) < 0.0) or not inner[-1] > inner[0]:
         raise GeometryError("knots must not fall, and must span an interval")
@@ -86,7 +86,7 @@ class BSpline(Parametric):
         return np.array([self._spline(u, k) for k in range(order + 1)])
 
     def _speed(self, u: Array) -> Array:
-        # The length is integrated from this alone: positions need not be worked out for it.
+        # The length is integrated from this alone: positions are not needed.
         return np.asarray(np.linalg.norm(self._spline(u.ravel(), 1), axis=1).reshape(u.shape))
 
     def describe(self) -> tuple[object, ...]:
@@ -113,7 +113,7 @@ class Nurbs(Parametric):
         self.points, self.knots = _checked(self.degree, points, knots)
         self.weights = np.array(weights, dtype=float)
         if self.weights.shape != (len(self.points),) or not (np.isfinite(self.weights).all() and (self.weights > 0.0).all()):
-            raise GeometryError("one weight > 0 for each control point is wanted")
+            raise GeometryError("give one weight > 0 for each control point")
         self.n_axis = self.points.shape[1]
         # Held from the first point, so that a small curve far from the origin keeps its digits.
         lifted = np.column_stack([(self.points - self.points[0]) * self.weights[:, None], self.weights])
@@ -141,7 +141,7 @@ class Nurbs(Parametric):
 
 
 def inner_knots(degree: int, t: Array) -> tuple[Array, Index]:
-    """Return the knots inside the curve, and how often each stands."""
+    """Return the knots inside the curve, and their multiplicities."""
     inner, count = np.unique(t[(t > t[degree]) & (t < t[-degree - 1])], return_counts=True)
     return inner, count
 
@@ -177,11 +177,11 @@ def cut_where_curvature_jumps(curve: BSpline | Nurbs) -> list[Curve]:
 
 def _insert(degree: int, points: Array, t: Array, u: float) -> tuple[Array, Array]:
     """Insert a knot once: Boehm's algorithm; The NURBS Book, 2nd ed., eq. (5.15)."""
-    k, stands = int(np.searchsorted(t, u, side="right")) - 1, int(np.count_nonzero(t == u))
-    i = np.arange(k - degree + 1, k - stands + 1)
+    k, count = int(np.searchsorted(t, u, side="right")) - 1, int(np.count_nonzero(t == u))
+    i = np.arange(k - degree + 1, k - count + 1)
     alpha = ((u - t[i]) / (t[i + degree] - t[i]))[:, None]
     between = alpha * points[i] + (1.0 - alpha) * points[i - 1]
-    fresh = np.concatenate([points[: k - degree + 1], between, points[k - stands :]])
+    fresh = np.concatenate([points[: k - degree + 1], between, points[k - count :]])
     return fresh, np.concatenate([t[: k + 1], [u], t[k + 1 :]])
 
 

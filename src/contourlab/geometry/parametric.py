@@ -52,7 +52,7 @@ class Parametric(Curve):
         return np.linspace(self.first, self.last, self.n_joint)
 
     def measure(self) -> None:
-        """Work out the length; a subclass calls it once its data stand."""
+        """Compute the length; a subclass calls it when its data are set."""
         left, right = self.joints()[:-1], self.joints()[1:]
         done: list[tuple[float, float, float]] = []
         whole = self._lengths(left, right)
@@ -69,7 +69,7 @@ class Parametric(Curve):
             if left.size == 0:
                 break
         else:
-            raise GeometryError(f"{type(self).__name__}: its length does not converge; the curve has a point where it stands still")
+            raise GeometryError(f"{type(self).__name__}: its length does not converge: the curve has a cusp")
         done.sort()
         self._knots = np.array([d[0] for d in done] + [done[-1][1]])
         self.marks = np.concatenate([[0.0], np.cumsum([d[2] for d in done])])
@@ -77,7 +77,7 @@ class Parametric(Curve):
         self._check_smooth()
 
     def _check_smooth(self) -> None:
-        """Refuse corners, gaps and points of rest inside the curve: by arc length they would be jumps that no one is told of."""
+        """Refuse corners, gaps and points of rest inside the curve: by arc length they would be hidden jumps."""
         name, slow = type(self).__name__, self._speed(self._knots) <= 1e-6 * self.length / (self.last - self.first)
         if slow.any():
             raise GeometryError(
@@ -122,7 +122,7 @@ class Parametric(Curve):
     def _rise(self, left: Array, right: Array) -> tuple[Array, Array, Flags]:
         """Return Chebyshev series of speed and length over intervals of the parameter, and whether they hold as its integral does.
 
-        So the curve is asked for at a few places of an interval, and not at a dozen places in each Newton step.
+        The curve is then evaluated at a few places of an interval, not at a dozen in each Newton step.
         """
         middle, half = 0.5 * (left + right), 0.5 * (right - left)
         speed = self._speed(middle[:, None] + half[:, None] * _RISE_NODES)
@@ -133,7 +133,7 @@ class Parametric(Curve):
         return speed @ _TO_SPEED.T, rise, np.asarray((gap <= 1e-15 * self.length).all(axis=1))
 
     def _solve_by_quadrature(self, left: Array, right: Array, wanted: Array, start: Array) -> Array:
-        """Return the same where no series holds: where the curve nearly stands still."""
+        """Return the same where no series converges: near a cusp."""
         u, lengths = start.ravel(), wanted.ravel()
         for _ in range(12):
             step = (self._lengths(left, u) - lengths) / np.maximum(self._speed(u), 1e-300)
@@ -178,7 +178,7 @@ class Parametric(Curve):
         """Return the parameters (n,) of arc lengths (n,), good to 1e-13 of the length."""
         along = np.clip(np.atleast_1d(np.asarray(s, dtype=float)), 0.0, self.length)
         if along.size <= 2 and np.all((along == 0.0) | (along == self.length)):
-            # Ends are asked for wherever curves are joined: they are known before the inverse is.
+            # Ends are needed wherever curves are joined, and need no inverse.
             return np.where(along == 0.0, self.first, self.last)
         begin, rows = self._inverse
         i = np.clip(np.searchsorted(begin, along, side="right") - 1, 0, len(rows) - 1)

@@ -56,7 +56,7 @@ class Path(CurveSequence):
 
     @cached_property
     def corners(self) -> Array:
-        """Arc lengths at which the tangent jumps, rising; on a closed path 0 stands for the closing point."""
+        """Arc lengths at which the tangent jumps, rising; on a closed path 0 is the closing point."""
         turn = np.linalg.norm(self.ends[1][:-1] - self.starts[1][1:], axis=1)
         found = self.breaks[1:-1][turn > CORNER_ANGLE]
         if self.closed and np.linalg.norm(self.ends[1][-1] - self.starts[1][0]) > CORNER_ANGLE:
@@ -64,7 +64,7 @@ class Path(CurveSequence):
         return np.asarray(found)
 
     def coefficients(self, index: Index) -> tuple[Array, NDArray[np.bool_]]:
-        """Return what lines and arcs have in common, for the engine: position = base + d s + u cos(a + b s) + v sin(a + b s).
+        """Return the common form of lines and arcs, for the engine: position = base + d s + u cos(a + b s) + v sin(a + b s).
 
         Parameters
         ----------

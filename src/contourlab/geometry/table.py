@@ -130,7 +130,7 @@ def _hermite(low: Array, high: Array, h: Array) -> Array:
 
 
 def _spread(n: Index) -> tuple[Index, Index]:
-    """Return, for n pieces of each of several, whose each piece is, and the how manieth of it."""
+    """Number the pieces of several curves, n each: return the owner of each piece, and its number within the owner."""
     owner = np.repeat(np.arange(n.size), n)
     return owner, np.arange(owner.size) - np.repeat(np.cumsum(n) - n, n)
 
@@ -151,7 +151,7 @@ def _first_pieces(curves: Together, tolerance: float, longest: float) -> tuple[I
     owner, _ = _spread(count)
     inner = owner[1:] == owner[:-1]
     slot, low, high = owner[:-1][inner], marks[:-1][inner], marks[1:][inner]
-    # Each stretch is divided by itself: marks of two kinds laid over each other would leave slivers between them.
+    # Divide each stretch by itself: two overlaid sets of marks would leave slivers.
     n = np.maximum(np.ceil((high - low) / longest - 1e-9), 1.0)
     stretch, part = _spread(n.astype(np.int64))
     step = ((high - low) / n)[stretch]

@@ -1,4 +1,4 @@
-"""Curves made from curves: run backwards, and with ends moved by a little."""
+"""Reverse curves, and move their ends by a little."""
 
 from __future__ import annotations
 
@@ -123,7 +123,7 @@ def _(curve: EllipticalArc, start: Array, end: Array, move: Array) -> Curve:
 
 
 def _greville(curve: BSpline | Nurbs) -> Array:
-    """Return how far along the parameter each control point stands, 0 at the start, 1 at the end of the curve."""
+    """Return the relative parameter of each control point (Greville abscissa), 0 at the start, 1 at the end of the curve."""
     sums = np.cumsum(np.concatenate([[0.0], curve.knots[1:-1]]))
     middle = (sums[curve.degree :] - sums[: -curve.degree]) / curve.degree
     return np.asarray((middle - curve.first) / (curve.last - curve.first))[:, None]

@@ -1,4 +1,4 @@
-"""A run in figures."""
+"""Figures of a run."""
 
 from __future__ import annotations
 
@@ -82,7 +82,7 @@ class Metrics:
     feedrate_mean : float [m/s]
         Mean speed of the tool along its path.
     feedrate_ripple : float
-        Standard deviation of the tool's speed over the speed asked for, at the samples where the reference holds its feed.
+        Standard deviation of the tool's speed over the reference's, at samples where the latter is constant.
     cycle_time : float [s]
         Of the whole motion.
     """
@@ -141,7 +141,7 @@ def summarise(result: Result, reference: Reference, window: tuple[int, int] | No
     chosen, basis = (window, "window") if window else evaluation_window(reference, result.n_sample, result.start)
     start, stop = chosen
     if not 0 <= start < stop <= result.n_sample:
-        raise ResultError(f"window {start} .. {stop} of a result of {result.n_sample} samples: a part of it is wanted")
+        raise ResultError(f"window {start} .. {stop} of a result of {result.n_sample} samples: choose a part of it")
     cut = slice(start, stop)
     period = result.servo_period
     tracking = result["tracking_error"][cut]
@@ -194,14 +194,14 @@ def _feedrate(result: Result, cut: slice) -> tuple[float, float]:
     if len(tool) < 3:
         return math.nan, math.nan
     speed = np.linalg.norm(np.diff(tool, axis=0), axis=1) / result.servo_period
-    asked = result["feedrate"][cut][:-1] if "feedrate" in result else speed
-    steady = (np.abs(np.gradient(asked)) <= 1e-9 * asked) & (asked > 0.0)
-    ripple = float(np.std(speed[steady] / asked[steady])) if np.count_nonzero(steady) > 2 else math.nan
+    wanted = result["feedrate"][cut][:-1] if "feedrate" in result else speed
+    steady = (np.abs(np.gradient(wanted)) <= 1e-9 * wanted) & (wanted > 0.0)
+    ripple = float(np.std(speed[steady] / wanted[steady])) if np.count_nonzero(steady) > 2 else math.nan
     return float(speed.mean()), ripple
 
 
 def left_out(result: Result, reference: Reference, window: tuple[int, int]) -> tuple[float, float]:
-    """Return the longest piece [m] of the programmed path, as far as it was asked for, on which no foot point of the tool lies.
+    """Return the longest piece [m] of the commanded part of the programmed path without a foot point of the tool.
 
     Parameters
     ----------
@@ -224,10 +224,10 @@ def left_out(result: Result, reference: Reference, window: tuple[int, int]) -> t
     cut = slice(*window)
     path = reference.programmed
     foot = result["foot_arc_length"][cut]
-    asked = reference.programmed_arc_length(result["arc_length"][cut])
-    if path.closed and np.ptp(asked) > (1.0 - 2.0 / len(asked)) * path.length:
+    commanded = reference.programmed_arc_length(result["arc_length"][cut])
+    if path.closed and np.ptp(commanded) > (1.0 - 2.0 / len(commanded)) * path.length:
         foot = np.sort(np.mod(foot, path.length))
         return float(max(np.diff(foot).max(initial=0.0), foot[0] + path.length - foot[-1])), 0.0
-    low, high = asked.min(), asked.max()
+    low, high = commanded.min(), commanded.max()
     seen = np.concatenate([[low], np.sort(np.clip(foot, low, high)), [high]])
     return float(np.diff(seen).max()), float(high - seen[-2])

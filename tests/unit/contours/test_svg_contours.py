@@ -171,7 +171,7 @@ def test_an_arc_of_no_radius_is_a_line(tmp_path: File) -> None:
         ("<svg", "is no SVG drawing"),
         ("<html/>", "its root is <html>"),
         ('<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 1"/>', "viewBox"),
-        ('<svg xmlns="http://www.w3.org/2000/svg" width="3em"/>', 'width = "3em" is no size'),
+        ('<svg xmlns="http://www.w3.org/2000/svg" width="3em"/>', 'width = "3em" is not a size'),
         ('<svg xmlns="http://www.w3.org/2000/svg"/>', "holds no contour"),
     ],
 )
