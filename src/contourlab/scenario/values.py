@@ -11,7 +11,7 @@ from typing import Any, Literal, TypeAlias
 from contourlab.components.learning.law import LearningLaw
 from contourlab.contours import ContourReading, study_contour
 from contourlab.feed import Route, route_from_program
-from contourlab.feed.path_control import PathControl
+from contourlab.feed.route import PathControl
 from contourlab.geometry import Path, contour
 from contourlab.program import Program, Reading
 from contourlab.scenario.placing import placed
