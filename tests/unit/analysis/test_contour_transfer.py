@@ -10,11 +10,10 @@ from coupled_axes import alike, circle, stages, unlike
 from hypothesis import given
 from hypothesis import strategies as st
 
-from contourlab.analysis.learning.trial_map import TrialMap, normal_frames
-from contourlab.analysis.linear.contour_transfer import contour_error_transfer, contour_margins, contour_transfer
+from contourlab.analysis.linear.contour_transfer import contour_error_transfer, contour_margins, contour_transfer, internal_stability
 from contourlab.analysis.linear.coupled_loop import coupled_loop, coupling_model, normal_basis
-from contourlab.analysis.linear.hull_margins import hull_modulus
-from contourlab.analysis.linear.internal_stability import internal_stability
+from contourlab.analysis.linear.margins import hull_modulus
+from contourlab.analysis.linear.trial_map import TrialMap, normal_frames
 from contourlab.components.coupling.cross_coupled import CrossCoupled
 from contourlab.components.coupling.cross_coupled_filter import CrossCoupledFilter
 from contourlab.components.coupling.modified_error import ModifiedError

@@ -8,8 +8,12 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from contourlab.analysis.identification.closed_first_order import closed_loop_position, identify_closed_loop
-from contourlab.analysis.identification.first_order import FirstOrderSettings, identify_first_order
+from contourlab.analysis.identification.first_order import (
+    FirstOrderSettings,
+    closed_loop_position,
+    identify_closed_loop,
+    identify_first_order,
+)
 from contourlab.analysis.identification.first_order_motion import delayed, first_order_motion
 from contourlab.errors import ParameterError
 

@@ -10,11 +10,16 @@ import pytest
 from coupled_axes import circle, stages, unlike
 from numpy.typing import NDArray
 
-from contourlab.analysis.learning.learning_analysis import learning_analysis
-from contourlab.analysis.learning.learning_frequency import averaging, error_factor, frequency_learning, robust_factor
-from contourlab.analysis.learning.learning_law import law_kernels
+from contourlab.analysis.learning.learning_analysis import (
+    design_zero_phase,
+    first_zero,
+    largest_gain,
+    learning_analysis,
+    quarter_turn,
+    worst_zero_phase,
+)
+from contourlab.analysis.learning.learning_frequency import averaging, error_factor, frequency_learning, law_kernels, robust_factor
 from contourlab.analysis.learning.learning_lifted import TrialOperator, lifted_learning
-from contourlab.analysis.learning.learning_rules import design_zero_phase, first_zero, largest_gain, quarter_turn, worst_zero_phase
 from contourlab.analysis.linear.coupled_loop import coupled_loop
 from contourlab.components.coupling.cross_coupled import CrossCoupled
 from contourlab.components.learning.cross_coupled import CrossCoupledLearning

@@ -5,9 +5,19 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from contourlab.analysis.linear.modular_lmi import lmi_design
-from contourlab.analysis.linear.modular_lq import GAINS, LinearAxis, LqWeights, blind_swaps, cost, direct_design, optimum
-from contourlab.analysis.linear.modular_three_step import lead, series_allocation, three_step_design
+from contourlab.analysis.linear.modular_design import (
+    GAINS,
+    LinearAxis,
+    LqWeights,
+    blind_swaps,
+    cost,
+    direct_design,
+    lead,
+    lmi_design,
+    optimum,
+    series_allocation,
+    three_step_design,
+)
 from contourlab.errors import ParameterError
 
 RAW = [LinearAxis(1695.0, 10.1), LinearAxis(648.0, 6.5), LinearAxis(1116.0, 5.8)]

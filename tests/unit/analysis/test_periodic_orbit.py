@@ -10,8 +10,7 @@ from backlash_loops import FREE, HALF_GAP, J_L, J_M, K_S, PAPER, SCHEME_II, driv
 
 from contourlab.analysis.backlash.exact_simulation import simulate_exact
 from contourlab.analysis.backlash.mode_flow import Motion
-from contourlab.analysis.backlash.orbit_search import find_forced_orbits, find_orbits
-from contourlab.analysis.backlash.periodic_orbit import Shooter, close_orbit
+from contourlab.analysis.backlash.periodic_orbit import Shooter, close_orbit, find_forced_orbits, find_orbits
 from contourlab.errors import ParameterError
 from contourlab.papers.shahin.two_inertia_loop import motor_pid, p_pi_cascade, two_inertia_loop
 

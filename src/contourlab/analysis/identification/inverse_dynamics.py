@@ -21,10 +21,9 @@ from dataclasses import dataclass, field
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from contourlab.analysis.identification.coloured_residual import bartlett, coloured_deviations, usual_lags
-from contourlab.analysis.identification.even_record import even_record
-from contourlab.analysis.identification.filtered_motion import decimate, filtered_motion, kept_samples
+from contourlab.analysis.identification.filtered_motion import decimate, even_record, filtered_motion, kept_samples
 from contourlab.analysis.identification.identification_remarks import check_signs, remarks_on
+from contourlab.analysis.identification.output_error import bartlett, coloured_deviations, usual_lags
 from contourlab.errors import ParameterError
 
 Array = NDArray[np.float64]

@@ -13,9 +13,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from contourlab.analysis.identification.coloured_residual import coloured_deviations
 from contourlab.analysis.identification.frequency_response import Measured, MeasuredResponse
-from contourlab.analysis.identification.output_error import lasting_window
+from contourlab.analysis.identification.output_error import coloured_deviations, lasting_window
 from contourlab.errors import ParameterError
 
 Array = NDArray[np.float64]

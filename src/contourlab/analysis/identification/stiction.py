@@ -21,7 +21,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from contourlab.analysis.identification.even_record import even_record
+from contourlab.analysis.identification.filtered_motion import even_record
 from contourlab.analysis.identification.output_error import fit_percent
 from contourlab.errors import ParameterError
 

@@ -15,9 +15,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from contourlab.analysis.learning.learning_law import LawKernels, law_kernels, law_model, lifted_problem
-from contourlab.analysis.learning.trial_map import TrialMap
+from contourlab.analysis.learning.learning_frequency import LawKernels, law_kernels, law_model, lifted_problem
 from contourlab.analysis.linear.coupled_loop import CoupledLoop
+from contourlab.analysis.linear.trial_map import TrialMap
 from contourlab.components.learning.law import LearningLaw, TrialRecord
 from contourlab.errors import ComponentError
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -11,6 +11,7 @@ from numpy.typing import ArrayLike, NDArray
 
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
+
 LoopGain = Callable[[Array], Complex]
 
 
@@ -125,3 +126,124 @@ def _zeros(function: Callable[[float], float], w: Array, values: Array) -> list[
 
 def _value(loop: LoopGain, w: float) -> complex:
     return complex(loop(np.array([w]))[0])
+
+
+LoopGains = Callable[[Array], Complex]
+
+SHARES = np.linspace(0.0, 1.0, 33)
+"""Where on an edge to look first; the worst place is then found between its neighbours."""
+
+
+@dataclass(frozen=True, eq=False)
+class HullMargin:
+    """A margin with the frequency [rad/s] and the weights (n,) at which it is met."""
+
+    value: float
+    frequency: float
+    weights: Array
+
+    @classmethod
+    def nearest(cls, value: float, frequency: float, vertices: Complex) -> HullMargin:
+        """Return the weights of the point nearest to -1 in the polygon with some vertices (n,)."""
+        from scipy.optimize import nnls
+
+        # The sum is held to 1 by a weight that makes its fault as small as rounding allows.
+        heavy = 1e6 * max(1.0, float(np.abs(vertices + 1.0).max()))
+        rows = np.vstack([vertices.real + 1.0, vertices.imag, np.full(vertices.size, heavy)])
+        weights, _ = nnls(rows, np.array([0.0, 0.0, heavy]))
+        return cls(value, frequency, weights / weights.sum())
+
+
+def hull_modulus(vertices: Complex) -> Array:
+    """Return the distance (n,) of -1 from the convex hull of points (n, n_vertex): 0 where it is inside.
+
+    >>> hull_modulus(np.array([[0.0, 2.0j], [-2.0 - 1.0j, 1.0j]])).round(6)
+    array([1., 0.])
+    """
+    to = vertices + 1.0
+    n = to.shape[1]
+    best = np.abs(to).min(axis=1)
+    for i in range(n):
+        for j in range(i + 1, n):
+            side = to[:, j] - to[:, i]
+            square = np.abs(side) ** 2
+            # The foot of -1 on the edge, held to its ends.
+            share = np.clip(-(to[:, i] * side.conj()).real / np.where(square > 0.0, square, 1.0), 0.0, 1.0)
+            best = np.minimum(best, np.abs(to[:, i] + share * side))
+    if n > 2:
+        angle = np.sort(np.angle(to), axis=1)
+        widest = np.maximum(np.diff(angle, axis=1).max(axis=1), angle[:, 0] + 2.0 * np.pi - angle[:, -1])
+        best[widest < np.pi] = 0.0
+    return np.asarray(best)
+
+
+def edge_margins(loops: LoopGains, frequency: Array, pairs: Sequence[tuple[int, int]]) -> tuple[HullMargin, HullMargin]:
+    """Return the smallest phase margin and gain margin over all weighted means of stable loops.
+
+    The unit circle and the negative real axis enter a polygon through its edges, so that means of two loops are enough.
+
+    Parameters
+    ----------
+    loops : callable
+        Gives the loop gains (n, n_loop) at frequencies (n,) [rad/s].
+    frequency : ndarray (n,) [rad/s]
+        Where to look, rising and fine enough for each of the loops.
+    pairs : sequence of (int, int)
+        The edges; with none there is one loop.
+    """
+    values = loops(frequency)
+    n, scale = values.shape[1], float(np.abs(values).max(initial=1.0))
+    alike = [np.abs(values[:, i] - values[:, j]).max() <= 1e-12 * scale for i, j in pairs]
+    edges = [pair for pair, same in zip(pairs, alike, strict=True) if not same] or [(0, 0)]
+    found = []
+    for measure in (0, 1):
+        rough = [
+            (_rough(values[:, i] + share * (values[:, j] - values[:, i]))[measure], (i, j), share) for i, j in edges for share in SHARES
+        ]
+        _, edge, share = min(rough, key=lambda entry: entry[0])
+        found.append(_refined(loops, frequency, n, edge, float(share), measure))
+    return found[0], found[1]
+
+
+def _rough(gain: Complex) -> tuple[float, float]:
+    """Return phase and gain margin of a loop from its values alone, straight between neighbours; infinite where there is none."""
+    size = np.log(np.maximum(np.abs(gain), 1e-300))
+    phase = factor = math.inf
+    crossed = np.flatnonzero((size[1:] > 0.0) != (size[:-1] > 0.0))
+    if crossed.size:
+        share = size[crossed] / (size[crossed] - size[crossed + 1])
+        phase = float(np.abs(np.angle(-(gain[crossed] + share * (gain[crossed + 1] - gain[crossed])))).min())
+    real = np.flatnonzero((gain.imag[1:] > 0.0) != (gain.imag[:-1] > 0.0))
+    share = gain.imag[real] / (gain.imag[real] - gain.imag[real + 1])
+    at = np.append(gain.real[real] + share * (gain.real[real + 1] - gain.real[real]), gain.real[-1])
+    at = at[(at < 0.0) & (at > -1.0)]
+    if at.size:
+        factor = float(1.0 / np.abs(at).max())
+    return phase, factor
+
+
+def _refined(loops: LoopGains, w: Array, n: int, edge: tuple[int, int], share: float, measure: int) -> HullMargin:
+    """Return the exact margin of the worst mean on an edge near a share."""
+    from scipy.optimize import minimize_scalar
+
+    def exact(at: float) -> tuple[float, float]:
+        mean = np.zeros(n)
+        mean[edge[0]] += 1.0 - at
+        mean[edge[1]] += at
+        found = margins(lambda x: np.asarray(loops(x) @ mean), w, stable=True)
+        return (found.phase, found.crossover) if measure == 0 else (found.gain, found.phase_crossover)
+
+    def size(at: float) -> float:
+        return min(abs(exact(at)[0]), 1e12)
+
+    shares = [share]
+    if edge[0] != edge[1] and math.isfinite(exact(share)[0]):
+        step = float(SHARES[1])
+        bounds = (max(share - step, 0.0), min(share + step, 1.0))
+        shares.append(float(minimize_scalar(size, bounds=bounds, method="bounded", options={"xatol": 1e-4}).x))
+    worst = min(shares, key=size)
+    value, frequency = exact(worst)
+    weights = np.zeros(n)
+    weights[edge[0]] += 1.0 - worst
+    weights[edge[1]] += worst
+    return HullMargin(value, frequency, weights)

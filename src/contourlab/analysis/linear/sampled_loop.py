@@ -1,9 +1,4 @@
-"""One axis under its controller as it runs from tick to tick: poles, frequency response and margins of the sampled loop.
-
-The schedule of the servo loop is built for the axis alone and cut where the command enters the drive and where the observer's estimate
-enters the controller. What is cut becomes an input, so that every response follows from one linear map, with the order of the nodes, the
-wires that are one tick late, the filters as they are sampled, the hold and the delay of the drive as they are in a run.
-"""
+"""What is said of an axis in the frequency domain."""
 
 from __future__ import annotations
 
@@ -18,7 +13,6 @@ from numpy.typing import ArrayLike, NDArray
 
 from contourlab.analysis.linear.delay_form import DelayForm
 from contourlab.analysis.linear.margins import Margins, delay_margin, margins
-from contourlab.analysis.linear.response import AxisResponse
 from contourlab.analysis.linear.tick_map import TickMap, poles_of, tick_map
 from contourlab.components.contract import Component
 from contourlab.engine.schedule import Schedule
@@ -31,6 +25,33 @@ from contourlab.loop.watch import NAME as WATCH
 
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
+
+@dataclass(frozen=True, eq=False)
+class AxisResponse:
+    """Complex responses (n_frequency,) of one axis; of a sampled loop, from samples to samples.
+
+    Attributes
+    ----------
+    frequency : ndarray [rad/s]
+    closed_loop : ndarray
+        Position over reference, feedforward included.
+    modified : ndarray
+        Position over modified reference alone: what acts on position and integral, without feedforward of its derivatives.
+    loop_gain : ndarray
+        The loop opened at the drive, sign such that -1 is the critical point.
+    compliance : ndarray [m per force unit]
+        Position over load; in a sampled loop the load is held over the servo period.
+    compensated : ndarray [m/s per command unit]
+        Velocity over the command ahead of the observer: what the position loop sees.
+    """
+
+    frequency: Array
+    closed_loop: Complex
+    modified: Complex
+    loop_gain: Complex
+    compliance: Complex
+    compensated: Complex
+
 
 LONGEST = 1000
 """States beyond which the poles would take longer than a run."""

@@ -18,7 +18,6 @@ from contourlab.errors import ComponentError
 
 Array = NDArray[np.float64]
 
-
 @dataclass(frozen=True, eq=False)
 class TickMap:
     """x(k + 1) = A x(k) + B u(k), where x(k + 1) holds all states, rings and signals as they stand at the end of tick k.

@@ -4,8 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
-from contourlab.analysis.identification.closed_first_order import identify_closed_loop
-from contourlab.analysis.identification.first_order import FirstOrderFit, FirstOrderSettings, identify_first_order
+from contourlab.analysis.identification.first_order import FirstOrderFit, FirstOrderSettings, identify_closed_loop, identify_first_order
 from contourlab.analysis.identification.identification_remarks import on_mass
 from contourlab.components.origin import Origin
 from contourlab.errors import ResultError
