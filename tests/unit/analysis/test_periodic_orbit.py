@@ -10,9 +10,9 @@ from backlash_loops import FREE, HALF_GAP, J_L, J_M, K_S, PAPER, SCHEME_II, driv
 
 from contourlab.analysis.backlash.exact_simulation import simulate_exact
 from contourlab.analysis.backlash.mode_flow import Motion
-from contourlab.analysis.backlash.periodic_orbit import Shooter, close_orbit, find_forced_orbits, find_orbits
+from contourlab.analysis.backlash.periodic_orbit import Shooter, close_orbit, find_orbits
 from contourlab.errors import ParameterError
-from contourlab.papers.shahin.two_inertia_loop import motor_pid, p_pi_cascade, two_inertia_loop
+from contourlab.papers.shahin.two_inertia_loop import p_pi_cascade, two_inertia_loop
 
 
 def test_the_orbit_of_two_free_inertias() -> None:
@@ -114,32 +114,6 @@ def test_none_is_found_where_there_is_none() -> None:
         assert found.orbits == ()
         assert "none found" in str(found)
         assert len(found.searched) >= 2
-
-
-def test_forced_inside_the_gap_is_linear() -> None:
-    """A small sine moves the motor only: amplitude of the closed loop's transfer; the load keeps its place wherever it is."""
-    loop = two_inertia_loop(drive(load_damping=0.1), motor_pid(200.0, 2.0))
-    amplitude, w = 0.3 * HALF_GAP, 50.0
-    found = find_forced_orbits(loop, amplitude, w).orbits
-    assert found
-    s = 1j * w
-    wanted = amplitude * abs((2.0 * s + 200.0) / (J_M * s**2 + 2.0 * s + 200.0))
-    assert found[0].amplitude == pytest.approx(wanted, rel=1e-6)
-    assert set(found[0].modes) == {0}
-
-
-@pytest.mark.parametrize("damping", [0.0, 0.1])
-def test_forced_through_the_gap(damping: float) -> None:
-    """The orbit is where a long simulation ends, and its multipliers say that it does."""
-    loop = two_inertia_loop(drive(load_damping=0.05, shaft_damping=damping), motor_pid(200.0, 3.0))
-    amplitude, w = 0.05, 60.0
-    found = find_forced_orbits(loop, amplitude, w)
-    assert len(found.stable) == 1
-    orbit = found.stable[0]
-    assert orbit.period == pytest.approx(2.0 * math.pi / w, rel=1e-14)
-    assert set(orbit.modes) == {-1, 0, 1}
-    run = simulate_exact(loop, [0.02, 0.0, -0.01, 0.0], 200.0 * orbit.period, Motion.sine(amplitude, w))
-    assert run.spans[-1].end[:4] == pytest.approx(orbit.start, abs=1e-8 * np.abs(orbit.start).max())
 
 
 def test_bad_periods_are_refused() -> None:

@@ -340,42 +340,6 @@ def find_orbits(loop: BacklashLoop, *, prediction: Prediction | None = None, kic
     return OrbitSearch(tuple(sorted(orbits, key=lambda orbit: -orbit.amplitude)), tuple(searched))
 
 
-def find_forced_orbits(loop: BacklashLoop, amplitude: float, frequency: float, *, offset: float = 0.0, settling: int = 30) -> OrbitSearch:
-    """Return the orbits of the period of a sinusoidal reference.
-
-    Parameters
-    ----------
-    loop : BacklashLoop
-    amplitude : float
-        Of the reference.
-    frequency : float [rad/s]
-    offset : float
-    settling : int
-        Periods that a motion is followed before it is tried; shots start from the linear loop's response too.
-
-    Returns
-    -------
-    OrbitSearch
-    """
-    motion, period = Motion.sine(amplitude, frequency, offset), 2.0 * math.pi / frequency
-    orbits: list[PeriodicOrbit] = []
-    searched = []
-    for name, matrix in (("contact", loop.contact_matrix), ("gap", loop.gap_matrix)):
-        drive = loop.reference_input @ np.array([amplitude, 1j * frequency * amplitude, -(frequency**2) * amplitude])
-        shifted = 1j * frequency * np.eye(loop.n) - matrix
-        start = np.linalg.lstsq(shifted, drive.astype(complex), rcond=None)[0].imag
-        found = close_orbit(loop, start, period, motion)
-        searched.append(f"the linear response in {name}: {_outcome(found, orbits)}")
-    run = simulate_exact(loop, np.zeros(loop.n), settling * period, motion)
-    if run.diverged:
-        searched.append(f"motion from rest: ran away after {run.duration:.3g} s")
-    else:
-        end = run.spans[-1].end
-        found = close_orbit(loop, end[: loop.n], period, motion, twist=float(end[loop.n]) if run.flow.twisted else 0.0)
-        searched.append(f"motion from rest after {settling} periods: {_outcome(found, orbits)}")
-    return OrbitSearch(tuple(sorted(orbits, key=lambda orbit: -orbit.amplitude)), tuple(searched))
-
-
 def _predicted_start(loop: BacklashLoop, amplitude: float, ratio: float, w: float) -> Array:
     """Return a state on the sinusoid of the quasi-linear loop, where the difference passes its peak."""
     values, vectors = np.linalg.eig(quasi_linear(loop, ratio, w))

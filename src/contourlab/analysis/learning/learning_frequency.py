@@ -228,28 +228,6 @@ def zero_phase_factor(gain: float, average: ArrayLike, closed: ArrayLike) -> Com
     return np.asarray(1.0 - gain * np.asarray(average) * np.asarray(closed))
 
 
-def error_factor(q: ArrayLike, gain: ArrayLike, process: ArrayLike) -> Complex:
-    """Return Q (1 - L G), by which a trial of learning from the tracking error multiplies what is left to learn.
-
-    References
-    ----------
-    Bristow, Tharayil & Alleyne, "A survey of iterative learning control", IEEE Control Systems Magazine 26 (2006), eq (17).
-    """
-    return np.asarray(np.asarray(q) * (1.0 - np.asarray(gain) * np.asarray(process)), dtype=complex)
-
-
-def robust_factor(q: ArrayLike, gain: ArrayLike, process: ArrayLike, uncertainty: ArrayLike) -> Array:
-    """Return |Q| (|1 - L G| + |L G W|): the worst factor of all plants G (1 + W D), |D| <= 1; below 1 every one of them learns steadily.
-
-    Parameters
-    ----------
-    uncertainty : array_like (n,)
-        W, largest error of the model over the model.
-    """
-    open_ = np.asarray(gain) * np.asarray(process)
-    return np.asarray(np.abs(q) * (np.abs(1.0 - open_) + np.abs(open_ * np.asarray(uncertainty))), dtype=float)
-
-
 @dataclass(frozen=True, eq=False)
 class FrequencyLearning:
     """Factors of a trial over frequency, the worst over all directions of the path.
@@ -308,12 +286,6 @@ def frequency_learning(loop: CoupledLoop, law: LearningLaw, tangents: ArrayLike 
     radius, norm = worst(w)
     by_radius, by_norm = peak(lambda at: worst(at)[0], w, radius), peak(lambda at: worst(at)[1], w, norm)
     return FrequencyLearning(w, radius, norm, by_radius, by_norm)
-
-
-def trial_matrices(loop: CoupledLoop, law: LearningLaw, frequency: ArrayLike, tangent: ArrayLike) -> Complex:
-    """Return the factors (n, n_axis, n_axis) by which a trial multiplies what is left to learn, with a direction of the path at rest."""
-    known = law_model(law, loop) or law_kernels(law, loop)
-    return _Trial(loop, law, known, np.atleast_1d(np.asarray(frequency, dtype=float)))(np.asarray(tangent, dtype=float))
 
 
 class _Trial:

@@ -18,7 +18,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from contourlab.analysis.linear.coupled_loop import CoupledLoop, coupled_loop, normal_basis
-from contourlab.analysis.linear.margins import HullMargin, edge_margins, hull_modulus
+from contourlab.analysis.linear.margins import HullMargin, edge_margins, frequency_grid, hull_modulus, nearest_approach
 from contourlab.analysis.linear.tick_map import poles_of
 from contourlab.analysis.linear.trial_map import TrialMap
 from contourlab.errors import ComponentError, ParameterError
@@ -32,40 +32,6 @@ LEFT_STANDING = 1e-7
 """Distance from 1 of a pole that neither grows nor dies."""
 TOUCHING = 1e-6
 """Distance of the polygon from -1 below which it is taken to reach it: what is left of a search over frequency."""
-
-
-def equivalent_plant(plant: ArrayLike, feedback: ArrayLike, normal: ArrayLike) -> Complex:
-    """Return P_e = sum n_i^2 P_i/(1 + P_i C_i), the plant that the cross-coupled controller sees.
-
-    Parameters
-    ----------
-    plant, feedback : array_like (..., n_axis), complex
-        P_i and C_i at any number of frequencies, in continuous time or sampled.
-    normal : array_like (n_axis,)
-        Coupling gains C_i: the unit normal, or the longer vector of variable gains.
-
-    References
-    ----------
-    Gecer Ulu, Ulu & Cakmakci, below eq (22).
-    """
-    p, c, n = np.asarray(plant, dtype=complex), np.asarray(feedback, dtype=complex), np.asarray(normal, dtype=float)
-    return np.asarray((n**2 * p / (1.0 + p * c)).sum(axis=-1))
-
-
-def contour_error_transfer(coupling: ArrayLike, plant: ArrayLike, feedback: ArrayLike, normal: ArrayLike) -> Complex:
-    """Return H = 1/(1 + C_cc P_e), the contour error with cross-coupling over that without: eq (22).
-
-    Parameters
-    ----------
-    coupling : array_like (...,), complex
-        C_cc.
-    plant, feedback, normal
-        As of `equivalent_plant`.
-
-    >>> float(abs(contour_error_transfer(6.0, [[1.0, 1.0]], [[2.0, 2.0]], [0.6, 0.8])[0]))  # T = 2/3, kappa = 3: 1/(1 + 3 T)
-    0.3333333333333333
-    """
-    return np.asarray(1.0 / (1.0 + np.asarray(coupling, dtype=complex) * equivalent_plant(plant, feedback, normal)))
 
 
 @dataclass(frozen=True)
@@ -135,10 +101,6 @@ class ContourTransfer:
         """Return L (n,) with a direction (n_axis,), the normal of the path, at rest; for a modified reference the tangent."""
         return np.asarray(self.vertices(frequency) @ self._weights(direction))
 
-    def cetf(self, frequency: ArrayLike, direction: ArrayLike) -> Complex:
-        """Return 1/(1 + L) (n,): the error with coupling over that without, with a direction at rest (eq 22)."""
-        return np.asarray(1.0 / (1.0 + self.loop_gain(frequency, direction)))
-
     def distance(self, frequency: ArrayLike) -> Array:
         """Return the distance (n,) of -1 from the loop gains of all directions; its inverse bounds the contour error transfer function."""
         return hull_modulus(self.vertices(frequency))
@@ -151,15 +113,10 @@ class ContourTransfer:
 
     @cached_property
     def grid(self) -> Array:
-        """Frequencies at which nothing of the loops slips through: dense over the decades, over a delay, and about each pole."""
-        period, top = self.loop.servo_period, self.loop.nyquist
-        poles = [self.loop.axes[i].loop.poles for i in range(len(self.loop.axes))] + [poles_of(self.loop.coupling.f)]
-        found = [np.geomspace(1e-5 * top, top, 400), np.linspace(0.0, top, 12 * max(len(a.a) for a in self.loop.axes) + 2)]
-        known = np.concatenate([*poles, *(self._vertex_poles(i) for i in range(len(self.loop.axes)))])
-        angle, width = np.abs(np.angle(known)), np.abs(1.0 - np.abs(known))
-        found += [(angle + k * width) / period for k in (-2.0, -1.0, -0.5, 0.0, 0.5, 1.0, 2.0)]
-        w = np.unique(np.concatenate(found))
-        return np.asarray(w[(w >= 1e-5 * top) & (w <= top)])
+        """Frequencies that nothing of the loops slips through."""
+        n_axis = range(len(self.loop.axes))
+        poles = [*(axis.loop.poles for axis in self.loop.axes), poles_of(self.loop.coupling.f), *(self._vertex_poles(i) for i in n_axis)]
+        return frequency_grid(self.loop.servo_period, np.concatenate(poles), max(len(axis.a) for axis in self.loop.axes))
 
     def _vertex_poles(self, i: int) -> Complex:
         unit = np.eye(len(self.loop.axes))[i]
@@ -170,20 +127,8 @@ class ContourTransfer:
 
     @cached_property
     def _modulus(self) -> HullMargin:
-        from scipy.optimize import minimize_scalar
-
         w = self.grid
-        distance = self.distance(w)
-        low = np.concatenate([[math.inf], distance, [math.inf]])
-        dips = np.flatnonzero((distance <= low[:-2]) & (distance <= low[2:]))
-        found = [(float(distance.min()), float(w[distance.argmin()]))]
-        for i in dips[np.argsort(distance[dips])][:4]:
-            bounds = (float(w[max(i - 1, 0)]), float(w[min(i + 1, w.size - 1)]))
-            best = minimize_scalar(
-                lambda x: float(self.distance(x)[0]), bounds=bounds, method="bounded", options={"xatol": 1e-9 * bounds[1]}
-            )
-            found.append((float(best.fun), float(best.x)))
-        value, at = min(found)
+        value, at = nearest_approach(lambda x: float(self.distance(x)[0]), w, self.distance(w), n_dip=4, tolerance=1e-9)
         return HullMargin.nearest(value, at, self.vertices(at)[0])
 
     @cached_property
@@ -198,22 +143,13 @@ class ContourTransfer:
 
     def margins(self) -> ContourMargins:
         """Return the margins over all directions."""
-        if not self.stable:
-            worst = self._modulus
-            return ContourMargins(False, math.nan, worst.frequency, _direction(worst.weights))
         worst = self._modulus
+        direction = _direction(worst.weights)
+        if not self.stable:
+            return ContourMargins(False, math.nan, worst.frequency, direction)
         phase, gain = edge_margins(self.vertices, self.grid, list(combinations(range(len(self.loop.axes)), 2)))
-        return ContourMargins(
-            True,
-            worst.value,
-            worst.frequency,
-            _direction(worst.weights),
-            gain.value,
-            _direction(gain.weights),
-            phase.value,
-            _direction(phase.weights),
-            phase.frequency,
-        )
+        of_gain, of_phase = (gain.value, _direction(gain.weights)), (phase.value, _direction(phase.weights))
+        return ContourMargins(True, worst.value, worst.frequency, direction, *of_gain, *of_phase, phase.frequency)
 
 
 def _settles(poles: Complex) -> bool:

@@ -15,11 +15,11 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from contourlab.analysis.linear.delay_form import DelayForm
-from contourlab.analysis.linear.sampled_loop import SampledLoop, sampled_loop
-from contourlab.analysis.linear.tick_map import poles_of
+from contourlab.analysis.linear.sampled_loop import SampledLoop, checked_frequency, sampled_loop
+from contourlab.analysis.linear.tick_map import live_states, poles_of
 from contourlab.components.contract import Component
 from contourlab.engine.step import pack, record, unpack
-from contourlab.errors import ComponentError, ParameterError
+from contourlab.errors import ComponentError
 from contourlab.loop.machine import Controller, Machine
 from contourlab.primitives import Clock
 
@@ -73,10 +73,7 @@ class AxisLink:
 
     def form(self, frequency: ArrayLike) -> Complex:
         """Return position and command over added command and shift of the reference: (n, 2, 2)."""
-        w = np.atleast_1d(np.asarray(frequency, dtype=float))
-        top = self.loop.nyquist
-        if not ((w > 0.0) & (w <= top * (1.0 + 1e-9))).all():
-            raise ParameterError("frequency", "an array", f"> 0 and up to the Nyquist frequency, {top:g}", "rad/s")
+        w = checked_frequency(frequency, self.loop.nyquist)
         found = self._form(np.exp(1j * w * self.loop.servo_period))
         found[:, 1] += self.command[-2:]
         return np.asarray(found)
@@ -119,6 +116,36 @@ class CouplingModel:
 
 
 @dataclass(frozen=True, eq=False)
+class LoopMatrices:
+    """One tick with the coupling cut out, over the axes' states and then the coupling's.
+
+    Attributes
+    ----------
+    n_axis_state : int
+        States of the axes.
+    a : ndarray (n, n)
+    pushed, referred : ndarray (n, n_axis)
+        What is added to commands, and to references.
+    position, command : ndarray (n_axis, n)
+    command_pushed, command_referred : ndarray (n_axis,)
+        Commands over what is added at the same tick.
+    coupling_in, coupling_out : ndarray (n, n_normal), (n_normal, n)
+        Contour errors to the coupling's states, and those to corrections.
+    """
+
+    n_axis_state: int
+    a: Array
+    pushed: Array
+    referred: Array
+    position: Array
+    command: Array
+    command_pushed: Array
+    command_referred: Array
+    coupling_in: Array
+    coupling_out: Array
+
+
+@dataclass(frozen=True, eq=False)
 class CoupledLoop:
     """The axes of a machine with the coupling between them.
 
@@ -144,27 +171,37 @@ class CoupledLoop:
         """Return frequencies (n,) [rad/s] for a picture, up to the Nyquist frequency."""
         return self.axes[0].loop.frequencies(n)
 
-    def responses(self, frequency: ArrayLike) -> tuple[Complex, Complex]:
-        """Return P/(1 + P C) and T of every axis: two arrays (n, n_axis)."""
-        found = [axis.response(frequency) for axis in self.axes]
-        return np.column_stack([g for g, _ in found]), np.column_stack([t for _, t in found])
+    def matrices(self, n_normal: int) -> LoopMatrices:
+        """Return one tick with the coupling cut out, for a path with some normals at each place."""
+        sizes = [len(axis.a) for axis in self.axes]
+        n, total, m = len(sizes), sum(sizes), len(self.coupling.f) * n_normal
+        a, pushed, referred = np.zeros((total + m, total + m)), np.zeros((total + m, n)), np.zeros((total + m, n))
+        position, command = np.zeros((n, total + m)), np.zeros((n, total + m))
+        first, eye = 0, np.eye(n_normal)
+        for i, axis in enumerate(self.axes):
+            rows = slice(first, first + sizes[i])
+            a[rows, rows], pushed[rows, i], referred[rows, i] = axis.a, axis.b, axis.r
+            position[i, rows], command[i, rows] = axis.position, axis.command[:-2]
+            first += sizes[i]
+        a[total:, total:] = np.kron(self.coupling.f, eye)
+        coupling_in, coupling_out = np.zeros((total + m, n_normal)), np.zeros((n_normal, total + m))
+        coupling_in[total:] = np.kron(self.coupling.g[:, None], eye)
+        coupling_out[:, total:] = np.kron(self.coupling.h[None, :], eye)
+        direct = np.array([axis.command[-2:] for axis in self.axes])
+        return LoopMatrices(total, a, pushed, referred, position, command, direct[:, 0], direct[:, 1], coupling_in, coupling_out)
 
     def matrix(self, normals: Array) -> Array:
-        """Return the matrix of a tick with the normals (n_axis, n_normal) standing still: the axes' states, then the coupling's."""
-        sizes = [len(axis.a) for axis in self.axes]
-        first, r, m = np.concatenate([[0], np.cumsum(sizes)]), normals.shape[1], len(self.coupling.f)
-        total = int(first[-1])
-        positions, pushed, referred = np.zeros((len(sizes), total)), np.zeros((total, len(sizes))), np.zeros((total, len(sizes)))
-        a = np.zeros((total + m * r, total + m * r))
-        for i, axis in enumerate(self.axes):
-            rows = slice(first[i], first[i + 1])
-            a[rows, rows], positions[i, rows], pushed[rows, i], referred[rows, i] = axis.a, axis.position, axis.b, axis.r
-        across, along = normals @ normals.T, np.eye(len(sizes)) - normals @ normals.T
-        a[:total, :total] += -self.coupling.d * pushed @ across @ positions + self.coupling.weight * referred @ along @ positions
-        eye = np.eye(r)
-        a[:total, total:] = pushed @ normals @ np.kron(self.coupling.h[None, :], eye)
-        a[total:, :total] = -np.kron(self.coupling.g[:, None], eye) @ normals.T @ positions
-        a[total:, total:] = np.kron(self.coupling.f, eye)
+        """Return the matrix of a tick with the normals (n_axis, n_normal) at rest: the axes' states, then the coupling's."""
+        made = self.matrices(normals.shape[1])
+        a, n = made.a, made.n_axis_state
+        pushed, referred, positions, in_, out = (
+            np.ascontiguousarray(part)
+            for part in (made.pushed[:n], made.referred[:n], made.position[:, :n], made.coupling_in[n:], made.coupling_out[:, n:])
+        )
+        across, along = normals @ normals.T, np.eye(len(normals)) - normals @ normals.T
+        a[:n, :n] += -self.coupling.d * pushed @ across @ positions + self.coupling.weight * referred @ along @ positions
+        a[:n, n:] = pushed @ normals @ out
+        a[n:, :n] = -in_ @ normals.T @ positions
         return a
 
     def poles(self, normals: Array) -> Complex:
@@ -251,15 +288,8 @@ def _impulse_response(axis: AxisLink, n_sample: int, target: str) -> Array:
 
 
 def _live(a: Array, b: Array, c: Array) -> NDArray[np.intp]:
-    """Return the states that inputs reach and outputs see, by which entries are not zero."""
-    kept = np.arange(len(a))
-    while True:
-        part = a[np.ix_(kept, kept)]
-        off = part - np.diag(np.diag(part))
-        live = (off.any(axis=0) | (c[:, kept] != 0.0).any(axis=0)) & (off.any(axis=1) | (b[kept] != 0.0).any(axis=1))
-        if live.all():
-            return kept
-        kept = kept[live]
+    """Return the states that inputs reach and outputs see; a state that only keeps itself is none of them."""
+    return live_states((a != 0.0) & ~np.eye(len(a), dtype=bool), (b != 0.0).any(axis=1), (c != 0.0).any(axis=0))
 
 
 def coupling_model(coupling: Component | None, servo_period: float) -> CouplingModel:

@@ -16,7 +16,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from contourlab.analysis.linear.sampled_loop import linear_axis, sampled_loop, without_limits
+from contourlab.analysis.linear.sampled_loop import linear_axis, without_limits
 from contourlab.analysis.linear.tick_map import poles_of, tick_map
 from contourlab.components.contract import Component
 from contourlab.components.estimator.tangent import Tangent
@@ -238,28 +238,3 @@ def link_growth(machine: Machine, controller: Controller) -> float:
     return max(found)
 
 
-def axis_delay_margin(machine: Machine, controller: Controller, name: str) -> float:
-    """Return how much longer signals may take down and up together, before an axis alone loses its stability [s].
-
-    It follows from the gain of the undivided loop, opened where the link cuts it, and so stands beside what `DividedLoop` says of whole
-    ticks of delay with a message at each of them.
-
-    Parameters
-    ----------
-    machine, controller
-        The axis' controller has a link.
-    name : str
-
-    Returns
-    -------
-    float
-        Infinite where the whole controller is in the axis, whose own loop crosses no link; nan if it is unstable without one.
-    """
-    mine = controller.axes[name]
-    if mine.link is None:
-        raise ParameterError(f"controller.axes.{name}", "without a link", "with one, whose division says where the loop is cut")
-    if mine.link.division == "controller":
-        return math.inf
-    loop = sampled_loop(machine.axis(name), mine, machine.servo_period, machine.carried_mass(name))
-    inside = mine.link.division == "observer" and mine.observer is not None
-    return loop.delay_margin(observed_in_axis=inside)

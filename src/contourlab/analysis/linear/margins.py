@@ -13,6 +13,9 @@ Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
 
 LoopGain = Callable[[Array], Complex]
+"""Loop gain (n,), or loop gains (n, n_loop), at frequencies (n,) [rad/s]."""
+AROUND_A_POLE = (-2.0, -1.0, -0.5, 0.0, 0.5, 1.0, 2.0)
+"""Frequencies about a pole, in its own widths."""
 
 
 @dataclass(frozen=True)
@@ -62,7 +65,8 @@ def margins(loop: LoopGain, frequency: ArrayLike, *, stable: bool) -> Margins:
     crossover, phase = min(_phases(loop, w, gain), key=lambda found: abs(found[1]), default=(math.nan, math.inf))
     larger = [found for found in _factors(loop, w, gain) if found[1] > 1.0]
     phase_crossover, factor = min(larger, key=lambda found: found[1], default=(math.nan, math.inf))
-    return Margins(factor, phase, crossover, _modulus(loop, w, gain), True, phase_crossover)
+    modulus, _ = nearest_approach(lambda x: abs(1.0 + _value(loop, x)), w, np.abs(1.0 + gain), n_dip=3, tolerance=1e-6)
+    return Margins(factor, phase, crossover, modulus, True, phase_crossover)
 
 
 def delay_margin(loop: LoopGain, frequency: ArrayLike) -> float:
@@ -99,20 +103,36 @@ def _factors(loop: LoopGain, w: Array, gain: Complex) -> Iterator[tuple[float, f
             yield at, 1.0 / abs(value)
 
 
-def _modulus(loop: LoopGain, w: Array, gain: Complex) -> float:
-    """Return the smallest distance from -1: the nearest points of the grid, each made better between its neighbours."""
+def nearest_approach(distance: Callable[[float], float], w: Array, values: Array, *, n_dip: int, tolerance: float) -> tuple[float, float]:
+    """Return the smallest distance and its frequency: the smallest dips of the grid `values` (n,), each refined between its neighbours."""
     from scipy.optimize import minimize_scalar
 
-    distance = np.abs(1.0 + gain)
-    low = np.concatenate([[math.inf], distance, [math.inf]])
-    dips = np.flatnonzero((distance <= low[:-2]) & (distance <= low[2:]))
-    best = float(distance.min())
-    # On a grid as fine as is asked for, the least of all lies beside one of the few least dips.
-    for i in dips[np.argsort(distance[dips])][:3]:
+    low = np.concatenate([[math.inf], values, [math.inf]])
+    dips = np.flatnonzero((values <= low[:-2]) & (values <= low[2:]))
+    candidates = [(float(values.min()), float(w[values.argmin()]))]
+    for i in dips[np.argsort(values[dips])][:n_dip]:
         bounds = (float(w[max(i - 1, 0)]), float(w[min(i + 1, w.size - 1)]))
-        found = minimize_scalar(lambda x: abs(1.0 + _value(loop, x)), bounds=bounds, method="bounded", options={"xatol": 1e-6 * bounds[1]})
-        best = min(best, float(found.fun))
-    return best
+        best = minimize_scalar(distance, bounds=bounds, method="bounded", options={"xatol": tolerance * bounds[1]})
+        candidates.append((float(best.fun), float(best.x)))
+    return min(candidates)
+
+
+def frequency_grid(servo_period: float, poles: Complex, n_delay: int) -> Array:
+    """Return frequencies [rad/s] up to Nyquist that no crossing of a loop gain slips through: dense over decades, delays and poles.
+
+    Parameters
+    ----------
+    servo_period : float [s]
+    poles : ndarray (n_pole,) of complex
+        In the plane of z, of the open and closed loop.
+    n_delay : int
+        Longest delay, in servo periods.
+    """
+    top = math.pi / servo_period
+    angle, width = np.abs(np.angle(poles)), np.abs(1.0 - np.abs(poles))
+    grids = [np.geomspace(1e-5 * top, top, 400), np.linspace(0.0, top, 12 * n_delay + 2)]
+    w = np.unique(np.concatenate([*grids, *((angle + k * width) / servo_period for k in AROUND_A_POLE)]))
+    return np.asarray(w[(w >= 1e-5 * top) & (w <= top)])
 
 
 def _zeros(function: Callable[[float], float], w: Array, values: Array) -> list[float]:
@@ -128,7 +148,6 @@ def _value(loop: LoopGain, w: float) -> complex:
     return complex(loop(np.array([w]))[0])
 
 
-LoopGains = Callable[[Array], Complex]
 
 SHARES = np.linspace(0.0, 1.0, 33)
 """Where on an edge to look first; the worst place is then found between its neighbours."""
@@ -177,7 +196,7 @@ def hull_modulus(vertices: Complex) -> Array:
     return np.asarray(best)
 
 
-def edge_margins(loops: LoopGains, frequency: Array, pairs: Sequence[tuple[int, int]]) -> tuple[HullMargin, HullMargin]:
+def edge_margins(loops: LoopGain, frequency: Array, pairs: Sequence[tuple[int, int]]) -> tuple[HullMargin, HullMargin]:
     """Return the smallest phase margin and gain margin over all weighted means of stable loops.
 
     The unit circle and the negative real axis enter a polygon through its edges, so that means of two loops are enough.
@@ -222,7 +241,7 @@ def _rough(gain: Complex) -> tuple[float, float]:
     return phase, factor
 
 
-def _refined(loops: LoopGains, w: Array, n: int, edge: tuple[int, int], share: float, measure: int) -> HullMargin:
+def _refined(loops: LoopGain, w: Array, n: int, edge: tuple[int, int], share: float, measure: int) -> HullMargin:
     """Return the exact margin of the worst mean on an edge near a share."""
     from scipy.optimize import minimize_scalar
 

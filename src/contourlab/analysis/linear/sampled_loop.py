@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from contourlab.analysis.linear.delay_form import DelayForm
-from contourlab.analysis.linear.margins import Margins, delay_margin, margins
+from contourlab.analysis.linear.margins import Margins, delay_margin, frequency_grid, margins
 from contourlab.analysis.linear.tick_map import TickMap, poles_of, tick_map
 from contourlab.components.contract import Component
 from contourlab.engine.schedule import Schedule
@@ -125,7 +125,7 @@ class SampledLoop:
         ParameterError
             If a frequency is out of range.
         """
-        return _gain(self._opened(self._checked(frequency)))
+        return _gain(self._opened(checked_frequency(frequency, self.nyquist)))
 
     def delay_margin(self, *, observed_in_axis: bool = False) -> float:
         """Return how much longer the signals may take round the loop before it loses its stability [s].
@@ -158,7 +158,7 @@ class SampledLoop:
         ParameterError
             If a frequency is out of range.
         """
-        w = self._checked(frequency)
+        w = checked_frequency(frequency, self.nyquist)
         opened, driven = self._opened(w), self._driven(np.exp(1j * w * self.servo_period))[:, 0]
         return AxisResponse(
             frequency=w,
@@ -186,21 +186,17 @@ class SampledLoop:
         found[:, :2] *= z[:, None, None]
         return found
 
-    def _checked(self, frequency: ArrayLike) -> Array:
-        w = np.atleast_1d(np.asarray(frequency, dtype=float))
-        if not ((w > 0.0) & (w <= self.nyquist * (1.0 + 1e-9))).all():
-            raise ParameterError("frequency", "an array", f"> 0 and up to the Nyquist frequency, {self.nyquist:g}", "rad/s")
-        return w
-
     def _grid(self) -> Array:
-        """Return frequencies at which no crossing of the loop gain slips through: dense over the decades, the delay and each pole."""
-        period, top = self.servo_period, self.nyquist
-        found = [np.geomspace(1e-5 * top, top, 400), np.linspace(0.0, top, 12 * self._cut.longest + 2)]
         poles = np.concatenate([self.poles, poles_of(self.a)])
-        angle, width = np.abs(np.angle(poles)), 1.0 - np.abs(poles)
-        found += [(angle + k * width) / period for k in (-2.0, -1.0, -0.5, 0.0, 0.5, 1.0, 2.0)]
-        w = np.unique(np.concatenate(found))
-        return w[(w >= 1e-5 * top) & (w <= top)]
+        return frequency_grid(self.servo_period, poles, self._cut.longest)
+
+
+def checked_frequency(frequency: ArrayLike, nyquist: float) -> Array:
+    """Return frequencies (n,) [rad/s], or refuse them if one is not above 0 and up to the Nyquist frequency."""
+    w = np.atleast_1d(np.asarray(frequency, dtype=float))
+    if not ((w > 0.0) & (w <= nyquist * (1.0 + 1e-9))).all():
+        raise ParameterError("frequency", "an array", f"> 0 and up to the Nyquist frequency, {nyquist:g}", "rad/s")
+    return w
 
 
 def _gain(opened: Complex) -> Complex:
