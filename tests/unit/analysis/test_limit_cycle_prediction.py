@@ -30,7 +30,7 @@ def test_lossless_load_side_cascade_in_closed_form(velocity_gain: float, share: 
 def test_beyond_the_stiffness_there_is_none() -> None:
     """K_p K_v > k: contact itself is unstable, and no amplitude has N that large."""
     assert predict_limit_cycles(two_inertia_loop(PAPER, p_pi_cascade(200.0, 5.0))).cycles == ()
-    assert "no limit cycle" in str(predict_limit_cycles(two_inertia_loop(PAPER, SCHEME_II)))
+    assert predict_limit_cycles(two_inertia_loop(PAPER, SCHEME_II)).cycles == ()
 
 
 def test_all_solutions_are_found() -> None:

@@ -9,7 +9,6 @@ import pytest
 from backlash_loops import FREE, HALF_GAP, J_L, J_M, K_S, PAPER, SCHEME_II, drive, integrated
 
 from contourlab.analysis.backlash.exact_simulation import simulate_exact
-from contourlab.analysis.backlash.mode_flow import Motion
 from contourlab.analysis.backlash.periodic_orbit import Shooter, close_orbit, find_orbits
 from contourlab.errors import ParameterError
 from contourlab.papers.shahin.two_inertia_loop import p_pi_cascade, two_inertia_loop
@@ -51,7 +50,7 @@ def test_product_of_multipliers(name: str) -> None:
 def test_jacobian_against_differences(damping: float) -> None:
     """Central differences over some modes, with a shaft that jumps into contact and one that does not."""
     loop = two_inertia_loop(drive(shaft_damping=damping, load_damping=0.01), p_pi_cascade(60.0, 2.0))
-    shooter = Shooter(loop, Motion.constant())
+    shooter = Shooter(loop)
     start = simulate_exact(loop, [0.0, 0.0, -30.0 * HALF_GAP, 0.0], 0.503).spans[-1].end[: shooter.n]
     shot = shooter.shot(start, 0.11)
     assert len(shot.modes) > 4
@@ -97,7 +96,7 @@ def test_an_unstable_orbit_is_found_and_called_so() -> None:
     found = find_orbits(loop, kicks=(30.0,))
     assert [orbit.stable for orbit in found.orbits] == [False]
     orbit = found.orbits[0]
-    values, vectors = np.linalg.eig(Shooter(loop, Motion.constant()).shot(orbit.start, orbit.period).jacobian)
+    values, vectors = np.linalg.eig(Shooter(loop).shot(orbit.start, orbit.period).jacobian)
     worst = int(np.argmax(np.abs(values)))
     size = 1e-6 * np.abs(orbit.start).max()
     away = simulate_exact(loop, orbit.start + size * vectors[:, worst].real, orbit.period).state(orbit.period)[0] - orbit.start
@@ -112,8 +111,6 @@ def test_none_is_found_where_there_is_none() -> None:
     for loop in (two_inertia_loop(drive(load_damping=0.05), SCHEME_II), two_inertia_loop(drive(load_damping=0.02), p_pi_cascade(5.0, 2.0))):
         found = find_orbits(loop, kicks=(3.0, 30.0))
         assert found.orbits == ()
-        assert "none found" in str(found)
-        assert len(found.searched) >= 2
 
 
 def test_bad_periods_are_refused() -> None:

@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from contourlab.analysis.backlash.lure import BacklashLoop
-from contourlab.analysis.backlash.mode_flow import ABOVE, BELOW, GAP, Flow, Motion
+from contourlab.analysis.backlash.mode_flow import ABOVE, BELOW, GAP, Flow
 from contourlab.errors import ParameterError
 
 Array = NDArray[np.float64]
@@ -119,7 +119,7 @@ def simulate_exact(
     loop: BacklashLoop,
     start: ArrayLike,
     duration: float,
-    reference: Motion | None = None,
+    reference: float = 0.0,
     *,
     twist: float | None = None,
     most: int = 100_000,
@@ -132,8 +132,8 @@ def simulate_exact(
     start : array_like (n,)
         State at 0.
     duration : float, > 0 [s]
-    reference : Motion, optional
-        Zero if left out.
+    reference : float
+        At rest.
     twist : float, optional
         Twist of a damped shaft at the start, if it starts in the gap; at rest if left out.
     most : int
@@ -154,7 +154,7 @@ def simulate_exact(
         raise ParameterError("start", f"an array of shape {x.shape}", f"{loop.n} finite numbers, one for each state")
     if not 0.0 < duration < np.inf:
         raise ParameterError("duration", duration, "above 0", "s")
-    flow = Flow(loop, reference or Motion.constant())
+    flow = Flow(loop, reference)
     w, mode = flow.lengthened(x, twist)
     found = tuple(spans(flow, w, mode, duration, most))
     end = found[-1].time + found[-1].duration

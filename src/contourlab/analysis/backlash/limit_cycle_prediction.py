@@ -1,8 +1,8 @@
-"""Describing function of a gap with a spring behind it: the torque's first harmonic over a sinusoidal motor-load difference.
+"""Limit cycles of a loop with a gap by the describing function: all solutions of 1 + N(A, w) G(j w) = 0, and how far to trust them.
 
-Without shaft damping it is the textbook's dead zone, N = k (1 - 2/pi (asin(h/A) + h/A sqrt(1 - (h/A)^2))). With it, contact is made at the
-instant that the relaxing shaft is met and is left where the torque falls to 0; between the two the torque is a sine and its harmonics are
-closed forms.
+N is the torque's first harmonic over a sinusoidal motor-load difference. Without shaft damping it is that of a dead zone,
+N = k (1 - 2/pi (asin(h/A) + h/A sqrt(1 - (h/A)^2))). With it, contact begins where the relaxing shaft is met and ends where the torque falls
+to 0; in between the torque is a sine, and its harmonics are closed forms.
 """
 
 from __future__ import annotations
@@ -18,6 +18,7 @@ from contourlab.errors import ParameterError
 
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
+
 
 def dead_zone_gain(amplitude: ArrayLike, half_gap: float = 1.0) -> Array:
     """Return the describing function N(A)/k of a dead zone, in [0, 1).
@@ -172,21 +173,9 @@ class Prediction:
     ----------
     cycles : tuple of LimitCycle
         By falling amplitude; empty if none is predicted.
-    searched : str
-        Where was looked, in words.
     """
 
     cycles: tuple[LimitCycle, ...]
-    searched: str
-
-    def __str__(self) -> str:
-        if not self.cycles:
-            return f"no limit cycle predicted ({self.searched})"
-        lines = [
-            f"{'stable' if cycle.stable else 'unstable'} at {cycle.frequency:.4g} rad/s, amplitude {cycle.amplitude:.4g}: {cycle.validity}"
-            for cycle in self.cycles
-        ]
-        return "\n".join(lines)
 
 
 def predict_limit_cycles(loop: BacklashLoop) -> Prediction:
@@ -214,9 +203,7 @@ def predict_limit_cycles(loop: BacklashLoop) -> Prediction:
     """
     loop.require_one_controller("a describing function")
     pairs = _undamped(loop) if loop.shaft_damping == 0.0 else _damped(loop)
-    cycles = sorted((_cycle(loop, ratio, w) for ratio, w in pairs), key=lambda cycle: -cycle.ratio)
-    where = "every frequency and amplitude" if loop.shaft_damping == 0.0 else f"amplitudes from 1 to {LARGEST:g} half-gaps, on a grid"
-    return Prediction(tuple(cycles), f"searched: {where}")
+    return Prediction(tuple(sorted((_cycle(loop, ratio, w) for ratio, w in pairs), key=lambda cycle: -cycle.ratio)))
 
 
 def real_frequencies(loop: BacklashLoop) -> list[float]:

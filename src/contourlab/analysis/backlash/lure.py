@@ -7,6 +7,10 @@
 with h half of the gap and dz the dead zone. With shaft damping the torque is that of Nordin, Galic & Gutman: k (theta_d -+ h) + d theta_d'
 in contact, which ends where this torque would change its sign; in the gap the twist of the shaft relaxes at the rate k/d. Units are
 neutral: angles and torques, or lengths and forces.
+
+The loop of a machine's axis joins the linear models of its components in continuous time. The hold of the servo loop and the delay of the
+drive become a rational delay of second order (Pade): half a servo period plus the drive's own. A filtered difference gets the bandwidth
+that has the delay of its sampled form. Friction, limits and quantisation are left out.
 """
 
 from __future__ import annotations
@@ -89,14 +93,8 @@ class BacklashLoop:
 
     def __post_init__(self) -> None:
         n = len(np.atleast_1d(self.b))
-        for name, shape in {
-            "a": (n, n),
-            "b": (n,),
-            "c": (n,),
-            "e": (n, N_REFERENCE),
-            "contact_a": (n, n),
-            "contact_e": (n, N_REFERENCE),
-        }.items():
+        square, inputs = (n, n), (n, N_REFERENCE)
+        for name, shape in {"a": square, "b": (n,), "c": (n,), "e": inputs, "contact_a": square, "contact_e": inputs}.items():
             given = getattr(self, name)
             if given is not None:
                 object.__setattr__(self, name, _checked(name, given, shape))

@@ -1,14 +1,13 @@
 """The three modes of a loop with a gap (contact below, gap, contact above), each carried exactly in time and left at the right instant.
 
-The state is made longer by the twist of a damped shaft in the gap, by the reference, which is the output of a linear system of its own,
-and by a constant 1, so that each mode is w' = M w and a matrix exponential carries it over any time. When a mode ends is found on
+The state is made longer by the twist of a damped shaft in the gap and by a constant 1, so that each mode is w' = M w and a matrix
+exponential carries it over any time. When a mode ends is found on
 Chebyshev interpolants of its guard: a chunk of time is halved until its interpolant is as exact as the arithmetic, so no crossing, nor a
 pair of them, goes unseen between two samples; the instant is then polished on the exponential itself.
 """
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
@@ -16,7 +15,6 @@ from numpy.typing import NDArray
 
 from contourlab.analysis.backlash.lure import BacklashLoop, dead_zone
 from contourlab.analysis.linear.small_exponential import exponentials
-from contourlab.errors import ParameterError
 
 Array = NDArray[np.float64]
 
@@ -27,52 +25,21 @@ ROUNDING = float(np.finfo(float).eps)
 DEEPEST = 60
 
 
-@dataclass(frozen=True, eq=False)
-class Motion:
-    """A reference as the output of a linear system: q' = s q, (r, r', r'') = output q, q(0) = start; the last of q is the constant 1.
-
-    Made by `constant`, `sine` and `ramp`.
-    """
-
-    s: Array
-    output: Array
-    start: Array
-
-    @classmethod
-    def constant(cls, value: float = 0.0) -> Motion:
-        """Return a reference at rest."""
-        return cls(np.zeros((1, 1)), np.array([[value], [0.0], [0.0]]), np.ones(1))
-
-    @classmethod
-    def ramp(cls, velocity: float, start: float = 0.0) -> Motion:
-        """Return r = start + velocity t."""
-        return cls(np.array([[0.0, 1.0], [0.0, 0.0]]), np.array([[velocity, start], [0.0, velocity], [0.0, 0.0]]), np.array([0.0, 1.0]))
-
-    @classmethod
-    def sine(cls, amplitude: float, frequency: float, offset: float = 0.0) -> Motion:
-        """Return r = offset + amplitude sin(frequency t), frequency in rad/s."""
-        if not 0.0 < frequency < np.inf:
-            raise ParameterError("frequency", frequency, "above 0", "rad/s")
-        s = np.array([[0.0, frequency, 0.0], [-frequency, 0.0, 0.0], [0.0, 0.0, 0.0]])
-        top = np.array([amplitude, 0.0, offset])
-        rate = np.array([0.0, amplitude * frequency, 0.0])
-        return cls(s, np.array([top, rate, [-amplitude * frequency**2, 0.0, 0.0]]), np.array([0.0, 1.0, 1.0]))
-
-
 class Flow:
-    """Modes, guards and exact propagation of a loop under a reference.
+    """Modes, guards and exact propagation of a loop.
 
     Parameters
     ----------
     loop : BacklashLoop
-    reference : Motion
+    reference : float
+        At rest.
     """
 
-    def __init__(self, loop: BacklashLoop, reference: Motion) -> None:
+    def __init__(self, loop: BacklashLoop, reference: float = 0.0) -> None:
         self.loop, self.reference = loop, reference
         self.twisted = loop.shaft_damping > 0.0
         self.n = loop.n
-        self.size = loop.n + int(self.twisted) + len(reference.start)
+        self.size = loop.n + int(self.twisted) + 1
         self.matrices = {mode: self._matrix(mode) for mode in (BELOW, GAP, ABOVE)}
         self.guards = {mode: self._guards(mode) for mode in (BELOW, GAP, ABOVE)}
         self._chunks: dict[tuple[int, int], tuple[Array, Array]] = {}
@@ -89,7 +56,7 @@ class Flow:
         lag = float(dead_zone(loop.c @ x, loop.half_gap))
         if self.twisted and twist is not None:
             lag = twist
-        w = np.concatenate([x, [lag] if self.twisted else [], self.reference.start])
+        w = np.concatenate([x, [lag] if self.twisted else [], [1.0]])
         reach = float(loop.c @ x) - lag
         for side in (BELOW, ABOVE):
             # At the very edge of a dead zone there is no torque yet: what counts is where it goes.
@@ -110,7 +77,7 @@ class Flow:
         """Row of theta_d' on w."""
         row = np.zeros(self.size)
         row[: self.n] = self.loop.rate
-        row[self.size - len(self.reference.start) :] = self.loop.c @ self.loop.reference_input @ self.reference.output
+        row[-1] = float(self.loop.c @ self.loop.reference_input[:, 0]) * self.reference
         return row
 
     def torque_row(self, mode: int) -> Array:
@@ -123,11 +90,10 @@ class Flow:
 
     def _matrix(self, mode: int) -> Array:
         """Return M of w' = M w."""
-        loop, n, q = self.loop, self.n, len(self.reference.start)
+        loop, n = self.loop, self.n
         m = np.zeros((self.size, self.size))
         m[:n, :n] = loop.a if mode == GAP or loop.contact_a is None else loop.contact_a
-        m[:n, -q:] = loop.reference_input_in(mode == GAP) @ self.reference.output
-        m[-q:, -q:] = self.reference.s
+        m[:n, -1] = loop.reference_input_in(mode == GAP)[:, 0] * self.reference
         m[:n] -= np.outer(loop.b, self.torque_row(mode))
         if self.twisted:
             m[n] = self.difference_rate if mode != GAP else 0.0

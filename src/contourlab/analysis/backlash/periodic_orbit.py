@@ -1,7 +1,7 @@
-"""The exact periodic orbit of a loop with a gap: shooting with Newton steps whose Jacobian is exact, and its Floquet multipliers.
+"""Exact periodic orbits of a loop with a gap: a search for starts, shooting by Newton's method, and Floquet multipliers.
 
-The modes that an orbit runs through are not assumed: each shot goes where the loop goes. The Jacobian is the product of the modes'
-exponentials and of a saltation matrix wherever the mode changes.
+The sequence of modes is not assumed: each shot follows the loop. Its Jacobian is the product of the modes' exponentials and of a saltation
+matrix at each change of mode.
 """
 
 from __future__ import annotations
@@ -15,7 +15,7 @@ from numpy.typing import ArrayLike, NDArray
 from contourlab.analysis.backlash.exact_simulation import ExactRun, Span, simulate_exact, spans
 from contourlab.analysis.backlash.limit_cycle_prediction import Prediction, predict_limit_cycles, quasi_linear
 from contourlab.analysis.backlash.lure import BacklashLoop
-from contourlab.analysis.backlash.mode_flow import GAP, Flow, Motion
+from contourlab.analysis.backlash.mode_flow import GAP, Flow
 from contourlab.errors import ParameterError
 
 Array = NDArray[np.float64]
@@ -36,13 +36,13 @@ class PeriodicOrbit:
     ----------
     period : float [s]
     start : ndarray (n,)
-        A state on it; at time 0 of the reference where there is one.
+        A state on it.
     amplitude : float
         Half of the range of the motor-load difference [rad or m].
     ratio : float
         Amplitude over half of the gap.
     multipliers : ndarray (m,) of complex
-        Floquet multipliers by falling size; the one at 1 along an orbit that runs by itself is left out.
+        Floquet multipliers by falling size; the one at 1 along the orbit is left out.
     residual : float
         By how much it misses itself, over its size.
     modes : tuple of int
@@ -70,11 +70,6 @@ class PeriodicOrbit:
         """Whether neighbouring motions come closer."""
         return bool((np.abs(self.multipliers) < 1.0).all())
 
-    def __str__(self) -> str:
-        size = f"amplitude {self.amplitude:.4g} ({self.ratio:.4g} half-gaps)"
-        largest = np.abs(self.multipliers).max(initial=0.0)
-        return f"{'stable' if self.stable else 'unstable'} orbit of {self.frequency:.6g} rad/s, {size}, largest multiplier {largest:.4g}"
-
 
 @dataclass(frozen=True, eq=False)
 class Shot:
@@ -95,11 +90,10 @@ class Shooter:
     Parameters
     ----------
     loop : BacklashLoop
-    reference : Motion
     """
 
-    def __init__(self, loop: BacklashLoop, reference: Motion) -> None:
-        self.flow = Flow(loop, reference)
+    def __init__(self, loop: BacklashLoop) -> None:
+        self.flow = Flow(loop)
         self.n = loop.n + int(self.flow.twisted)
 
     def shot(self, y: Array, duration: float) -> Shot:
@@ -145,9 +139,7 @@ def _saltation(flow: Flow, mode: int, following: int, w: Array) -> Array:
     return np.asarray(reset + np.outer(jump, row) / slope) if slope > 0.0 else reset
 
 
-def close_orbit(
-    loop: BacklashLoop, start: ArrayLike, period: float, reference: Motion | None = None, *, twist: float = 0.0, fixed: bool | None = None
-) -> PeriodicOrbit | None:
+def close_orbit(loop: BacklashLoop, start: ArrayLike, period: float, *, twist: float = 0.0) -> PeriodicOrbit | None:
     """Return the periodic orbit near a start, if Newton's steps lead to one.
 
     Parameters
@@ -156,18 +148,14 @@ def close_orbit(
     start : array_like (n,)
         A state near the orbit.
     period : float [s]
-        A guess; or the period itself, if it is fixed.
-    reference : Motion, optional
-        Zero if left out.
+        A guess.
     twist : float
         Of a damped shaft at the start.
-    fixed : bool, optional
-        Whether the period is given by the reference; so it is for one that moves.
 
     Returns
     -------
     PeriodicOrbit or None
-        None where it does not converge or ends at a point of rest.
+        None if Newton's steps do not converge, or end at a point of rest.
 
     Raises
     ------
@@ -176,19 +164,17 @@ def close_orbit(
     """
     if not 0.0 < period < math.inf:
         raise ParameterError("period", period, "above 0", "s")
-    motion = reference or Motion.constant()
-    shooter = Shooter(loop, motion)
-    held = bool(motion.output.any() and len(motion.start) > 1) if fixed is None else fixed
+    shooter = Shooter(loop)
     y = np.asarray(start, dtype=float)
     y = np.append(y, twist) if shooter.flow.twisted else y
     try:
-        found = _newton(shooter, y, period, held)
+        closed = _newton(shooter, y, period)
     except (ParameterError, np.linalg.LinAlgError):
         return None
-    return None if found is None else _orbit(shooter, *_prime(shooter, *found, held), held)
+    return None if closed is None else _orbit(shooter, *_single_round(shooter, *closed))
 
 
-def _newton(shooter: Shooter, y: Array, period: float, held: bool) -> tuple[Shot, float] | None:
+def _newton(shooter: Shooter, y: Array, period: float) -> tuple[Shot, float] | None:
     """Return the closed shot near y, and its period."""
     first = period
     shot = shooter.shot(y, period)
@@ -197,30 +183,28 @@ def _newton(shooter: Shooter, y: Array, period: float, held: bool) -> tuple[Shot
         missed = shot.end - shot.start
         if np.abs(missed / size).max() <= CLOSED:
             return shot, period
-        step, longer = _step(shot, size, held)
+        step, longer = _step(shot, size)
         shot, period, better = _damped(shooter, shot, period, step, longer, size)
         if not better or not 0.2 * first < period < 5.0 * first:
             return None
     return None
 
 
-def _prime(shooter: Shooter, shot: Shot, period: float, held: bool) -> tuple[Shot, float]:
+def _single_round(shooter: Shooter, shot: Shot, period: float) -> tuple[Shot, float]:
     """Return one round of an orbit that was closed after several."""
     size = _size(shot)
-    for rounds in range(9, 1, -1) if not held else ():
+    for rounds in range(9, 1, -1):
         once = shooter.shot(shot.start, period / rounds)
         if np.abs((once.end - once.start) / size).max() <= 1e3 * CLOSED:
             return once, period / rounds
     return shot, period
 
 
-def _step(shot: Shot, size: Array, held: bool) -> tuple[Array, float]:
-    """Return Newton's step of the start and of the period; at right angles to the motion where the phase is free."""
+def _step(shot: Shot, size: Array) -> tuple[Array, float]:
+    """Return Newton's step of the start and of the period; at right angles to the motion, since the phase is free."""
     n = len(size)
     scaled = shot.jacobian * size / size[:, None]
     missed, slope = (shot.end - shot.start) / size, shot.slope / size
-    if held:
-        return np.linalg.lstsq(scaled - np.eye(n), -missed, rcond=1e-13)[0] * size, 0.0
     unit = slope / max(float(np.linalg.norm(slope)), 1e-300)
     matrix = np.block([[scaled - np.eye(n), unit[:, None]], [unit[None, :], np.zeros((1, 1))]])
     solution = np.linalg.lstsq(matrix, np.append(-missed, 0.0), rcond=1e-13)[0]
@@ -249,18 +233,17 @@ def _size(shot: Shot) -> Array:
     return np.asarray(np.maximum(largest, 1e-9 * largest.max()))
 
 
-def _orbit(shooter: Shooter, shot: Shot, period: float, held: bool) -> PeriodicOrbit | None:
+def _orbit(shooter: Shooter, shot: Shot, period: float) -> PeriodicOrbit | None:
     """Return a closed shot as an orbit, unless it is a point of rest."""
     loop, found = shooter.flow.loop, shot.found
     times, modes = np.array([span.time for span in found]), np.array([span.mode for span in found], dtype=np.int64)
     run = ExactRun(loop, period, times, modes, False, shooter.flow, found)
     difference = run.difference(np.linspace(0.0, period, SAMPLES + 1))
     amplitude = _half_range(difference)
-    if not held and amplitude < loop.half_gap:
+    if amplitude < loop.half_gap:
         return None
     multipliers = np.linalg.eigvals(shot.jacobian).astype(np.complex128)
-    if not held:
-        multipliers = np.delete(multipliers, int(np.argmin(np.abs(multipliers - 1.0))))
+    multipliers = np.delete(multipliers, int(np.argmin(np.abs(multipliers - 1.0))))
     multipliers = multipliers[np.argsort(-np.abs(multipliers))]
     residual = float(np.abs((shot.end - shot.start) / _size(shot)).max())
     ratio = amplitude / loop.half_gap
@@ -287,57 +270,51 @@ SETTLING = 60
 
 @dataclass(frozen=True, eq=False)
 class OrbitSearch:
-    """Periodic orbits that were found, and where was looked.
+    """Periodic orbits that were found.
 
     Attributes
     ----------
     orbits : tuple of PeriodicOrbit
         By falling amplitude.
-    searched : tuple of str
-        Every start, with what became of it.
     """
 
     orbits: tuple[PeriodicOrbit, ...]
-    searched: tuple[str, ...]
 
     @property
     def stable(self) -> tuple[PeriodicOrbit, ...]:
         """Those that a motion settles on."""
         return tuple(orbit for orbit in self.orbits if orbit.stable)
 
-    def __str__(self) -> str:
-        if not self.orbits:
-            return "none found; looked at: " + "; ".join(self.searched)
-        return "\n".join(str(orbit) for orbit in self.orbits)
-
 
 def find_orbits(loop: BacklashLoop, *, prediction: Prediction | None = None, kicks: tuple[float, ...] = KICKS) -> OrbitSearch:
     """Return the limit cycles of a loop at rest.
+
+    Shots start from each prediction of the describing function, and from where motions settle.
 
     Parameters
     ----------
     loop : BacklashLoop
     prediction : Prediction, optional
-        Of the describing function, if it was made already; a loop that switches its controller has none.
+        Of the describing function, if known; a loop that switches its controller has none.
     kicks : tuple of float
         Motor-load differences, over half of the gap, from which motions are followed until they settle.
 
-    Returns
-    -------
-    OrbitSearch
-        That nothing was found proves nothing by itself; it says where was looked. A proof is for `energy_bound` or `popov`.
+    Notes
+    -----
+    An empty result is no proof that there is no orbit.
     """
     if prediction is None and loop.contact_a is None:
         prediction = predict_limit_cycles(loop)
-    orbits: list[PeriodicOrbit] = []
-    searched = []
+    shots = []
     for cycle in prediction.cycles if prediction is not None else ():
         start = _predicted_start(loop, cycle.amplitude, cycle.ratio, cycle.frequency)
-        found = close_orbit(loop, start, 2.0 * math.pi / cycle.frequency)
-        searched.append(f"the describing function's {cycle.frequency:.4g} rad/s at {cycle.ratio:.3g} half-gaps: {_outcome(found, orbits)}")
-    for kick in kicks:
-        searched.append(f"motion from {kick:g} half-gaps: {_settled(loop, kick, orbits)}")
-    return OrbitSearch(tuple(sorted(orbits, key=lambda orbit: -orbit.amplitude)), tuple(searched))
+        shots.append(close_orbit(loop, start, 2.0 * math.pi / cycle.frequency))
+    shots += [_settled_orbit(loop, kick) for kick in kicks]
+    orbits: list[PeriodicOrbit] = []
+    for orbit in shots:
+        if orbit is not None and not any(_same(orbit, other) for other in orbits):
+            orbits.append(orbit)
+    return OrbitSearch(tuple(sorted(orbits, key=lambda orbit: -orbit.amplitude)))
 
 
 def _predicted_start(loop: BacklashLoop, amplitude: float, ratio: float, w: float) -> Array:
@@ -347,41 +324,38 @@ def _predicted_start(loop: BacklashLoop, amplitude: float, ratio: float, w: floa
     return np.asarray((vector * (amplitude / (loop.c @ vector))).real)
 
 
-def _settled(loop: BacklashLoop, kick: float, orbits: list[PeriodicOrbit]) -> str:
-    """Follow a motion until it is at rest, has run away, or comes back to itself; then shoot from there."""
+def _settled_orbit(loop: BacklashLoop, kick: float) -> PeriodicOrbit | None:
+    """Follow a motion until it is at rest, has run away, or returns to itself; then shoot from there."""
     start = kick * loop.half_gap * loop.c / float(loop.c @ loop.c)
     duration = _first_look(loop)
     for _ in range(10):
         try:
             run = simulate_exact(loop, start, duration, most=20_000)
         except ParameterError:
-            return "changes of mode without end"
+            return None
         if run.diverged:
-            return f"ran away after {run.duration:.3g} s"
+            return None
         if run.times.size >= SETTLING:
             break
         duration *= 2.0
-    makes = [i for i, mode in enumerate(run.modes) if mode == 1]
-    if run.times.size < SETTLING or len(makes) < 4:
-        return f"at rest or without contact within {run.duration:.3g} s"
-    return _from_returns(loop, run, makes, orbits)
+    contacts = [i for i, mode in enumerate(run.modes) if mode == 1]
+    if run.times.size < SETTLING or len(contacts) < 4:
+        return None
+    return _from_returns(loop, run, contacts)
 
 
-def _from_returns(loop: BacklashLoop, run: ExactRun, makes: list[int], orbits: list[PeriodicOrbit]) -> str:
-    """Shoot from the last contact but some, with the time between it and the contact that comes closest to it."""
-    states = np.array([run.spans[i].start[: loop.n] for i in makes])
+def _from_returns(loop: BacklashLoop, run: ExactRun, contacts: list[int]) -> PeriodicOrbit | None:
+    """Shoot from the last contact, with the time since the contact that came closest to it."""
+    states = np.array([run.spans[i].start[: loop.n] for i in contacts])
     size = np.maximum(np.abs(states).max(axis=0), 1e-300)
-    last = len(makes) - 1
+    last = len(contacts) - 1
     earlier = range(max(0, last - 6), last)
     best = min(earlier, key=lambda i: (np.abs((states[i] - states[last]) / size).max() > 0.3, last - i))
     # Half-way through a contact a start is safe from the edges of the mode.
-    span = run.spans[makes[last]]
+    span = run.spans[contacts[last]]
     middle = run.flow.exponential(span.mode, 0.5 * span.duration) @ span.start
-    period = float(run.times[makes[last]] - run.times[makes[best]])
-    found = close_orbit(loop, middle[: loop.n], period, twist=float(middle[loop.n]) if run.flow.twisted else 0.0)
-    if found is None and run.difference(run.duration * np.linspace(0.75, 1.0, 2000)).max() <= 1.001 * loop.half_gap:
-        return "dies out"
-    return _outcome(found, orbits)
+    period = float(run.times[contacts[last]] - run.times[contacts[best]])
+    return close_orbit(loop, middle[: loop.n], period, twist=float(middle[loop.n]) if run.flow.twisted else 0.0)
 
 
 def _first_look(loop: BacklashLoop) -> float:
@@ -390,15 +364,6 @@ def _first_look(loop: BacklashLoop) -> float:
     ringing = poles.imag[poles.imag > 1e-6 * np.abs(poles).max()]
     slowest = float(ringing.min()) if ringing.size else float(np.abs(poles).min())
     return 100.0 * 2.0 * math.pi / max(slowest, 1e-300)
-
-
-def _outcome(found: PeriodicOrbit | None, orbits: list[PeriodicOrbit]) -> str:
-    """Note an orbit, once, and say what it is."""
-    if found is None:
-        return "no orbit"
-    if not any(_same(found, other) for other in orbits):
-        orbits.append(found)
-    return f"{'stable' if found.stable else 'unstable'} orbit of {found.frequency:.4g} rad/s"
 
 
 def _same(one: PeriodicOrbit, other: PeriodicOrbit) -> bool:

@@ -1,12 +1,13 @@
-"""Quadrature signals as measured: their constants from an ellipse, and the errors of position that they make.
+"""Quadrature signals as measured: their constants from an ellipse, at once or sample by sample, and the position errors they cause.
 
-`QuadratureConstants` is the model of the signals and of their correction, `fit_ellipse` finds it from all samples of a record, and
-`subdivisional_error` measures what is left of errors that repeat with every pitch. The recursive fit is in
-`contourlab.analysis.encoder.quadrature`, interpolation and counting in `contourlab.analysis.encoder.interpolation`.
+`fit_ellipse` uses all samples of a record. `track_ellipse` runs the very step of the sensor component, tick by tick. Interpolation and
+counting are in `contourlab.analysis.encoder.interpolation`.
 
 References
 ----------
-P. L. M. Heydemann, "Determination and correction of quadrature fringe measurement errors in interferometers", Applied Optics 20 (1981).
+P. L. M. Heydemann, "Determination and correction of quadrature fringe measurement errors in interferometers", Applied Optics 20 (1981);
+E. Ulu, N. Gecer Ulu, M. Cakmakci, "Development and validation of an adaptive method to generate high-resolution quadrature encoder
+signals", Journal of Dynamic Systems, Measurement, and Control 136 (2014).
 """
 
 from __future__ import annotations

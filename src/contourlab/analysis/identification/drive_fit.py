@@ -1,8 +1,12 @@
-"""Models of a drive over frequency: a mass with damping and delay, and two inertias with a shaft between them.
+"""Models of a drive over frequency and their fit to a measured response: one mass with damping and delay, or two inertias and a shaft.
+
+Magnitude and phase are fitted in logarithm and radians, each point weighted by its deviation. The command is held between samples and the
+position is sampled: the model's response is summed over its aliases, so that points near half the sample frequency count too.
 
 References
 ----------
-Altintas, Verl, Brecher, Uriarte & Pritschow, "Machine tool feed drives", CIRP Annals 60 (2011), for the two-inertia drive.
+Altintas, Verl, Brecher, Uriarte & Pritschow, "Machine tool feed drives", CIRP Annals 60 (2011), for the two-inertia drive; Pintelon &
+Schoukens, "System Identification: a frequency domain approach", 2nd ed., section 9.8 (logarithmic least squares).
 """
 
 from __future__ import annotations

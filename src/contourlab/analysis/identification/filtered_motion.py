@@ -1,4 +1,4 @@
-"""Velocity and acceleration out of a measured position without lag, and fewer samples of a signal without aliasing.
+"""Preparation of a measured record: checks, velocity and acceleration without lag, decimation without aliasing.
 
 References
 ----------
@@ -126,7 +126,7 @@ JITTER = 1e-3
 """Share of the period by which times may be uneven: a clock that is read rather than counted jitters by parts in a hundred thousand."""
 
 
-def even_record(time: ArrayLike, signals: Mapping[str, ArrayLike], shortest: int = 50, jitter: float = JITTER) -> tuple[float, list[Array]]:
+def even_record(time: ArrayLike, signals: Mapping[str, ArrayLike], shortest: int = 50) -> tuple[float, list[Array]]:
     """Return the period [s] of a record, and its times and signals as arrays (n,), checked.
 
     Parameters
@@ -136,8 +136,6 @@ def even_record(time: ArrayLike, signals: Mapping[str, ArrayLike], shortest: int
         By the names that messages have.
     shortest : int
         Fewest samples.
-    jitter : float
-        Share of the period by which times may be uneven.
 
     Raises
     ------
@@ -159,6 +157,6 @@ def even_record(time: ArrayLike, signals: Mapping[str, ArrayLike], shortest: int
             raise ParameterError(name, f"{array[bad[0]]} at sample {bad[0]}", "finite")
         found.append(array)
     period = float(t[-1] - t[0]) / (t.size - 1)
-    if not (period > 0.0 and np.all(np.abs(np.diff(t) - period) <= jitter * period)):
+    if not (period > 0.0 and np.all(np.abs(np.diff(t) - period) <= JITTER * period)):
         raise ParameterError("time", "a record", "rising and evenly spaced: resample it first")
     return period, found

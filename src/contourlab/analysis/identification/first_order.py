@@ -1,13 +1,16 @@
-"""Identification of the first-order axis v' = -b v + a (u - friction - offset) from any open-loop command: steps, squares, random levels.
+"""Identification of the first-order axis v' = -b v + a (u - friction - offset), from its command or from its closed loop.
 
-Gain, damping, Coulomb friction, offset, delay and first velocity come from one output-error fit: the model is simulated from the command
-alone and held against the measured velocity. A fit of the equation itself, with measured v and v' in it, draws b to one side as soon as
-the velocity has noise. The measured velocity is the way over some samples by their time, and the model's is the same, so that the
-difference brings no lag and no bias.
+Open loop (steps, squares, random levels): gain, damping, Coulomb friction, offset, delay and first velocity come from one output-error fit.
+The model is simulated from the command alone and compared with the measured velocity. A fit of the equation itself, with measured v and v'
+in it, biases b as soon as the velocity has noise. Measured and simulated velocity are the same difference quotient, so that the difference
+adds no lag and no bias.
+
+Closed loop, behind a disturbance observer with proportional position and velocity feedback (eq 18):
+P/R = a' K_P/(s^2 + (b' + a' K_V) s + a' K_P). The reference is free of the axis' noise, so the feedback does not bias the fit.
 
 References
 ----------
-Ghaffari & Ulsoy, "Component swapping modularity for distributed precision contouring", section III.
+Ghaffari & Ulsoy, "Component swapping modularity for distributed precision contouring", section III and eq (18).
 """
 
 from __future__ import annotations
@@ -174,7 +177,7 @@ def identify_first_order(
             free = {key: replace(part, start=found[key]) for key, part in free.items() if key != name}
             found = fit_output(blocks.model, measured, free)
     middle = np.asarray(time, dtype=float)[0] + period * smoothing * (np.arange(measured.size) + 0.5)
-    remarks, usable = _remarks(found)
+    remarks, usable = _remarks(found, "velocity", "other friction, a resonance or a load is at work")
     return FirstOrderFit(found, middle, blocks.averaged(u), smoothing, usable, (*said, *remarks))
 
 
@@ -207,20 +210,20 @@ def _start(blocks: _Blocks, measured: Array, settings: FirstOrderSettings) -> di
     return free
 
 
-def _remarks(found: OutputFit) -> tuple[list[str], bool]:
-    said, usable = [], True
+def _remarks(fit: OutputFit, output: str, other_causes: str) -> tuple[list[str], bool]:
+    """Return remarks on a, b and the share of the output that the model explains, and whether the model is usable."""
+    remarks, usable = [], True
     for name in ("a", "b"):
-        value, deviation = found[name], found.deviation(name)
-        if name in found.at_bound:
-            said.append(f"{name} = {value:.4g} is at the bound of what is looked for: the record does not tell it")
+        value, deviation = fit[name], fit.deviation(name)
+        if name in fit.at_bound or deviation > 0.5 * value:
+            remarks.append(f"{name} = {value:.4g} is not told by this record")
             usable = False
         elif deviation > 0.01 * WELL_KNOWN * value:
-            said.append(f"{name} = {value:.4g} is known to {100.0 * deviation / value:.2g} % only: too little excitation")
-            usable = usable and deviation < 0.5 * value
-    if found.fit < EXPLAINED:
-        said.append(f"the model explains {found.fit:.3g} % of the velocity: friction of another kind, a resonance or a load is at work")
-        usable = usable and found.fit > 0.5 * EXPLAINED
-    return said, usable
+            remarks.append(f"{name} = {value:.4g} is known to {100.0 * deviation / value:.2g} % only: too little excitation")
+    if fit.fit < EXPLAINED:
+        remarks.append(f"the model explains {fit.fit:.3g} % of the {output}: {other_causes}")
+        usable = usable and fit.fit > 0.5 * EXPLAINED
+    return remarks, usable
 
 
 WELL_KNOWN = 10.0
@@ -300,15 +303,5 @@ def identify_closed_loop(
     a, b = best
     scale = max(b, 0.1 * a * velocity_gain, 1e-3 / period)
     found = fit_output(model, p, {"a": Free(a, 1e-3 * a, 1e3 * a, a), "b": Free(b, 0.0, 10.0 / period, scale)})
-    said, usable = [], True
-    for name in ("a", "b"):
-        value, deviation = found[name], found.deviation(name)
-        if name in found.at_bound or deviation > 0.5 * value:
-            said.append(f"{name}' = {value:.4g} is not told by this record")
-            usable = False
-        elif deviation > 0.01 * WELL_KNOWN * value:
-            said.append(f"{name}' = {value:.4g} is known to {100.0 * deviation / value:.2g} % only: let the reference change faster")
-    if found.fit < EXPLAINED:
-        said.append(f"the model explains {found.fit:.3g} % of the position: the drive saturates, or the observer is not on")
-        usable = usable and found.fit > 0.5 * EXPLAINED
-    return FirstOrderFit(found, np.asarray(time, dtype=float), r, 1, usable, tuple(said))
+    remarks, usable = _remarks(found, "position", "the drive saturates, or the observer is off")
+    return FirstOrderFit(found, np.asarray(time, dtype=float), r, 1, usable, tuple(remarks))

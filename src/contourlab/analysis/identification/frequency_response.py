@@ -1,14 +1,17 @@
-"""Frequency response of an axis, position over command, from measured runs: random, chirp, periodic; open loop, or closed by a reference.
+"""Frequency response of an axis, position over command, from measured runs: random, periodic or swept, open loop or closed.
 
-In a closed loop noise comes back into the command, so that position over command is drawn towards minus one over the controller. With the
-reference, which knows nothing of the noise, the plant is the ratio of two cross-spectra instead: reference to position over reference to
-command. Position is differenced first, since an axis drifts; the difference is divided out again, exactly.
+In a closed loop noise returns in the command and draws position over command towards minus one over the controller. With the reference,
+which is free of that noise, the plant is the ratio of two cross-spectra: reference to position over reference to command. Position is
+differenced first, since an axis drifts; the difference is divided out again, exactly.
+
+A sweep passes each frequency once, so there are no segments to average, and the ends of the record leak into every frequency. Over a few
+neighbouring lines response and leakage are smooth: one parabola for each is fitted, and the residual is the noise.
 
 References
 ----------
 Bendat & Piersol, "Random Data", 4th ed., sections 6.2 and 9.2, for H1, coherence and their deviations; Ljung, "System Identification",
 2nd ed., section 13.5, for joint input-output identification; Pintelon & Schoukens, "System Identification: a frequency domain approach",
-2nd ed., section 2.7, for periodic excitation.
+2nd ed., section 2.7, for periodic excitation, and chapter 7 for the local polynomial method.
 """
 
 from __future__ import annotations
@@ -166,15 +169,13 @@ def periodic_response(run: Measured, period: int) -> MeasuredResponse:
     return MeasuredResponse(frequency, own, deviation, np.nan_to_num(coherence), method, run.period, np.full(frequency.size, np.nan))
 
 
-def spectral_response(runs: Sequence[Measured], segment: int | None = None) -> MeasuredResponse:
+def spectral_response(runs: Sequence[Measured]) -> MeasuredResponse:
     """Return the response from averaged spectra (Welch's method, H1), or with a signal from outside from the ratio of cross-spectra.
 
     Parameters
     ----------
     runs : sequence of Measured
         All at one period, all with or all without a signal from outside.
-    segment : int, optional
-        Samples of a segment; an eighth of the shortest run if not given.
 
     Raises
     ------
@@ -186,7 +187,7 @@ def spectral_response(runs: Sequence[Measured], segment: int | None = None) -> M
     period, closed = runs[0].period, runs[0].outside is not None
     if any(abs(run.period - period) > 1e-3 * period or (run.outside is not None) != closed for run in runs):
         raise ParameterError("runs", f"{len(runs)} of them", "at one period, all with a reference or all without")
-    length = segment or min(run.position.size for run in runs) // SEGMENTS
+    length = min(run.position.size for run in runs) // SEGMENTS
     if length < 32:
         raise ParameterError("record", f"{min(run.position.size for run in runs)} samples", f"at least {32 * SEGMENTS} to average over")
     names = ("yx", "ux", "xx", "yy", "uu")

@@ -1,4 +1,4 @@
-"""Least squares that are not linear: damped Gauss-Newton with bounds, many points evaluated at once."""
+"""Nonlinear least squares by damped Gauss-Newton steps within bounds, many points evaluated at once, and the covariance of the result."""
 
 from __future__ import annotations
 
@@ -241,8 +241,6 @@ class FitCovariance:
         Standard deviations from it; and as they would be were the residual white.
     correlation : ndarray (p, p)
         Of the parameters, by the shape of the problem alone.
-    lags : int
-        Rows over which the residual counts as correlated.
     untold : ndarray (p,) of bool
         Parameters, or mixtures of them, without effect on the residual.
     """
@@ -251,7 +249,6 @@ class FitCovariance:
     deviations: Array
     white_deviations: Array
     correlation: Array
-    lags: int
     untold: NDArray[np.bool_]
 
 
@@ -282,7 +279,7 @@ def fit_covariance(jacobians: Sequence[Array], residuals: Sequence[Array], floor
     p = jacobians[0].shape[-1]
     if p == 0:  # all parameters are at the bounds of their ranges
         nothing, none = np.zeros(0), np.zeros((0, 0))
-        return FitCovariance(none, nothing, nothing, none, 0, np.zeros(0, dtype=bool))
+        return FitCovariance(none, nothing, nothing, none, np.zeros(0, dtype=bool))
     flat = np.concatenate([j.reshape(-1, p) for j in jacobians])
     left = np.concatenate([r.ravel() for r in residuals])
     normal = flat.T @ flat
@@ -307,7 +304,7 @@ def fit_covariance(jacobians: Sequence[Array], residuals: Sequence[Array], floor
     covariance[untold, untold] = np.inf
     scale = np.sqrt(np.where(np.diag(inverse) > 0.0, np.diag(inverse), 1.0))
     deviations = np.sqrt(np.maximum(np.diag(covariance), 0.0))
-    return FitCovariance(covariance, deviations, np.where(untold, np.inf, white), inverse / np.outer(scale, scale), lags, untold)
+    return FitCovariance(covariance, deviations, np.where(untold, np.inf, white), inverse / np.outer(scale, scale), untold)
 
 
 def _remembered(residual: Array) -> int:

@@ -1,11 +1,15 @@
-"""Output-error least squares: parameters of a simulated model such that its output comes nearest to what was measured.
+"""Output-error least squares, with standard deviations that allow for a residual correlated in time.
 
-The model's output depends on what was commanded, never on the noisy output, so that noise of the measurement does not draw the parameters
-to one side, as it does where measured derivatives stand on the model's side of an equation.
+The model's output depends on the command, never on the noisy output, so measurement noise does not bias the parameters. The covariance is
+(J'J)^-1 S (J'J)^-1, with S the sum of the autocovariances of J'r under a window over the lags: Bartlett's for rows that are nearly
+independent, Parzen's (round at its top) where neighbouring samples cancel each other's error, a flat one where a model error lasts.
 
 References
 ----------
-Ljung, "System Identification", 2nd ed., sections 4.2 and 9.4.
+Ljung, "System Identification", 2nd ed., sections 4.2 and 9.4; Newey & West, "A simple, positive semi-definite, heteroskedasticity and
+autocorrelation consistent covariance matrix", Econometrica 55(3), 1987; Andrews, "Heteroskedasticity and autocorrelation consistent
+covariance matrix estimation", Econometrica 59(3), 1991; Politis & Romano, "Bias-corrected nonparametric spectral estimation", J. Time
+Series Analysis 16, 1995.
 """
 
 from __future__ import annotations

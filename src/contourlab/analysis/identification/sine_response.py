@@ -40,8 +40,8 @@ class SinePoint:
         Relative.
     periods : float
         That were fitted.
-    distortion, command_distortion : float
-        Harmonics of velocity and command over their fundamentals.
+    distortion : float
+        Harmonics of the velocity over its fundamental.
     still : float
         Share of the stretch in which the axis stood still.
     coherence : float
@@ -53,7 +53,6 @@ class SinePoint:
     deviation: float
     periods: float
     distortion: float
-    command_distortion: float
     still: float
     coherence: float
 
@@ -137,7 +136,7 @@ def sine_point(run: Measured, start: int, stop: int, frequency: float) -> SinePo
     y, y_deviation, y_rest = _harmonics(run.position[first:last], t, w, most, 2 if whole >= 2 else 1)
     u, _, _ = _harmonics(run.command[first:last], t, w, most, 0)
     order = np.arange(1, most + 1)
-    speed, drive = np.abs(y) * order, np.abs(u)
+    speed = np.abs(y) * order
     steps = np.diff(run.position[first:last])
     still = float(np.mean(_still(steps)))
     fundamental = 0.5 * (w * abs(y[0])) ** 2
@@ -148,7 +147,6 @@ def sine_point(run: Measured, start: int, stop: int, frequency: float) -> SinePo
         y_deviation / abs(y[0]),
         (last - first) / cycle,
         float(np.linalg.norm(speed[1:]) / speed[0]),
-        float(np.linalg.norm(drive[1:]) / drive[0]),
         still,
         fundamental / (fundamental + rest),
     )

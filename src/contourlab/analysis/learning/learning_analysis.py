@@ -1,4 +1,4 @@
-"""Rules for zero-phase learning: how wide the average, how large the gain, and whether a second pass or a lead is needed."""
+"""Does learning converge? The answer before the first trial, and rules for zero-phase learning: width, gain, passes and lead."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from contourlab.analysis.learning.learning_lifted import LiftedLearning, lifted_
 from contourlab.analysis.linear.coupled_loop import CoupledLoop, coupled_loop
 from contourlab.components.learning.law import LearningLaw
 from contourlab.components.learning.zero_phase import ZeroPhase
-from contourlab.errors import ComponentError, ParameterError
+from contourlab.errors import ComponentError
 from contourlab.feed import Reference
 from contourlab.loop.machine import Controller, Machine
 
@@ -111,12 +111,12 @@ def worst_zero_phase(
     return peak(factor, w, factor(w))
 
 
-def design_zero_phase(closed: Closed, servo_period: float, *, share: float = 0.4, growth: float = 1e-3) -> LearningDesign:
+def design_zero_phase(closed: Closed, servo_period: float) -> LearningDesign:
     """Return gain, half width, passes and lead by rule.
 
     The lead makes the frequency at which the phase of T is a quarter turn off as high as it gets; the first zero of the average lies below
     it; the gain is a share of the largest that converges below the zero; a second pass is taken where the side lobes of a single one would
-    amplify. Where that is not enough, the average is made wider until no frequency grows by more than `growth` in a trial.
+    amplify. Where that is not enough, the average is made wider until no frequency grows by more than `SMALL` in a trial.
 
     Parameters
     ----------
@@ -124,17 +124,7 @@ def design_zero_phase(closed: Closed, servo_period: float, *, share: float = 0.4
         Gives T = P C/(1 + P C), delay included, (n,) at frequencies (n,) [rad/s]; for several axes give the one with the most lag, or
         check each with `worst_zero_phase`.
     servo_period : float [s], > 0
-    share : float, 0 to 1
-    growth : float, > 0
-
-    Raises
-    ------
-    ParameterError
-        If the share or the growth is out of range.
     """
-    for name, value, top in (("share", share, 1.0), ("growth", growth, math.inf)):
-        if not 0.0 < value < top:
-            raise ParameterError(name, f"{value:g}", f"> 0 and below {top:g}")
     leads = _leads(closed, servo_period)
     turns = [quarter_turn(closed, servo_period, lead) for lead in leads]
     # The smallest lead that is nearly as good as the best.
@@ -142,8 +132,8 @@ def design_zero_phase(closed: Closed, servo_period: float, *, share: float = 0.4
     lead, turn = leads[best], turns[best]
     half_width = max(0, math.ceil(0.5 * (2.0 * math.pi / (turn * servo_period) - 1.0)))
     while True:
-        made = [_design(closed, servo_period, half_width, passes, lead, share) for passes in (1, 2)]
-        good = [design for design in made if design.worst_factor <= 1.0 + growth]
+        made = [_design(closed, servo_period, half_width, passes, lead) for passes in (1, 2)]
+        good = [design for design in made if design.worst_factor <= 1.0 + SMALL]
         if good or half_width > 100_000:
             # One pass learns more of what lies below its zero.
             return good[0] if good else min(made, key=lambda design: design.worst_factor)
@@ -159,9 +149,9 @@ def _leads(closed: Closed, servo_period: float) -> list[float]:
     return [servo_period * int(n) for n in np.unique(np.linspace(0, most, min(most + 1, 24)).astype(int))]
 
 
-def _design(closed: Closed, servo_period: float, half_width: int, passes: int, lead: float, share: float) -> LearningDesign:
+def _design(closed: Closed, servo_period: float, half_width: int, passes: int, lead: float) -> LearningDesign:
     zero = min(first_zero(half_width, servo_period), math.pi / servo_period)
-    gain = share * largest_gain(closed, lambda w: averaging(w, servo_period, half_width, passes, lead), zero)
+    gain = SHARE * largest_gain(closed, lambda w: averaging(w, servo_period, half_width, passes, lead), zero)
     gain = min(max(gain, 1e-3), 1.0)
     worst = worst_zero_phase(closed, servo_period, gain, half_width, passes, lead)
     return LearningDesign(gain, half_width, passes, lead, zero, *worst)
@@ -172,6 +162,8 @@ SMALL = 1e-3
 """Growth per trial that a rule may leave."""
 MOST_WIDER = 10
 """So often an average is made wider for a coupling."""
+SHARE = 0.4
+"""Of the largest gain that converges, the part that the rule takes."""
 DIVERGES = 1.1
 """A factor beyond which a few trials are enough to see it."""
 

@@ -1,7 +1,7 @@
-"""Learning over a whole trial, with the normal turning as it does: the operator from what is left to learn to what is left a trial later.
+"""Learning over a whole trial, with the turning normal: the operator from what is left to learn to what is left one trial later.
 
-Its largest singular value is the most by which one trial can make matters worse, its spectral radius what trials do in the end. Neither
-takes a matrix: the operator is the trial itself, run on tables, and its transpose.
+Its largest singular value bounds how much worse one trial can make matters; its spectral radius says where trials end. Neither needs a
+matrix: the operator is the trial itself, run on tables, and its transpose.
 """
 
 from __future__ import annotations

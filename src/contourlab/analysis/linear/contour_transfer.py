@@ -1,10 +1,13 @@
-"""The contour error with cross-coupling over that without: eq (22), sampled as it runs, with its margins over all directions of the normal.
+"""The contour error with cross-coupling over that without (eq 22), its margins over all directions, and internal stability.
 
-A machine turns the contour error by 1/(1 + L), L = C_cc P_e and P_e = sum n_i^2 P_i/(1 + P_i C_i): a mean of the axes' own responses whose
-weights n_i^2 are the direction of the normal. Over all directions L fills, at each frequency, the convex hull of the axes' own
-C_cc P_i/(1 + P_i C_i): the distance of that polygon from -1 is the worst that any direction does, without a grid of directions. Where the
-normal has more than one direction (three axes and more) the loop is a matrix whose numerical range lies in the same polygon: its distance
-from -1 then bounds the smallest singular value of 1 + L from below.
+A machine multiplies the contour error by 1/(1 + L), L = C_cc P_e and P_e = sum n_i^2 P_i/(1 + P_i C_i): a mean of the axes' own responses
+with weights n_i^2, the direction of the normal. Over all directions L fills, at each frequency, the convex hull of the axes' own
+C_cc P_i/(1 + P_i C_i). The distance of that polygon from -1 is the worst over all directions. With three axes and more the loop is a matrix
+whose numerical range lies in the same polygon: the distance then bounds the smallest singular value of 1 + L from below.
+
+References
+----------
+Gecer Ulu, Ulu & Cakmakci, eq (22).
 """
 
 from __future__ import annotations

@@ -236,5 +236,3 @@ def link_growth(machine: Machine, controller: Controller) -> float:
         loop = divided_loop(machine, controller, tangent)
         found.append(loop.growth_of([timing_of(getattr(controller.axes[axis].link, way), period) for axis, way in loop.links]))
     return max(found)
-
-

@@ -1,4 +1,7 @@
-"""Stability margins: how far a loop gain stays from -1."""
+"""Stability margins of one loop gain, and of all weighted means of a few.
+
+The means of a few loop gains fill, at each frequency, a polygon of the complex plane. Its distance from -1 is their modulus margin.
+"""
 
 from __future__ import annotations
 
@@ -146,7 +149,6 @@ def _zeros(function: Callable[[float], float], w: Array, values: Array) -> list[
 
 def _value(loop: LoopGain, w: float) -> complex:
     return complex(loop(np.array([w]))[0])
-
 
 
 SHARES = np.linspace(0.0, 1.0, 33)

@@ -1,20 +1,19 @@
-"""Linear servo axes that are swapped: what each costs under a state feedback, its own optimum, and one made of base and local gains.
+"""Linear servo axes that are swapped: the cost of a state feedback on each, its optimum, and gains split into base and local ones.
 
-An axis a/(s (s + b)) is fed back from the integral of its position, its position and its velocity, u = -K x. What a gain costs is
-J = tr P, the sum of the quadratic costs from unit initial states, each state in turn.
+An axis a/(s (s + b)) is fed back from the integral of its position, its position and its velocity, u = -K x. The cost of a gain is
+J = tr P, the sum of the quadratic costs from each unit initial state.
 """
 
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from contourlab.analysis.backlash.lyapunov_lmi import solved
 from contourlab.errors import ParameterError
 
 Array = NDArray[np.float64]
@@ -170,9 +169,8 @@ def checked_local(local: Sequence[str]) -> NDArray[np.bool_]:
     ParameterError
         If a name is none of `GAINS`.
     """
-    for name in local:
-        if name not in GAINS:
-            raise ParameterError("local", repr(name), "of " + ", ".join(GAINS))
+    for name in set(local) - set(GAINS):
+        raise ParameterError("local", repr(name), "of " + ", ".join(GAINS))
     return np.array([name in local for name in GAINS])
 
 
@@ -244,76 +242,12 @@ def _poles(axis: LinearAxis, k: Array, weights: LqWeights) -> Complex:
     return np.asarray(np.linalg.eigvals(a - b @ k[None, :]), dtype=complex)
 
 
-def lead(frequency: Array, time_constant: float, fast: float) -> Complex:
-    """Return (tau s + 1)/(tau_f s + 1) at frequencies [rad/s]: what a swapped lag needs in front of it to look like a faster one.
-
-    Parameters
-    ----------
-    frequency : ndarray (n,) [rad/s]
-    time_constant, fast : float [s], >= 0
-    """
-    s = 1j * np.asarray(frequency, dtype=float)
-    return np.asarray((time_constant * s + 1.0) / (fast * s + 1.0))
-
-
-def series_allocation(controllers: Complex, local: Callable[[float], Complex], bounds: tuple[float, float]) -> tuple[Complex, Array, float]:
-    """Divide controllers into a base one and local ones of one parameter in series, K_i = K_base L(p_i): step 2 for swapped lags.
-
-    Parameters
-    ----------
-    controllers : ndarray (n_variant, n_frequency)
-        Optimal controllers of the variants at the frequencies of a grid.
-    local : callable
-        Responses (n_frequency,) of the local controller for its parameter.
-    bounds : (float, float)
-        Of the parameter.
-
-    Returns
-    -------
-    base : ndarray (n_frequency,)
-    parameters : ndarray (n_variant,)
-    residual : float
-        Largest |K_i/(K_base L_i) - 1| over all variants and frequencies: 0 where one local parameter gives full modularity.
-
-    Notes
-    -----
-    The parameter of the first variant is found with the rest: the base is the geometric mean of K_i/L_i, and the parameters make the spread
-    of log(K_i/L_i) over the variants smallest. A factor that all of them share belongs to the base, so parameters are determined as far as
-    the family tells variants apart.
-    """
-    from scipy.optimize import minimize
-
-    low, high = np.log(bounds)
-
-    def left(z: Array) -> Complex:
-        return np.array([k / local(float(p)) for k, p in zip(controllers, np.exp(np.clip(z, low, high)), strict=True)])
-
-    def log_of(rest: Complex) -> Complex:
-        return np.asarray(np.log(np.abs(rest)) + 1j * np.unwrap(np.angle(rest), axis=1))
-
-    def spread(z: Array) -> float:
-        known = log_of(left(z))
-        return float((np.abs(known - known.mean(axis=0)) ** 2).mean())
-
-    start = np.full(len(controllers), 0.5 * (low + high)) + np.linspace(-0.1, 0.1, len(controllers))
-    found = minimize(spread, start, method="Nelder-Mead", options={"xatol": 1e-10, "fatol": 1e-20, "maxiter": 20_000, "maxfev": 20_000})
-    rest = left(found.x)
-    base = np.exp(log_of(rest).mean(axis=0))
-    return base, np.exp(np.clip(found.x, low, high)), float(np.abs(rest / base - 1.0).max())
-
-
-def lmi_design(
-    axes: Sequence[LinearAxis], *, local: bool = False, sparsity: float = 0.0, weights: LqWeights | None = None
-) -> tuple[ModularDesign, Array]:
-    """Return base and local gains by LMI, and the bounds on J/J* (n_axis,) that go with them.
+def lmi_design(axes: Sequence[LinearAxis], weights: LqWeights | None = None) -> tuple[ModularDesign, Array]:
+    """Return one set of gains for all axes by linear matrix inequalities, and the bounds on J/J* (n_axis,) that it proves.
 
     Parameters
     ----------
     axes : sequence of LinearAxis
-    local : bool
-        Whether each axis has a local controller, which then is a full one.
-    sparsity : float, >= 0
-        Weight of sum_i ||Y_i||, which leaves axes without a local controller that gain little by one.
     weights : LqWeights, optional
         Their time unit is what scales states and time; in seconds the solvers fail on gains of some 1000.
 
@@ -324,13 +258,12 @@ def lmi_design(
 
     Notes
     -----
-    With X > 0 common to all, K_i = (Y_0 + Y_i) X^-1 and gamma_i > 0::
+    With X > 0 common to all, K = Y X^-1 and gamma_i > 0::
 
         [[A_i X + X A_i' - B_i Y - Y' B_i', X Q^.5, Y' R^.5], [., -gamma_i I, 0], [., 0, -gamma_i I]] <= 0,
         [[Z, I], [I, X]] >= 0,  tr Z <= 1,  min sum_i gamma_i / J_i*,
 
-    so that J_i <= gamma_i: the sum of the bounds, as with their maximum axes that are not the worst would suffer. A mask on entries of Y_i
-    would be none on those of K_i, as X^-1 mixes them; so the choice here is which axes have a local controller.
+    so that J_i <= gamma_i. The sum of the bounds is minimised: with their maximum, axes other than the worst would suffer.
 
     References
     ----------
@@ -344,14 +277,12 @@ def lmi_design(
     n, best = len(GAINS), np.array([optimum(axis, weights)[1] for axis in axes])
     x: Any = cvxpy.Variable((n, n), symmetric=True)
     z: Any = cvxpy.Variable((n, n), symmetric=True)
-    base: Any = cvxpy.Variable((1, n))
-    own: list[Any] = [cvxpy.Variable((1, n)) if local else np.zeros((1, n)) for _ in axes]
+    y: Any = cvxpy.Variable((1, n))
     gamma: Any = cvxpy.Variable(len(axes))
     eye = np.eye(n)
     rules: list[Any] = [cvxpy.bmat([[z, eye], [eye, x]]) >> 0.0, cvxpy.trace(z) <= 1.0]
     for i, axis in enumerate(axes):
         a, b, q, r = weights.matrices(axis)
-        y = base + own[i]
         first = a @ x + x @ a.T - b @ y - y.T @ b.T
         weighed, asked = x @ np.sqrt(q), y.T @ np.sqrt(r)
         bound = gamma[i] * best[i]
@@ -363,11 +294,24 @@ def lmi_design(
             ]
         )
         rules.append(0.5 * (whole + whole.T) << 0.0)
-    price = cvxpy.sum(gamma)
-    if local and sparsity > 0.0:
-        price = price + sparsity * sum(cvxpy.norm(each) for each in own)
-    if not any(solved(cvxpy.Problem(cvxpy.Minimize(price), rules), solver) for solver in ("CLARABEL", "SCS")):
+    problem = cvxpy.Problem(cvxpy.Minimize(cvxpy.sum(gamma)), rules)
+    if not any(solved(problem, solver) for solver in ("CLARABEL", "SCS")):
         raise ParameterError("axes", f"{len(axes)} of them", "such that one Lyapunov matrix serves them all: take another time_unit")
-    inverse = np.linalg.inv(np.asarray(x.value))
-    gains = np.array([(np.asarray(base.value) + (np.asarray(each.value) if local else each)) @ inverse for each in own])[:, 0]
-    return judged("lmi", GAINS if local else (), gains, axes, weights), np.asarray(gamma.value)
+    gains = np.asarray(y.value) @ np.linalg.inv(np.asarray(x.value))
+    return judged("lmi", (), np.repeat(gains, len(axes), axis=0), axes, weights), np.asarray(gamma.value)
+
+
+def solved(problem: Any, solver: str) -> bool:
+    """Let a solver try; return whether it left a proposal, perhaps an inaccurate one."""
+    import warnings
+
+    import cvxpy
+
+    try:
+        with warnings.catch_warnings():
+            # "Solution may be inaccurate": the caller checks every proposal.
+            warnings.simplefilter("ignore")
+            problem.solve(solver=solver)
+    except (cvxpy.error.SolverError, ArithmeticError, ValueError):
+        return False
+    return problem.status in ("optimal", "optimal_inaccurate") and all(variable.value is not None for variable in problem.variables())

@@ -1,4 +1,9 @@
-"""What is said of an axis in the frequency domain."""
+"""One axis under its controller as it runs from tick to tick: poles, frequency response and margins of the sampled loop.
+
+The schedule of the servo loop is built for the axis alone and cut where the command enters the drive and where the observer's estimate
+enters the controller. Each cut becomes an input. Every response then follows from one linear map, with the order of the nodes, the wires
+that are one tick late, the sampled filters, the hold and the delay of the drive as in a run.
+"""
 
 from __future__ import annotations
 
@@ -25,6 +30,7 @@ from contourlab.loop.watch import NAME as WATCH
 
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
+
 
 @dataclass(frozen=True, eq=False)
 class AxisResponse:

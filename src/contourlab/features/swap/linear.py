@@ -135,6 +135,6 @@ def linear_swap(
 def _designs(method: str, models: Sequence[LinearAxis], weights: LqWeights) -> list[ModularDesign]:
     """Return the designs of a method: nothing local, then each gain alone where the method can have that."""
     if method == "lmi":
-        return [lmi_design(models, weights=weights)[0]]
+        return [lmi_design(models, weights)[0]]
     design = direct_design if method == "direct" else three_step_design
     return [design(models, local, weights) for local in ((), *((gain,) for gain in GAINS))]
