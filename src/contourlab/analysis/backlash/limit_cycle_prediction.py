@@ -1,8 +1,8 @@
-"""Limit cycles of a loop with a gap by the describing function: all solutions of 1 + N(A, w) G(j w) = 0, and how far to trust them.
+"""Limit cycles of a loop with a gap by the describing function: all solutions of 1 + N(A, w) G(j w) = 0, and their reliability.
 
 N is the torque's first harmonic over a sinusoidal motor-load difference. Without shaft damping it is that of a dead zone,
-N = k (1 - 2/pi (asin(h/A) + h/A sqrt(1 - (h/A)^2))). With it, contact begins where the relaxing shaft is met and ends where the torque falls
-to 0; in between the torque is a sine, and its harmonics are closed forms.
+N = k (1 - 2/pi (asin(h/A) + h/A sqrt(1 - (h/A)^2))). With it, contact begins where the motor meets the relaxing shaft and ends where the
+torque falls to 0; in between the torque is a sine, and its harmonics are closed forms.
 """
 
 from __future__ import annotations
@@ -61,7 +61,7 @@ def contact_phases(amplitude: ArrayLike, damping: ArrayLike) -> tuple[Array, Arr
     # Torque a sin p + q a cos p - 1 = 0, where it falls.
     end = math.pi - np.arcsin(1.0 / inside) - np.arctan(q)
     left = a * np.sin(end) - 1.0
-    # On the other side half a turn before: the shaft was left with the twist -left, which relaxes. `reach` is how far the gap is overrun.
+    # Half a turn before, the other side was left with the twist -left, which relaxes.
     low, high = end - math.pi, np.full_like(end, math.pi / 2.0)
     with np.errstate(over="ignore"):
         for _ in range(60):
@@ -73,7 +73,7 @@ def contact_phases(amplitude: ArrayLike, damping: ArrayLike) -> tuple[Array, Arr
 
 
 def harmonic(amplitude: ArrayLike, damping: ArrayLike, order: int = 1) -> Complex:
-    """Return a harmonic of the torque over stiffness and amplitude, for theta_d = A sin(w t); order 1 is the describing function N/k.
+    """Return a harmonic of the torque over k A, for theta_d = A sin(w t); order 1 is the describing function N/k.
 
     Parameters
     ----------
@@ -112,17 +112,17 @@ def harmonic(amplitude: ArrayLike, damping: ArrayLike, order: int = 1) -> Comple
 
 HARMONICS = (3, 5, 7, 9)
 TRUSTED = 0.05
-"""Share of higher harmonics in the motor-load difference up to which a prediction is called good."""
+"""Largest share of higher harmonics in the motor-load difference of a good prediction."""
 DOUBTFUL = 0.2
 SURE = 0.25
-"""Uncertainty of the amplitude up to which a prediction is called good."""
+"""Largest uncertainty of the amplitude of a good prediction."""
 LARGEST = 1e4
 """Amplitude over half of the gap up to which a loop with shaft damping is searched."""
 
 
 @dataclass(frozen=True)
 class LimitCycle:
-    """A limit cycle as the describing function sees it.
+    """A limit cycle predicted by the describing function.
 
     Attributes
     ----------
@@ -132,13 +132,12 @@ class LimitCycle:
     ratio : float
         Amplitude over half of the gap.
     stable : bool
-        By Loeb's criterion, read off the quasi-linear loop: at a larger amplitude its critical pair decays, and no other pole grows.
+        By Loeb's criterion on the quasi-linear loop: at a larger amplitude its critical pair decays, and no other pole grows.
     harmonics : float
-        The filter hypothesis, measured: higher harmonics that the torque would leave in the difference (root of the sum of squares up to
-        the ninth), over the amplitude.
+        Test of the filter hypothesis: higher harmonics of the difference (root of the sum of squares up to the ninth) over the amplitude.
     sensitivity : float
         Relative change of the amplitude over a relative error of N G, in the worst phase. It is large where the loop's phase hardly turns
-        with frequency: then few harmonics are enough to move the cycle far, or to make it vanish.
+        with frequency: there a few harmonics move the cycle far, or make it vanish.
     """
 
     amplitude: float
@@ -150,24 +149,24 @@ class LimitCycle:
 
     @property
     def uncertainty(self) -> float:
-        """What the harmonics may do to the amplitude, relative, to first order: harmonics times sensitivity."""
+        """Relative uncertainty of the amplitude, to first order: harmonics times sensitivity."""
         return self.harmonics * self.sensitivity
 
     @property
     def validity(self) -> str:
-        """How far to trust it, in words."""
+        """How far to trust the prediction: good, rough or poor, with the numbers behind it."""
         share = f"the loop passes {100.0 * self.harmonics:.2g} % of higher harmonics, amplitude {self.ratio:.3g} half-gaps"
         share += f", uncertain by {100.0 * self.uncertainty:.2g} %"
         if self.harmonics <= TRUSTED and self.ratio >= 2.0 and self.uncertainty <= SURE:
             return f"good: {share}"
         if self.harmonics <= DOUBTFUL and self.ratio >= 1.25 and self.uncertainty <= 2.0 * SURE:
             return f"rough: {share}"
-        return f"poor: {share}; only the exact periodic orbit tells"
+        return f"poor: {share}; trust only the exact periodic orbit"
 
 
 @dataclass(frozen=True)
 class Prediction:
-    """What the describing function says of a loop.
+    """Limit cycles predicted for a loop.
 
     Attributes
     ----------
@@ -226,7 +225,7 @@ def real_frequencies(loop: BacklashLoop) -> list[float]:
 
 
 def _polished(loop: BacklashLoop, near: Array) -> list[float]:
-    """Make frequencies at which G is nearly real exact; those where it is not after all are left out."""
+    """Refine frequencies at which G is nearly real, and drop those where it is not."""
     found: list[float] = []
     for w in near:
         for _ in range(30):

@@ -56,7 +56,7 @@ class BacklashLoop:
     a : ndarray (n, n)
         Dynamics without torque: the gap mode.
     b : ndarray (n,)
-        What the transmitted torque does, with its sign taken out: x' = a x - b T.
+        Input of the transmitted torque: x' = a x - b T.
     c : ndarray (n,)
         Motor-load difference theta_d = c x. c b = 0: a torque moves no position at once.
     stiffness : float, > 0
@@ -66,13 +66,13 @@ class BacklashLoop:
     shaft_damping : float, >= 0
         d; 0 is the dead-zone model.
     e : ndarray (n, 3), optional
-        What the reference, its velocity and its acceleration do; zero if left out.
+        Input of the reference, its velocity and its acceleration; zero by default.
     contact_a : ndarray (n, n), optional
-        Dynamics without torque while in contact, of a scheme that switches controllers; `a` if left out.
+        Dynamics without torque in contact, of a scheme that switches controllers; `a` by default.
     contact_e : ndarray (n, 3), optional
-        What the reference does while in contact; `e` if left out.
+        Input of the reference in contact; `e` by default.
     states : tuple of str, optional
-        Names, for sentences.
+        Names.
 
     Raises
     ------
@@ -126,7 +126,7 @@ class BacklashLoop:
         return np.zeros((self.n, N_REFERENCE)) if self.e is None else self.e
 
     def reference_input_in(self, gap: bool) -> Array:
-        """What the reference does in the gap, or in contact (n, 3)."""
+        """Input of the reference in the gap, or in contact (n, 3)."""
         return self.reference_input if gap or self.contact_e is None else self.contact_e
 
     @property
@@ -180,7 +180,7 @@ class BacklashLoop:
 
 
 def _checked(name: str, given: ArrayLike, shape: tuple[int, ...]) -> Array:
-    """Return a matrix of its own, which nobody can change."""
+    """Return a read-only copy of the right shape."""
     value = np.array(given, dtype=float)
     if value.shape != shape:
         raise ParameterError(name, f"an array of shape {value.shape}", f"of shape {shape}, as b is")
@@ -192,13 +192,13 @@ def _checked(name: str, given: ArrayLike, shape: tuple[int, ...]) -> Array:
 
 REFERENCE = ("reference", "reference_velocity", "reference_acceleration")
 FREE = (*REFERENCE, "shaft")
-"""What acts on the loop from outside: the reference, and what the shaft transmits."""
+"""Inputs of the loop: the reference, and the force of the shaft."""
 PLANT_STATES = ("motor position", "motor velocity", "load position", "load velocity")
 
 
 @dataclass(frozen=True)
 class _Block:
-    """A linear model in the loop: where each of its inputs comes from, ``"block.output"`` or a name of `FREE`; others are at rest."""
+    """A linear model, and the source of each input: ``"block.output"`` or a name of `FREE`; other inputs are zero."""
 
     name: str
     model: LinearModel
@@ -226,7 +226,7 @@ def axis_backlash_loop(axis: Axis, controller: AxisController, servo_period: flo
     """
     plant = axis.plant.loaded(carried_mass)
     if not isinstance(plant, TwoInertia) or not plant.widest_gap > 0.0:
-        raise ComponentError(f"axis {axis.name}: its plant is no two-inertia drive with backlash, so there is no gap to analyse")
+        raise ComponentError(f"axis {axis.name}: there is no gap to analyse: its plant is not a two-inertia drive with backlash")
     if controller.predictor is not None:
         raise ComponentError(f"axis {axis.name}: predictor {controller.predictor.kind} has no linear model in continuous time")
     controller = replace(controller, velocity=_as_sampled(controller.velocity, servo_period))
@@ -234,7 +234,7 @@ def axis_backlash_loop(axis: Axis, controller: AxisController, servo_period: flo
     in_contact = _closed(plant, controller, controller.controller, delay)
     in_gap = _closed(plant, controller, controller.others[0][1], delay) if controller.others else in_contact
     if in_gap[0].shape != in_contact[0].shape:
-        raise ComponentError(f"axis {axis.name}: its controllers for contact and gap have states of their own, which are no one loop")
+        raise ComponentError(f"axis {axis.name}: its controllers for contact and gap have different states: give both the same kind")
     (a, b, names), values = in_gap, plant.constants()
     c = np.zeros(len(a))
     c[[0, 2]] = 1.0, -1.0
@@ -311,7 +311,7 @@ def _blocks(plant: TwoInertia, controller: AxisController, law: Component, delay
 def _linear(part: Component) -> LinearModel:
     model = part.linearize()
     if model is None:
-        raise ComponentError(f"{part.family} {part.kind} has no linear model, so the loop around the gap is not known")
+        raise ComponentError(f"{part.family} {part.kind} has no linear model, which the analysis of the gap needs")
     return model
 
 

@@ -1,9 +1,9 @@
-"""The three modes of a loop with a gap (contact below, gap, contact above), each carried exactly in time and left at the right instant.
+"""The three modes of a loop with a gap (contact below, gap, contact above), each propagated exactly and left at the right instant.
 
 The state is made longer by the twist of a damped shaft in the gap and by a constant 1, so that each mode is w' = M w and a matrix
 exponential carries it over any time. When a mode ends is found on
 Chebyshev interpolants of its guard: a chunk of time is halved until its interpolant is as exact as the arithmetic, so no crossing, nor a
-pair of them, goes unseen between two samples; the instant is then polished on the exponential itself.
+pair of them, is missed between two samples. The instant is then refined on the exponential itself.
 """
 
 from __future__ import annotations
@@ -51,7 +51,7 @@ class Flow:
         return 4.0 / max(float(max(rates)), 1e-300)
 
     def lengthened(self, x: Array, twist: float | None = None) -> tuple[Array, int]:
-        """Return state w and mode of a start x (n,), with the shaft's twist in the gap if it is not at rest."""
+        """Return state w and mode of a start x (n,), with the shaft's twist in the gap, relaxed by default."""
         loop = self.loop
         lag = float(dead_zone(loop.c @ x, loop.half_gap))
         if self.twisted and twist is not None:
@@ -59,7 +59,7 @@ class Flow:
         w = np.concatenate([x, [lag] if self.twisted else [], [1.0]])
         reach = float(loop.c @ x) - lag
         for side in (BELOW, ABOVE):
-            # At the very edge of a dead zone there is no torque yet: what counts is where it goes.
+            # At the edge of a dead zone there is no torque yet: the direction of motion decides.
             pushed = side * float(self.torque_row(side) @ w) > 0.0 or (not self.twisted and side * float(self.difference_rate @ w) > 0.0)
             if side * reach >= loop.half_gap * (1.0 - 1e-12) and pushed:
                 return w, side
@@ -107,7 +107,7 @@ class Flow:
         return tuple((self._reach(side), side) for side in (BELOW, ABOVE))
 
     def _reach(self, side: int) -> Array:
-        """Return the row of how far the gap is overrun: theta_d less the shaft's twist, beyond half of the gap."""
+        """Return the row of theta_d less the shaft's twist, beyond half of the gap."""
         row = side * self.difference
         if self.twisted:
             row[self.n] -= side
@@ -135,7 +135,7 @@ class Flow:
         return np.asarray(scale, dtype=np.float64)
 
     def reset(self, mode: int, following: int) -> Array:
-        """Return what a change of mode does to w: the shaft that leaves contact keeps its twist."""
+        """Return the map of w at a change of mode: a shaft that leaves contact keeps its twist."""
         change = np.eye(self.size)
         if self.twisted and mode != GAP and following == GAP:
             change[self.n] = self.difference
@@ -143,12 +143,12 @@ class Flow:
         return change
 
     def advance(self, w: Array, mode: int, limit: float, level: int) -> tuple[float, Array, int | None, int]:
-        """Carry w over one chunk, or to the end of its mode, or to the limit.
+        """Propagate w over one chunk, or to the end of its mode, or to the limit.
 
         Returns
         -------
-        time, w : how far it came, and the state there
-        following : the mode that follows, before `reset`; None if this one goes on
+        time, w : time propagated, and the state there
+        following : next mode, before `reset`; None if this one continues
         level : length for the next chunk, `unit` times 2^-level
         """
         level = max(level, int(np.ceil(np.log2(self.unit / limit))) - 1)
@@ -186,7 +186,7 @@ class Flow:
         return best
 
     def _polish(self, w: Array, mode: int, row: Array, at: float, span: float) -> float:
-        """Make an instant better with the exponential itself."""
+        """Refine an instant on the exponential itself."""
         for _ in range(4):
             there = self.exponential(mode, at) @ w
             slope = float(row @ self.matrices[mode] @ there)
@@ -220,7 +220,7 @@ def _rises(series: Array) -> list[float]:
     places = np.sort(roots.real[(np.abs(roots.imag) < 1e-5) & (np.abs(roots.real) < 1.0 + 1e-9)]).clip(-1.0, 1.0)
     if not places.size:
         return []
-    # Signs between neighbours tell a crossing from a touch, however the roots of a touch came out.
+    # Signs between neighbours separate a crossing from a touch.
     edges = np.concatenate([[-1.0], places, [1.0]])
     above = chebyshev.chebval(0.5 * (edges[:-1] + edges[1:]), kept) > 0.0
     return [float(places[i]) for i in range(places.size) if above[i + 1] and not above[i]]

@@ -23,7 +23,7 @@ Complex = NDArray[np.complex128]
 
 STEPS = 40
 CLOSED = 1e-10
-"""Largest part by which a closed orbit misses itself, over the size of the orbit, state by state."""
+"""Largest gap between start and end of a closed orbit, over its size, state by state."""
 MOST = 4000
 SAMPLES = 2048
 
@@ -44,7 +44,7 @@ class PeriodicOrbit:
     multipliers : ndarray (m,) of complex
         Floquet multipliers by falling size; the one at 1 along the orbit is left out.
     residual : float
-        By how much it misses itself, over its size.
+        Gap between start and end, over the size of the orbit.
     modes : tuple of int
         Modes that it runs through in a period, from `start` on.
     run : ExactRun
@@ -73,7 +73,7 @@ class PeriodicOrbit:
 
 @dataclass(frozen=True, eq=False)
 class Shot:
-    """Where a start leads within a time, and how that depends on the start."""
+    """End of a motion, and its dependence on the start."""
 
     start: Array
     end: Array
@@ -114,7 +114,7 @@ class Shooter:
         return Shot(w[: self.n], end, jacobian[: self.n, : self.n], slope[: self.n], modes, found)
 
     def _twist(self, y: Array) -> float | None:
-        """Return the twist of a start: that of contact beyond the gap, else its own, which cannot leave the gap behind."""
+        """Return the twist of a start, limited to what contact allows."""
         if not self.flow.twisted:
             return None
         loop, own = self.flow.loop, float(y[-1])
@@ -122,7 +122,7 @@ class Shooter:
         return float(np.clip(own, d - loop.half_gap, d + loop.half_gap))
 
     def _settled(self, span: Span) -> Array:
-        """Return the end of a motion; in contact the shaft's twist is what the positions say."""
+        """Return the end of a motion; in contact the positions define the shaft's twist."""
         end = span.end[: self.n].copy()
         if self.flow.twisted and span.mode != GAP:
             end[-1] = self.flow.loop.c @ end[: self.flow.n] - span.mode * self.flow.loop.half_gap
@@ -130,7 +130,7 @@ class Shooter:
 
 
 def _saltation(flow: Flow, mode: int, following: int, w: Array) -> Array:
-    """Return how a change of mode at w carries small differences: some arrive earlier than others."""
+    """Return the saltation matrix of a change of mode at w: small differences arrive at different times."""
     row = next(row for row, after in flow.guards[mode] if after == following)
     reset = flow.reset(mode, following)
     before = flow.matrices[mode] @ w
@@ -191,7 +191,7 @@ def _newton(shooter: Shooter, y: Array, period: float) -> tuple[Shot, float] | N
 
 
 def _single_round(shooter: Shooter, shot: Shot, period: float) -> tuple[Shot, float]:
-    """Return one round of an orbit that was closed after several."""
+    """Return one round of an orbit that closed after several."""
     size = _size(shot)
     for rounds in range(9, 1, -1):
         once = shooter.shot(shot.start, period / rounds)
@@ -212,7 +212,7 @@ def _step(shot: Shot, size: Array) -> tuple[Array, float]:
 
 
 def _damped(shooter: Shooter, shot: Shot, period: float, step: Array, longer: float, size: Array) -> tuple[Shot, float, bool]:
-    """Take the step, or the part of it that makes the gap of the orbit smaller."""
+    """Take the step, or the part of it that shrinks the gap of the orbit."""
     now = float(np.linalg.norm((shot.end - shot.start) / size))
     part = 1.0
     while part > 1e-4:
@@ -263,9 +263,9 @@ def _half_range(values: Array) -> float:
 
 
 KICKS = (1.5, 5.0, 30.0, 200.0)
-"""Starts of the motions looked at: motor-load differences over half of the gap."""
+"""Starts of the motions that are followed: motor-load differences over half of the gap."""
 SETTLING = 60
-"""Changes of side after which a motion is looked at for returns to itself."""
+"""Changes of mode after which a motion is tested for returns to itself."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -359,7 +359,7 @@ def _from_returns(loop: BacklashLoop, run: ExactRun, contacts: list[int]) -> Per
 
 
 def _first_look(loop: BacklashLoop) -> float:
-    """Return a time of some turns of the slowest motion that rings in contact."""
+    """Return the duration of some turns of the slowest motion that rings in contact."""
     poles = np.linalg.eigvals(loop.contact_matrix)
     ringing = poles.imag[poles.imag > 1e-6 * np.abs(poles).max()]
     slowest = float(ringing.min()) if ringing.size else float(np.abs(poles).min())
@@ -367,7 +367,7 @@ def _first_look(loop: BacklashLoop) -> float:
 
 
 def _same(one: PeriodicOrbit, other: PeriodicOrbit) -> bool:
-    """Whether two orbits are one, or one of them several rounds of the other."""
+    """Whether two orbits are equal, or one is several rounds of the other."""
     rounds = one.period / other.period
     whole = max(round(rounds), 1) if rounds >= 1.0 else 1.0 / max(round(1.0 / rounds), 1)
     return abs(rounds / whole - 1.0) < 1e-6 and abs(one.amplitude / other.amplitude - 1.0) < 1e-5

@@ -30,9 +30,9 @@ Array = NDArray[np.float64]
 Whole = NDArray[np.int64]
 
 FEWEST = 16
-"""Samples of a fit, and sectors of a turn that have to hold some."""
+"""Fewest samples of a fit, and number of sectors that each need one."""
 ROUNDEST = 0.2
-"""Scatter (rms, over the radius) of points round a fitted ellipse that are still called one."""
+"""Largest scatter (rms, over the radius) of points round a fitted ellipse."""
 SINGULAR = 1e12
 ORDERS = 8
 BLOCK = 1 << 16
@@ -40,7 +40,7 @@ BLOCK = 1 << 16
 
 @dataclass(frozen=True)
 class QuadratureConstants:
-    """What is wrong with two signals: u1d = u1 + p, u2d = (u2 cos al - u1 sin al)/r + q of u1 = R cos phi, u2 = R sin phi.
+    """Errors of two signals: u1d = u1 + p, u2d = (u2 cos al - u1 sin al)/r + q of u1 = R cos phi, u2 = R sin phi.
 
     Parameters
     ----------
@@ -111,13 +111,13 @@ class QuadratureConstants:
         return u1 + self.offset_1, self.amplitude * np.sin(angle - self.phase_error) / self.ratio + self.offset_2
 
     def corrected(self, u1: ArrayLike, u2: ArrayLike) -> tuple[Array, Array]:
-        """Return the signals (n,) without the errors, on a circle of the same amplitude."""
+        """Return the corrected signals (n,), on a circle of the same amplitude."""
         first = np.asarray(u1, dtype=np.float64) - self.offset_1
         second = self.ratio * (np.asarray(u2, dtype=np.float64) - self.offset_2)
         return first, (first * math.sin(self.phase_error) + second) / math.cos(self.phase_error)
 
     def error_without(self, phase: ArrayLike) -> Array:
-        """Return by how much the angle of the uncorrected signals is off [rad] at phases (n,) [rad].
+        """Return the angle error [rad] of the uncorrected signals at phases (n,) [rad].
 
         To first order, for offsets p and q: (q cos phi - p sin phi)/R; for ratio and phase error: -(r - 1)/2 sin 2 phi - al cos^2 phi.
         """
@@ -160,8 +160,7 @@ def fit_ellipse(u1: ArrayLike, u2: ArrayLike) -> EllipseFit:
     Raises
     ------
     ParameterError
-        If there are too few samples, a value is not finite, the signals do not move, the points are no ellipse, or they cover a part of it
-        only, from which the rest cannot be told.
+        If there are too few samples, a value is not finite, the signals do not move, or the points are no ellipse or only part of one.
 
     Notes
     -----
@@ -173,7 +172,7 @@ def fit_ellipse(u1: ArrayLike, u2: ArrayLike) -> EllipseFit:
     for name, values in (("u1", first), ("u2", second)):
         if not np.isfinite(values).all():
             raise ParameterError(name, f"not finite at sample {int(np.argmin(np.isfinite(values)))}", "finite everywhere")
-    # About the middle and over the size, so that neither a large offset nor the unit spoils the equations.
+    # Centred and scaled, so that offset and unit do not spoil the equations.
     middle = [0.5 * (float(u.min()) + float(u.max())) for u in (first, second)]
     half = [0.5 * (float(u.max()) - float(u.min())) for u in (first, second)]
     for name, size, values in zip(("u1", "u2"), half, (first, second), strict=True):
@@ -192,7 +191,7 @@ def fit_ellipse(u1: ArrayLike, u2: ArrayLike) -> EllipseFit:
 
 
 def _solved(x: Array, y: Array) -> tuple[float, ...]:
-    """Return A .. E by least squares; the equations are summed up block by block, so that no array of five columns is held."""
+    """Return A .. E by least squares; summed block by block to save memory."""
     gram, right = np.zeros((5, 5)), np.zeros(5)
     for start in range(0, x.size, BLOCK):
         a, b = x[start : start + BLOCK], y[start : start + BLOCK]
@@ -205,7 +204,7 @@ def _solved(x: Array, y: Array) -> tuple[float, ...]:
 
 
 def _judged(found: QuadratureConstants, first: Array, second: Array) -> EllipseFit:
-    """Return the fit if the points are an ellipse, and all of it."""
+    """Return the fit if the points form a whole ellipse."""
     c1, c2 = found.corrected(first, second)
     radius = np.hypot(c1, c2) / found.amplitude
     scatter = float(np.sqrt(np.mean((radius - 1.0) ** 2)))
@@ -231,7 +230,7 @@ class Subdivisional:
     orders : tuple of float [m]
         Amplitudes, once a pitch, twice, and so on.
     rest : float [m]
-        What does not repeat, rms: noise, counts, slow errors of the scale beyond a straight line.
+        The rest, rms: noise, counts, slow errors of the scale beyond a straight line.
     """
 
     peak: float
@@ -240,16 +239,16 @@ class Subdivisional:
 
 
 def subdivisional_error(position_error: ArrayLike, phase: ArrayLike, orders: int = ORDERS) -> Subdivisional:
-    """Measure what repeats with every pitch in an error of position.
+    """Measure the error of position that repeats with every pitch.
 
     Parameters
     ----------
     position_error : array_like (n,) [m]
-        Measured less true position. A constant and a straight line over the travel (mounting, temperature) are taken out with it.
+        Measured minus true position. A constant and a straight line over the travel (mounting, temperature) are removed.
     phase : array_like (n,) [rad]
         True phase, unwrapped: 2 pi x/pitch.
     orders : int, >= 1
-        Harmonics that are looked for.
+        Number of harmonics.
 
     Raises
     ------
@@ -262,7 +261,7 @@ def subdivisional_error(position_error: ArrayLike, phase: ArrayLike, orders: int
         raise ParameterError("samples", error.size, f"one phase for each error, at least {4 * n_unknown}")
     travel = float(np.ptp(angle)) / (2.0 * np.pi)
     if travel < 2.0:
-        raise ParameterError("travel", f"{travel:.3g} pitches", "at least 2: less does not tell what repeats")
+        raise ParameterError("travel", f"{travel:.3g} pitches", "at least 2, to separate what repeats")
     middle = 0.5 * (float(angle.min()) + float(angle.max()))
     gram, right = np.zeros((n_unknown, n_unknown)), np.zeros(n_unknown)
 
@@ -296,13 +295,13 @@ class Tracked:
     u1, u2 : ndarray (n,)
         Corrected, over the nominal amplitude.
     sample : ndarray of int (m,)
-        Samples at which the fit is told.
+        Samples at which the fit is kept.
     coefficients : ndarray (m, 5)
         A .. E there, of the signals over the nominal amplitude.
     amplitude : float
         The nominal one.
     updated : ndarray of bool (n,)
-        Samples from which the fit has learnt.
+        Samples that updated the fit.
     """
 
     u1: Array
@@ -313,13 +312,7 @@ class Tracked:
     updated: NDArray[np.bool_]
 
     def constants(self, index: int = -1) -> QuadratureConstants:
-        """Return the constants at one of the samples that are told, the last by default, in the unit of the signals.
-
-        Raises
-        ------
-        ParameterError
-            If the coefficients are those of no ellipse.
-        """
+        """Return the constants at one of the kept samples, the last by default, in the unit of the signals."""
         found = QuadratureConstants.from_coefficients(*(float(value) for value in self.coefficients[index]))
         scaled = {name: getattr(found, name) * self.amplitude for name in ("offset_1", "offset_2", "amplitude")}
         return replace(found, **scaled)
@@ -345,17 +338,17 @@ def track_ellipse(
     Parameters
     ----------
     u1, u2 : array_like (n,)
-        Measured; each sample is corrected with what was known before it. Not finite values are for the caller to refuse.
+        Measured and finite; each sample is corrected with the fit before it.
     start : QuadratureConstants
-        What is known at the beginning; its amplitude is the nominal one.
+        Initial constants; their amplitude is the nominal one.
     forgetting : float, 0.9 to 1
         lambda, for each update; 0.995 to 0.9995 is usual. The memory is 1/(1 - lambda) updates.
     initial_covariance : float, >= 40 (1 - lambda)
-        Of each coefficient, over the squared noise. Greater: what is known at the beginning counts for less.
+        Of each coefficient, over the squared noise. Greater values give the initial constants less weight.
     update_travel : float, > 0
-        Travel between two updates, in pitches. An axis that stands, or dithers within a pitch, causes none.
+        Travel between two updates, in pitches. An axis at rest, or dithering within a pitch, causes none.
     told : int, >= 2
-        At how many samples the coefficients are kept.
+        Number of samples at which the coefficients are kept.
 
     Raises
     ------
@@ -384,7 +377,7 @@ def track_ellipse(
         log = group.run(np.column_stack([first[part], second[part]]), rows)[:, :, 0]
         out[:, part] = log[:, [0, 1, 7]].T
         kept.append(log[chosen[(chosen >= at) & (chosen < part.stop)] - at, 2:7])
-    # The place of the last update moves with each one, and the first sample is one.
+    # The place of the last update changes with each update; the first sample is one.
     updated = np.diff(out[2], prepend=np.nan) != 0.0
     return Tracked(out[0], out[1], chosen, np.concatenate(kept), size, updated)
 

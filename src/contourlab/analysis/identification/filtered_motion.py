@@ -126,6 +126,19 @@ JITTER = 1e-3
 """Share of the period by which times may be uneven: a clock that is read rather than counted jitters by parts in a hundred thousand."""
 
 
+def require_finite(name: str, values: Array) -> None:
+    """Refuse a signal (n,) that is not finite throughout."""
+    bad = np.flatnonzero(~np.isfinite(values))
+    if bad.size:
+        raise ParameterError(name, f"{values[bad[0]]} at sample {bad[0]}", "finite")
+
+
+def true_spans(mask: NDArray[np.bool_]) -> list[tuple[int, int]]:
+    """Return the spans [start, stop) of samples at which a mask (n,) is true."""
+    edges = np.flatnonzero(np.diff(np.r_[False, mask, False].astype(np.int8)))
+    return list(zip(edges[::2].tolist(), edges[1::2].tolist(), strict=True))
+
+
 def even_record(time: ArrayLike, signals: Mapping[str, ArrayLike], shortest: int = 50) -> tuple[float, list[Array]]:
     """Return the period [s] of a record, and its times and signals as arrays (n,), checked.
 
@@ -152,9 +165,7 @@ def even_record(time: ArrayLike, signals: Mapping[str, ArrayLike], shortest: int
         array = np.asarray(values, dtype=float)
         if array.shape != t.shape:
             raise ParameterError(name, f"shape {array.shape}", f"as long as time, {t.shape}")
-        bad = np.flatnonzero(~np.isfinite(array))
-        if bad.size:
-            raise ParameterError(name, f"{array[bad[0]]} at sample {bad[0]}", "finite")
+        require_finite(name, array)
         found.append(array)
     period = float(t[-1] - t[0]) / (t.size - 1)
     if not (period > 0.0 and np.all(np.abs(np.diff(t) - period) <= JITTER * period)):

@@ -32,24 +32,24 @@ Array = NDArray[np.float64]
 WELL_KNOWN = 10.0
 """Relative deviation [percent] up to which a or b counts as identified."""
 EXPLAINED = 80.0
-"""Fit [percent] below which the model is remarked on."""
+"""Fit [percent] below which the model gets a remark."""
 LONGEST_DELAY = 0.05
-"""Longest delay that is looked for [s]."""
+"""Longest delay that is fitted [s]."""
 
 
 @dataclass(frozen=True)
 class FirstOrderSettings:
-    """What is looked for, and how the velocity is had.
+    """What is fitted, and how the velocity is measured.
 
     Attributes
     ----------
     friction : bool
-        Coulomb friction besides a and b, and an offset: what of the command goes into a constant force, as gravity.
+        Fit Coulomb friction, and an offset: the part of the command that balances a constant force such as gravity.
     delay : bool
-        A delay of the command.
+        Fit a delay of the command.
     smoothing : int or None, >= 1
-        Samples over which the position is differenced; None takes the fewest at which noise and counts of the encoder are below half a
-        percent of the velocity, up to a four-hundredth of the record.
+        Samples over which the position is differenced. None: the fewest at which noise and encoder counts are below half a percent of the
+        velocity, up to a four-hundredth of the record.
     """
 
     friction: bool = True
@@ -63,16 +63,16 @@ class FirstOrderSettings:
 
 @dataclass(frozen=True, eq=False)
 class FirstOrderFit:
-    """An axis of first order found from a record.
+    """An axis of first order, identified from a record.
 
     Attributes
     ----------
     found : OutputFit
-        Of a [m/s^2 per command], b [1/s], and where they were looked for friction, offset [command], delay [s] and start [m/s].
+        Of a [m/s^2 per command], b [1/s] and, if fitted, friction, offset [command], delay [s] and start [m/s].
     time : ndarray (n,) [s]
-        Of the velocities, the middle of what they were differenced over.
+        Middle of the difference of each velocity.
     command : ndarray (n,)
-        Mean over the same.
+        Mean over each difference.
     smoothing : int
     usable : bool
     remarks : tuple of str
@@ -96,17 +96,17 @@ class FirstOrderFit:
         return self.found.predicted
 
     def __getitem__(self, name: str) -> float:
-        """Return a parameter by name; 0 for one that was not looked for."""
+        """Return a parameter by name; 0 for one that was not fitted."""
         return self.found[name] if name in self.found.names else 0.0
 
 
 def smoothing_of(position: Array) -> int:
-    """Return over how many samples a position is differenced: counts then make half a percent of the velocity or less."""
+    """Return the samples over which to difference a position: counts and noise then are half a percent of the velocity or less."""
     steps = np.abs(np.diff(position))
     if not steps.any():
         raise ParameterError("position", "one place throughout", "a record in which the axis moves")
     count = float(steps[steps > 0.0].min())
-    # Of a smooth motion little is left of third differences; of noise that is white 20 times its variance.
+    # Third differences nearly vanish for a smooth motion; for white noise they have 20 times its variance.
     noise = max(count / math.sqrt(12.0), float(np.median(np.abs(np.diff(position, 3)))) / 0.6745 / math.sqrt(20.0))
     size = float(np.sqrt(np.mean(steps**2)))
     return int(np.clip(math.ceil(math.sqrt(2.0) * noise / (0.005 * size)), 1, max(position.size // 400, 1)))
@@ -114,7 +114,7 @@ def smoothing_of(position: Array) -> int:
 
 @dataclass(frozen=True, eq=False)
 class _Blocks:
-    """A record and the stretches over which its velocity is had."""
+    """A record, and the model's velocities over the same differences."""
 
     command: Array
     period: float
@@ -157,12 +157,12 @@ def identify_first_order(
     Raises
     ------
     ParameterError
-        If the record is too short, uneven, not finite or at rest, if the axis goes against its command, or parameters are not told apart.
+        If the record is too short, uneven, not finite or at rest, if the axis goes against its command, or parameters cannot be separated.
     """
     chosen = settings or FirstOrderSettings()
     period, (_, u, p) = even_record(time, {"command": command, "position": position})
     if not np.ptp(u) > 0.0:
-        raise ParameterError("command", f"{u[0]:g} throughout", "a record whose command changes: a and b are not told apart by one level")
+        raise ParameterError("command", f"{u[0]:g} throughout", "a record whose command changes: one level cannot separate a and b")
     smoothing = chosen.smoothing or smoothing_of(p)
     blocks = _Blocks(u, period, smoothing)
     measured = blocks.differenced(p)
@@ -173,7 +173,7 @@ def identify_first_order(
     said: list[str] = []
     for name in ("start", "delay", "friction"):
         if name in free and (name in found.at_bound or abs(found[name]) < 2.0 * found.deviation(name)):
-            said.append(f"no {name} is told apart from zero; it is left out")
+            said.append(f"{name} is not distinguishable from zero and is left out")
             free = {key: replace(part, start=found[key]) for key, part in free.items() if key != name}
             found = fit_output(blocks.model, measured, free)
     middle = np.asarray(time, dtype=float)[0] + period * smoothing * (np.arange(measured.size) + 0.5)
@@ -182,7 +182,7 @@ def identify_first_order(
 
 
 def _start(blocks: _Blocks, measured: Array, settings: FirstOrderSettings) -> dict[str, Free]:
-    """Return where to start: the best of a grid over damping and friction, each with the gain that suits it best."""
+    """Return the start of the fit: the best of a grid over damping and friction, each with its best gain."""
     u, whole = blocks.command, blocks.period * blocks.command.size
     size = float(np.sqrt(np.mean(u**2)))
     fastest = 1.0 / (2.0 * blocks.period * blocks.smoothing)
@@ -216,7 +216,7 @@ def _remarks(fit: OutputFit, output: str, other_causes: str) -> tuple[list[str],
     for name in ("a", "b"):
         value, deviation = fit[name], fit.deviation(name)
         if name in fit.at_bound or deviation > 0.5 * value:
-            remarks.append(f"{name} = {value:.4g} is not told by this record")
+            remarks.append(f"{name} = {value:.4g}: this record does not determine it")
             usable = False
         elif deviation > 0.01 * WELL_KNOWN * value:
             remarks.append(f"{name} = {value:.4g} is known to {100.0 * deviation / value:.2g} % only: too little excitation")
@@ -226,8 +226,6 @@ def _remarks(fit: OutputFit, output: str, other_causes: str) -> tuple[list[str],
     return remarks, usable
 
 
-WELL_KNOWN = 10.0
-"""Relative deviation [percent] up to which a' or b' counts as identified."""
 DAMPING_GRID, BAND_GRID = (0.3, 0.7, 1.0, 1.5, 3.0), 16
 
 
@@ -266,7 +264,7 @@ def identify_closed_loop(
     time : array_like (n,) [s]
         Evenly spaced, at least 50 samples.
     reference, position : array_like (n,) [m]
-        The axis starts at rest where the reference is.
+        The axis starts at rest at the reference.
     position_gain : float [command/m], > 0
         K_P of the loop as it ran.
     velocity_gain : float [command s/m], >= 0
@@ -280,7 +278,7 @@ def identify_closed_loop(
     Raises
     ------
     ParameterError
-        If a gain is out of range, the record is too short, uneven, not finite or at rest, or does not tell a' and b'.
+        If a gain is out of range, the record is too short, uneven, not finite or at rest, or does not determine a' and b'.
     """
     for name, value, lowest in (("position_gain", position_gain, 1e-12), ("velocity_gain", velocity_gain, 0.0)):
         if not (math.isfinite(value) and value >= lowest):

@@ -22,6 +22,7 @@ from dataclasses import dataclass, field
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from contourlab.analysis.identification.filtered_motion import require_finite
 from contourlab.errors import ParameterError
 
 Array = NDArray[np.float64]
@@ -32,7 +33,7 @@ SEGMENTS = 8
 EXCITED = 1e-5
 """Share of the largest power of the excitation below which a frequency counts as not excited."""
 REPEATS = 1e-3
-"""Share of its size within which an excitation counts as repeating."""
+"""Largest difference between periods, over the size, of an excitation that repeats."""
 HANN_OVERLAP = 1.0 / 1.056
 """Independent averages per segment of Hann windows that overlap by half."""
 
@@ -53,9 +54,7 @@ class Measured:
                 continue
             if values.shape != self.position.shape or values.ndim != 1:
                 raise ParameterError(name, f"shape {values.shape}", f"as long as the position, {self.position.shape}")
-            bad = np.flatnonzero(~np.isfinite(values))
-            if bad.size:
-                raise ParameterError(name, f"{values[bad[0]]} at sample {bad[0]}", "finite")
+            require_finite(name, values)
             if not np.ptp(values) > 0.0:
                 raise ParameterError(name, f"{values[0]:g} throughout", "a record in which it changes")
 
@@ -72,7 +71,7 @@ class MeasuredResponse:
     deviation : ndarray (n,)
         Standard deviation of the response's size, relative; that of the phase in rad.
     coherence : ndarray (n,)
-        Between 0 and 1: the share of the motion that goes with the excitation.
+        Between 0 and 1: share of the motion that is linear in the excitation.
     method : str
         In words.
     period : float [s]
@@ -98,12 +97,12 @@ class MeasuredResponse:
 
 
 def difference_gain(frequency: ArrayLike, period: float) -> Complex:
-    """Return what differencing over one sample does to a signal of some frequencies [Hz]: per second."""
+    """Return the response of a difference over one sample at frequencies [Hz], per second."""
     return np.asarray((1.0 - np.exp(-2j * np.pi * np.asarray(frequency) * period)) / period)
 
 
 def period_of(excitation: Array) -> int | None:
-    """Return the samples after which an excitation repeats itself, at least three times; None where it does not.
+    """Return the period, in samples, of an excitation that repeats at least three times; None if it does not.
 
     Parameters
     ----------
@@ -119,7 +118,7 @@ def period_of(excitation: Array) -> int | None:
     peaks = np.flatnonzero((own[1:-1] > own[:-2]) & (own[1:-1] >= own[2:]) & (own[1:-1] > 0.9)) + 1
     spread = float(np.sqrt(np.mean(x**2)))
     for lag in peaks[peaks <= limit]:
-        # What came before the excitation began does not repeat.
+        # The time before the excitation began does not repeat.
         apart = np.abs(x[lag:] - x[:-lag])
         if np.mean(apart > REPEATS * spread) < 0.25 * lag / n:
             return int(lag)
@@ -235,15 +234,15 @@ def _coherence(cross: Complex, one: Complex, other: Complex) -> Array:
 FEWEST_LINES, WIDTH = 15, 0.08
 """Lines of a window: at least so many, and so large a share of its frequency."""
 SWEPT = 1e-2
-"""Share of the largest power below which the sweep has not come to a frequency."""
+"""Share of the largest power below which the sweep did not reach a frequency."""
 MIXED = 3.0
-"""How much larger than without leakage the variance may be: where the sweep begins and ends its spectrum is as smooth as the leakage."""
+"""Largest variance over that without leakage: near its ends the spectrum of a sweep is as smooth as the leakage."""
 PARTS, APART = 8, 0.25
 """Parts of an excitation whose mean frequencies are compared, and their spread over their mean from which it is a sweep."""
 
 
 def is_sweep(excitation: Array) -> bool:
-    """Tell whether an excitation passes from frequency to frequency, rather than holding all of them at all times."""
+    """Return whether an excitation passes from frequency to frequency, rather than holding all of them at all times."""
     parts = np.array_split(excitation - excitation.mean(), PARTS)
     powers = [np.abs(np.fft.rfft(part * np.hanning(part.size), parts[0].size)) ** 2 for part in parts]
     means = np.array([float(np.sum(np.arange(p.size) * p) / max(float(p.sum()), 1e-300)) for p in powers])
@@ -280,7 +279,7 @@ def swept_response(run: Measured) -> MeasuredResponse:
             centres += [] if row is None else [at]
         at += max(FEWEST_LINES // 2, half)
     if not rows:
-        raise ParameterError("record", "a sweep", "slower: nothing of it is told apart from what leaks from the ends of the record")
+        raise ParameterError("record", "a sweep", "slower: leakage from the ends of the record covers all of it")
     frequency = np.array(centres) / (n * run.period)
     response, deviation, coherence = (np.array(column) for column in zip(*rows, strict=True))
     own = response / difference_gain(frequency, run.period)
@@ -322,7 +321,10 @@ WIDE, RISING = 5.0, 0.5
 
 
 def response_doubts(measured: MeasuredResponse) -> list[str]:
-    """Return what a response has that no axis has, in words; nothing for a likely one.
+    """Return reasons why a response cannot be that of an axis; none for a plausible one.
+
+    At low frequencies the force per velocity of an axis is B + j (M w - K/w): damping, mass, and stiffness if a spring holds it, none below
+    zero. A command or position with the wrong sign reverses the largest of them.
 
     Parameters
     ----------
@@ -336,14 +338,14 @@ def response_doubts(measured: MeasuredResponse) -> list[str]:
         return []
     said = []
     if f[-1] >= WIDE * f[0] and np.polyfit(np.log(f), np.log(np.abs(h)), 1)[0] > RISING:
-        said.append("the response of the position grows with frequency, as that of no axis does: are command and position exchanged?")
+        said.append("the response of the position grows with frequency: are command and position exchanged?")
     elif _goes_against(f, h, measured.period):
-        said.append("the axis goes against its command: one of the two is counted the other way round")
+        said.append("the axis goes against its command: reverse the sign of one of the two")
     return said
 
 
 def _goes_against(f: Array, h: NDArray[np.complex128], period: float) -> bool:
-    """Tell whether the largest part of the force per velocity is below zero, over the lower half of the points."""
+    """Return whether the largest part of the force per velocity is below zero, over the lower half of the points."""
     low = slice(None) if f.size < 2 * FEWEST else slice(f.size // 2)
     w = 2.0 * np.pi * f[low]
     # Half a sample of the hold is no property of the axis.

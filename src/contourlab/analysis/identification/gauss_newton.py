@@ -23,15 +23,15 @@ DAMPINGS = 10.0 ** np.arange(-3.0, 5.0)
 
 @dataclass(frozen=True)
 class DescentSettings:
-    """How a descent steps and when it ends.
+    """Step sizes and end of a descent.
 
     Attributes
     ----------
     difference : float
-        The first central differences, as a part of a parameter's scale.
+        First central differences, over a parameter's scale.
     visible : float
-        Root mean square of the change of the residual that later differences make: encoder counts and sticking make the sum of squares
-        rough, and differences too small for them are noise.
+        Root mean square change of the residual by later differences. Encoder counts and sticking make the sum of squares rough: smaller
+        differences are noise.
     most_iterations : int
     least_gain : float
         Relative fall of the sum of squares below which it has converged.
@@ -50,7 +50,7 @@ class DescentSettings:
 
 @dataclass(frozen=True, eq=False)
 class Descent:
-    """Where a descent ended.
+    """End of a descent.
 
     Attributes
     ----------
@@ -61,7 +61,7 @@ class Descent:
     jacobian : ndarray (n, p)
         There.
     at_bound : ndarray (p,) of bool
-        Where the sum of squares would fall on beyond a bound.
+        Where the sum of squares falls further beyond a bound.
     iterations : int
     converged : bool
     """
@@ -78,15 +78,15 @@ class Descent:
 def descend(
     residuals: Residuals, start: ArrayLike, lower: ArrayLike, upper: ArrayLike, scale: ArrayLike, settings: DescentSettings | None = None
 ) -> Descent:
-    """Go down from a start to the least sum of squares near it: Levenberg-Marquardt, projected onto bounds.
+    """Descend to the smallest sum of squares near a start: Levenberg-Marquardt, projected onto bounds.
 
     Parameters
     ----------
     residuals : callable
-        Points (k, p) to residuals (k, n); not finite for a point that cannot be evaluated, which then counts as infinitely bad.
+        Points (k, p) to residuals (k, n); not finite for a point that cannot be evaluated.
     start, lower, upper : array_like (p,)
     scale : array_like (p,), > 0
-        Size of each parameter; what a step of the differences is a part of.
+        Size of each parameter.
     settings : DescentSettings, optional
 
     Raises
@@ -107,7 +107,7 @@ def descend(
         raise ParameterError("start", f"{x}", "parameters that can be simulated: the run diverges there")
     damping, cost, converged, done = 1e-3, float(r @ r), False, 0
     width = chosen.difference * size
-    for _ in range(2):  # differences of a size that shows need slopes to be known, roughly
+    for _ in range(2):  # the size of the differences depends on the slopes
         slopes = jacobian(residuals, x, r, low, high, width)
         width = _widths(slopes, chosen, size)
     while done < chosen.most_iterations and not converged:
@@ -135,25 +135,25 @@ def descend(
 
 
 def _widths(slopes: Array, chosen: DescentSettings, size: Array) -> Array:
-    """Return the differences that change the residual by as much as shows, within a fifth and a thousandth of a parameter's scale."""
+    """Return differences that change the residual visibly, from a thousandth to a fifth of a parameter's scale."""
     seen = np.sqrt(np.mean(slopes**2, axis=0))
     wanted = chosen.visible / np.where(seen > 0.0, seen, np.inf)
     return np.clip(np.where(seen > 0.0, wanted, chosen.difference * size), 1e-3 * size, 0.2 * size)
 
 
 def _held(x: Array, gradient: Array, low: Array, high: Array) -> NDArray[np.bool_]:
-    """Tell which parameters stand at a bound that the sum of squares pushes them against."""
+    """Return which parameters the gradient holds at a bound."""
     held: NDArray[np.bool_] = ((x <= low) & (gradient >= 0.0)) | ((x >= high) & (gradient <= 0.0))
     return held
 
 
 def _trial(x: Array, r: Array, slopes: Array, free: NDArray[np.bool_], low: Array, high: Array, damping: float) -> Array:
-    """Return where a damped step leads, cut at the bounds."""
+    """Return the end of a damped step, clipped to the bounds."""
     j = slopes[:, free]
     lengths = np.linalg.norm(j, axis=0)
     lengths = np.where(lengths > 0.0, lengths, 1.0)  # a parameter without effect stays where it is
     unit = j / lengths
-    # As a least-squares problem of its own: the normal equations would square the condition number.
+    # Solved as least squares: normal equations would square the condition number.
     matrix = np.vstack([unit, math.sqrt(damping) * np.eye(unit.shape[1])])
     step = np.linalg.lstsq(matrix, np.append(-r, np.zeros(unit.shape[1])), rcond=None)[0] / lengths
     moved = x.copy()
@@ -201,7 +201,7 @@ def spread_starts(
     candidates : int
         Points of a scrambled Sobol sequence, always the same one.
     reach : float, 0 to 1
-        How far the candidates go from the start to the bounds; in ratios where all of a parameter's range is above zero.
+        Share of the distance from start to bounds that the candidates cover; in ratios for ranges above zero.
     """
     from scipy.stats import qmc
 
@@ -242,7 +242,7 @@ class FitCovariance:
     correlation : ndarray (p, p)
         Of the parameters, by the shape of the problem alone.
     untold : ndarray (p,) of bool
-        Parameters, or mixtures of them, without effect on the residual.
+        Parameters, or combinations of them, without effect on the residual.
     """
 
     covariance: Array
@@ -262,19 +262,18 @@ def fit_covariance(jacobians: Sequence[Array], residuals: Sequence[Array], floor
     residuals : sequence of ndarray (n_k, c_k)
         Weighted to one size.
     floor : float
-        Root mean square of what every residual holds though it may not show: half of an encoder's count either way.
+        Root mean square part of every residual that may not show, such as half an encoder count.
 
     Notes
     -----
     (J'J)^-1 S (J'J)^-1 with S the sum of the autocovariances of J'r under a window that is flat up to the lag at which the residual has
-    forgotten itself, and falls to nothing at twice that lag: what a model lacks lasts longer than the usual rule of thumb for the number of
-    lags allows for, and a window that falls from the start (Bartlett's) makes deviations too small by a tenth and more. Such a window may
-    give a variance that is far too small, even below zero: no deviation is told that is below that of Bartlett's window, or the white one.
-    Where the sum of squares has several minima beside each other, none of this knows of them.
+    forgotten itself, and falls to 0 at twice that lag. Model errors last longer than the usual number of lags, and a window that falls from
+    the start (Bartlett's) gives deviations too small by a tenth and more. A flat window may give a variance far too small, even below zero:
+    so no deviation is below that of Bartlett's window, or the white one. Several neighbouring minima are not accounted for.
 
     References
     ----------
-    As of `contourlab.analysis.identification.output_error`.
+    See `contourlab.analysis.identification.output_error`.
     """
     p = jacobians[0].shape[-1]
     if p == 0:  # all parameters are at the bounds of their ranges
@@ -295,7 +294,7 @@ def fit_covariance(jacobians: Sequence[Array], residuals: Sequence[Array], floor
     pushed = [np.einsum("ncp,nc->np", j, r) for j, r in zip(jacobians, residuals, strict=True)]
     windows = flat_top(lags), bartlett(2 * lags - 1)
     found = [inverse @ sum(long_run(part, window) for part in pushed) @ inverse * (left.size / spare) for window in windows]
-    # Never less than under Bartlett's window, which is never negative, nor than were the residual white; correlations stay.
+    # Never below Bartlett's window or the white deviation; correlations stay.
     covariance, own = found[0], np.diag(found[0]).copy()
     least = np.maximum(np.diag(found[1]), white**2)
     raised = np.sqrt(np.where(own > 0.0, np.maximum(own, least) / np.where(own > 0.0, own, 1.0), 0.0))

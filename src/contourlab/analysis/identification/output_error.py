@@ -29,12 +29,12 @@ Array = NDArray[np.float64]
 NEAR_BOUND = 1e-6
 """Share of a parameter's scale within which it counts as lying at its bound."""
 UNTOLD = 1e10
-"""Condition number of the normal equations, columns of length one, from which parameters are not told apart."""
+"""Condition number of the normal equations, columns of length one, from which parameters cannot be separated."""
 
 
 @dataclass(frozen=True)
 class Free:
-    """A parameter that is looked for: where from, within what, and a size that is small for it."""
+    """A parameter of a fit: start, bounds, and a typical size."""
 
     start: float
     low: float = -math.inf
@@ -44,18 +44,18 @@ class Free:
 
 @dataclass(frozen=True, eq=False)
 class OutputFit:
-    """What a fit of a model's output found.
+    """Result of a fit of a model's output.
 
     Attributes
     ----------
     names : tuple of str
     values, deviations, robust_deviations : ndarray (p,)
-        The first deviations hold for a white residual, the second allow for one that is correlated in time. 0 for a parameter at its bound.
+        Deviations for a white residual, and for one correlated in time; 0 for a parameter at its bound.
     correlation : ndarray (p, p)
     condition_number : float
         Of the sensitivities, columns of length one.
     at_bound : tuple of str
-        Parameters that would go further if they could.
+        Parameters at a bound.
     measured, predicted : ndarray (n,)
     fit : float [percent]
         100 (1 - |measured - predicted|/|measured - mean|).
@@ -79,7 +79,7 @@ class OutputFit:
     def deviation(self, name: str) -> float:
         """Return the robust deviation of a parameter by name.
 
-        Of a differenced position the noise is correlated, and a white residual would be told many times too large.
+        The noise of a differenced position is correlated: deviations for a white residual are many times too large.
         """
         return float(self.robust_deviations[self.names.index(name)])
 
@@ -105,7 +105,7 @@ def fit_output(model: Callable[[Mapping[str, float]], Array], measured: Array, f
     Raises
     ------
     ParameterError
-        If the record is shorter than its parameters are many, does not change, or leaves parameters untold.
+        If the record is too short, does not change, or does not determine the parameters.
     """
     from scipy.optimize import least_squares
 
@@ -117,7 +117,7 @@ def fit_output(model: Callable[[Mapping[str, float]], Array], measured: Array, f
     def output(x: Array) -> Array:
         return model(dict(zip(names, x.tolist(), strict=True)))
 
-    # Of size one, so that the tolerances mean the same whatever the unit.
+    # Scaled to one, so that the tolerances do not depend on the unit.
     size = float(np.linalg.norm(measured - measured.mean())) / math.sqrt(measured.size) or 1.0
 
     def left(x: Array) -> Array:
@@ -140,7 +140,7 @@ def fit_output(model: Callable[[Mapping[str, float]], Array], measured: Array, f
 
 
 def _slopes(output: Callable[[Array], Array], at: Array, low: Array, high: Array, scale: Array) -> Array:
-    """Return the sensitivities (n, p) by differences within the bounds; wide enough to pass over the kinks of sticking."""
+    """Return the sensitivities (n, p) by differences within the bounds, wide enough to bridge the kinks of sticking."""
     columns = []
     for i in range(at.size):
         step = np.zeros(at.size)
@@ -175,9 +175,9 @@ def lasting_window(residual: Array) -> Array:
 
     Notes
     -----
-    Parzen's window over four times the lag at which the residual has forgotten itself, at least 4 sqrt(n) and at most a tenth of the
-    record: a simulated model leaves residuals that last as long as the model's own motion, and those of a differenced position take back
-    at the next sample what they were at this one, which a window with a corner at its top, as Bartlett's, would not see.
+    Parzen's window over four times the memory of the residual, at least 4 sqrt(n) and at most a tenth of the record. Residuals of a
+    simulated model last as long as its own motion; those of a differenced position cancel from one sample to the next, which a window with
+    a corner at its top, such as Bartlett's, misses.
     """
     n = residual.size
     until = 4 * memory(residual, max(0.05, 2.0 / math.sqrt(n)), n // 10)
@@ -201,12 +201,12 @@ def flat_top(lags: int) -> Array:
 
 
 def usual_lags(n: int) -> int:
-    """Return the lags that are usual for n rows, 4 (n/100)^(2/9), and one more."""
+    """Return the usual number of lags for n rows, 4 (n/100)^(2/9) + 1."""
     return int(4.0 * (n / 100.0) ** (2.0 / 9.0)) + 1
 
 
 def memory(residual: Array, faded: float, longest: int) -> int:
-    """Return the lag from which on a residual (n,) has forgotten itself: its autocorrelation is below `faded`; `longest` if it never is.
+    """Return the first lag at which the autocorrelation of a residual (n,) is below `faded`; `longest` if there is none.
 
     Parameters
     ----------
@@ -214,7 +214,7 @@ def memory(residual: Array, faded: float, longest: int) -> int:
     faded : float
         Between 0 and 1.
     longest : int, >= 0
-        The longest lag that is looked at. 0 is returned for a residual of nothing.
+        Longest lag that is tested. The result is 0 for a residual of zeros.
     """
     n = residual.size
     power = np.abs(np.fft.rfft(residual, 1 << (2 * n - 1).bit_length())) ** 2
@@ -240,7 +240,7 @@ def long_run(rows: Array, window: Array) -> Array:
     weights = np.zeros(size)
     weights[:lags] = window[:lags]
     weights[size - lags + 1 :] = window[1:lags][::-1]
-    # Both ends of the spectrum stand for themselves, every other line for its conjugate too.
+    # Both ends of the spectrum count once, every other line twice, for its conjugate.
     share = np.fft.rfft(weights).real / size
     share[1:-1] *= 2.0
     spectrum = np.fft.rfft(rows, size, axis=0)

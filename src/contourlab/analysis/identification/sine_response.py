@@ -1,7 +1,7 @@
-"""Frequency response at one frequency from a run with a sine in it, by least squares with harmonics, and whether it can be trusted.
+"""Frequency response at one frequency, from a run with a sine in it: least squares with harmonics, and tests of the result.
 
-A sine that rides on a moving axis keeps friction from turning over, so that the response is that of the drive; where the axis stands still
-within the sine, at an end stop or sticking, it is not.
+A sine on top of a steady motion keeps friction from changing its sign, so the response is that of the drive. If the axis stops within the
+sine, at an end stop or sticking, it is not.
 """
 
 from __future__ import annotations
@@ -13,17 +13,18 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from contourlab.analysis.identification.filtered_motion import true_spans
 from contourlab.analysis.identification.frequency_response import Measured, MeasuredResponse
 from contourlab.analysis.identification.output_error import coloured_deviations, lasting_window
 from contourlab.errors import ParameterError
 
 Array = NDArray[np.float64]
 PURE = 0.03
-"""Share of a sine's size that may be left of the excitation when the sine is taken away."""
+"""Largest residual of an excitation that counts as a sine, over the size of the sine."""
 HARMONICS = 5
 LEAST_PERIODS = 0.9
 DISTORTED = 0.1
-"""Harmonics of the velocity over its fundamental from which a point is remarked on."""
+"""Harmonics of the velocity over its fundamental from which a point gets a remark."""
 STILL = 0.03
 """Share of the stretch at rest from which a point is left out."""
 
@@ -63,18 +64,17 @@ def sine_stretch(excitation: Array, period: float) -> tuple[int, int, float] | N
     Parameters
     ----------
     excitation : ndarray (n,)
-        Free of noise: a reference, or an open-loop command. Stretches are told by where it rests.
+        Free of noise: a reference, or an open-loop command. It rests between stretches.
     period : float [s]
     """
     size = float(np.ptp(excitation))
     if size == 0.0:
         return None
     moves = np.abs(np.diff(excitation)) > 1e-6 * size
-    # A sine is still for a sample or two at its tops.
+    # A sine hardly moves for a sample or two at its peaks.
     filled = np.convolve(moves, np.ones(5), "same") > 0.0
-    edges = np.flatnonzero(np.diff(np.r_[False, filled, False].astype(np.int8)))
     best: tuple[int, int, float] | None = None
-    for start, stop in zip(edges[::2].tolist(), edges[1::2].tolist(), strict=True):
+    for start, stop in true_spans(filled):
         if stop - start < 20 or (best is not None and stop - start <= best[1] - best[0]):
             continue
         first, last = start + 3, stop - 3
@@ -85,7 +85,7 @@ def sine_stretch(excitation: Array, period: float) -> tuple[int, int, float] | N
 
 
 def _frequency(part: Array, period: float) -> float | None:
-    """Return the frequency [Hz] of what is a sine and a constant; None where it is something else."""
+    """Return the frequency [Hz] of a sine plus a constant; None for any other signal."""
     from scipy.optimize import minimize_scalar
 
     t = period * np.arange(part.size)
@@ -123,7 +123,7 @@ def sine_point(run: Measured, start: int, stop: int, frequency: float) -> SinePo
     """
     cycle = 1.0 / (frequency * run.period)
     periods = (stop - start) / cycle
-    # The first quarter, a whole period at least, is left to the transient where there are periods enough.
+    # With enough periods the first quarter, at least one whole period, is left to the transient.
     skip = round(max(1.0, math.floor(0.25 * periods)) * cycle) if periods >= 2.9 else 0
     first = start + skip
     whole = math.floor((stop - first) / cycle + 1e-6)
@@ -153,7 +153,7 @@ def sine_point(run: Measured, start: int, stop: int, frequency: float) -> SinePo
 
 
 def _still(steps: Array) -> NDArray[np.bool_]:
-    """Return which samples belong to a stretch of ten or more in which nothing moves, measured by the usual step."""
+    """Return the samples of stretches of ten or more in which the axis rests, compared with the median step."""
     usual = float(np.median(np.abs(steps)))
     count = min(10, steps.size)
     average = np.convolve(steps, np.ones(count) / count, "same")
@@ -161,7 +161,7 @@ def _still(steps: Array) -> NDArray[np.bool_]:
 
 
 def _harmonics(values: Array, t: Array, w: float, most: int, trend: int) -> tuple[NDArray[np.complex128], float, Array]:
-    """Return complex amplitudes of the harmonics, the deviation of the first one's, and what is left."""
+    """Return complex amplitudes of the harmonics, the deviation of the first, and the residual."""
     middle = t - t.mean()
     polynomial = [(middle / (abs(middle[0]) or 1.0)) ** k for k in range(trend + 1)]
     waves = [part for h in range(1, most + 1) for part in (np.cos(h * w * t), -np.sin(h * w * t))]
@@ -189,7 +189,7 @@ def sine_responses(runs: Sequence[Measured], names: Sequence[str]) -> MeasuredRe
     Raises
     ------
     ParameterError
-        If no run has a sine that can be trusted.
+        If no run has a usable sine.
     """
     points: list[SinePoint] = []
     said: list[str] = []
@@ -213,7 +213,7 @@ def sine_responses(runs: Sequence[Measured], names: Sequence[str]) -> MeasuredRe
         periods.append(run.period)
     if not points:
         raise ParameterError("logs", f"{len(runs)} of them", "one with a sine in it: " + "; ".join(said))
-    # The drive has one servo period; a log that keeps every tenth sample does not make its command held for longer.
+    # The drive has one servo period; a log of every tenth sample does not change how long a command is held.
     period = min(periods)
     if max(periods) > 1.001 * period:
         told = f"{1e3 * period:.4g} to {1e3 * max(periods):.4g} ms"

@@ -23,7 +23,7 @@ Complex = NDArray[np.complex128]
 
 Closed = Callable[[Array], Complex]
 GROWTH = 1e-6
-"""How far above 1 a factor may be before it is said to amplify: what is left of computing it."""
+"""Numerical tolerance of a factor of 1."""
 
 
 @dataclass(frozen=True)
@@ -39,11 +39,11 @@ class LearningDesign:
     passes : int
     lead : float [s]
     bandwidth : float [rad/s]
-        First zero of the average: what lies below it is learned.
+        First zero of the average: frequencies below it are learned.
     worst_frequency : float [rad/s]
     worst_factor : float
-        Largest |1 - gamma H T|. Where the loop has a delay, what lies behind the first zero is never learned with the right sign at all
-        frequencies: a factor of 1.000 and a little is as good as it gets without a filter that cuts it off.
+        Largest |1 - gamma H T|. With a delay in the loop the sign is wrong at some frequencies above the first zero: without a filter that
+        cuts them off, a factor slightly above 1 is the best possible.
     """
 
     gain: float
@@ -65,7 +65,7 @@ def first_zero(half_width: int, servo_period: float) -> float:
 
 
 def quarter_turn(closed: Closed, servo_period: float, lead: float = 0.0) -> float:
-    """Return the lowest frequency [rad/s] at which the phase of T, with a lead [s], is a quarter turn off; else the Nyquist frequency.
+    """Return the lowest frequency [rad/s] at which the phase of T, with a lead [s], reaches a quarter turn; else the Nyquist frequency.
 
     Parameters
     ----------
@@ -85,7 +85,7 @@ def quarter_turn(closed: Closed, servo_period: float, lead: float = 0.0) -> floa
     if not wrong.size:
         return top
     i = int(wrong[0])
-    # With all frequencies below it: a T that is pieced together by its phase is known by where the phase has come from.
+    # With all frequencies below it: the phase of T may need unwrapping.
     return float(w[0] if i == 0 else brentq(lambda x: float(real(np.append(w[:i], x))[-1]), w[i - 1], w[i]))
 
 
@@ -114,20 +114,19 @@ def worst_zero_phase(
 def design_zero_phase(closed: Closed, servo_period: float) -> LearningDesign:
     """Return gain, half width, passes and lead by rule.
 
-    The lead makes the frequency at which the phase of T is a quarter turn off as high as it gets; the first zero of the average lies below
-    it; the gain is a share of the largest that converges below the zero; a second pass is taken where the side lobes of a single one would
-    amplify. Where that is not enough, the average is made wider until no frequency grows by more than `SMALL` in a trial.
+    The lead maximises the frequency at which the phase of T reaches a quarter turn; the first zero of the average lies below it. The gain
+    is a share of the largest that converges below the zero. A second pass is used if the side lobes of a single one amplify. If that is not
+    enough, the average is widened until no frequency grows by more than `SMALL` per trial.
 
     Parameters
     ----------
     closed : callable
-        Gives T = P C/(1 + P C), delay included, (n,) at frequencies (n,) [rad/s]; for several axes give the one with the most lag, or
-        check each with `worst_zero_phase`.
+        T = P C/(1 + P C), delay included, (n,) at frequencies (n,) [rad/s]; of several axes the one with the most lag.
     servo_period : float [s], > 0
     """
     leads = _leads(closed, servo_period)
     turns = [quarter_turn(closed, servo_period, lead) for lead in leads]
-    # The smallest lead that is nearly as good as the best.
+    # The smallest lead that is almost the best.
     best = next(i for i, turn in enumerate(turns) if turn >= 0.98 * max(turns))
     lead, turn = leads[best], turns[best]
     half_width = max(0, math.ceil(0.5 * (2.0 * math.pi / (turn * servo_period) - 1.0)))
@@ -135,13 +134,13 @@ def design_zero_phase(closed: Closed, servo_period: float) -> LearningDesign:
         made = [_design(closed, servo_period, half_width, passes, lead) for passes in (1, 2)]
         good = [design for design in made if design.worst_factor <= 1.0 + SMALL]
         if good or half_width > 100_000:
-            # One pass learns more of what lies below its zero.
+            # One pass learns more below its zero.
             return good[0] if good else min(made, key=lambda design: design.worst_factor)
         half_width = half_width + 1 + half_width // 10
 
 
 def _leads(closed: Closed, servo_period: float) -> list[float]:
-    """Return leads of whole periods from none to twice the delay that T has at low frequencies, a few tens of them at most."""
+    """Return at most 24 leads of whole periods, from none to twice the delay of T at low frequencies."""
     w = np.array([1e-3, 2e-3]) * math.pi / servo_period
     phase = np.unwrap(np.angle(closed(w)))
     lag = max(0.0, -float(phase[1] - phase[0]) / float(w[1] - w[0]))
@@ -159,18 +158,18 @@ def _design(closed: Closed, servo_period: float, half_width: int, passes: int, l
 
 TURN = 2.0 * math.pi
 SMALL = 1e-3
-"""Growth per trial that a rule may leave."""
+"""Growth per trial that a rule accepts."""
 MOST_WIDER = 10
-"""So often an average is made wider for a coupling."""
+"""Most times that an average is widened for a coupling."""
 SHARE = 0.4
 """Of the largest gain that converges, the part that the rule takes."""
 DIVERGES = 1.1
-"""A factor beyond which a few trials are enough to see it."""
+"""Factor from which a few trials show the divergence."""
 
 
 @dataclass(frozen=True, eq=False)
 class LearningAnalysis:
-    """What learning will do.
+    """Prediction of learning.
 
     Attributes
     ----------
@@ -183,9 +182,9 @@ class LearningAnalysis:
     zero : float [rad/s]
         First zero of the law's average; nan for a law without one.
     design : LearningDesign or None
-        What the rules would have, for zero-phase learning that amplifies.
+        Parameters by rule, for zero-phase learning that amplifies.
     warnings : tuple of str
-        In words; empty where there is nothing to say.
+        May be empty.
     """
 
     law: LearningLaw
@@ -203,31 +202,31 @@ class LearningAnalysis:
 
     @property
     def worst_factor(self) -> float:
-        """What a trial multiplies it by in the end."""
+        """Factor per trial at that frequency, in the end."""
         return self.response.worst_radius[1]
 
     @property
     def converges(self) -> bool:
-        """Whether no frequency grows in the end, nor anything on the path that was given."""
+        """Whether no frequency grows in the end, nor any error on the given path."""
         return self.worst_factor <= 1.0 + GROWTH and (self.lifted is None or self.lifted.radius <= 1.0 + 1e-4)
 
     @property
     def monotone(self) -> bool:
-        """Whether no frequency grows in any trial; at the ends of a trial, and where the path turns, `lifted.norm` may still exceed 1."""
+        """Whether no frequency grows in any trial. At the ends of a trial, and where the path turns, `lifted.norm` may still exceed 1."""
         return self.response.worst_norm[1] <= 1.0 + GROWTH
 
 
 def learning_analysis(machine: Machine, controller: Controller, law: LearningLaw, reference: Reference | None = None) -> LearningAnalysis:
-    """Return what learning will do, before a trial is run.
+    """Predict learning before the first trial.
 
     Parameters
     ----------
     machine, controller
-        Linear but for limits, friction and quantisation, which are left out.
+        Limits, friction and quantisation are left out; all else is linear.
     law : LearningLaw
         Linear in the table and the trial.
     reference : Reference, optional
-        With one, the trial on its path is looked at as a whole as well, which takes seconds for 30 000 samples.
+        Analyse a whole trial on its path as well; takes seconds for 30 000 samples.
 
     Raises
     ------
@@ -237,7 +236,7 @@ def learning_analysis(machine: Machine, controller: Controller, law: LearningLaw
     loop = coupled_loop(machine, controller)
     for name, axis in zip(loop.names, loop.axes, strict=True):
         if not axis.loop.stable:
-            raise ComponentError(f"axis {name} is unstable under its own controller: there is nothing to learn before that is mended")
+            raise ComponentError(f"axis {name} is unstable under its own controller: stabilise it before learning")
     response = frequency_learning(loop, law)
     lifted = None
     if reference is not None:
@@ -249,7 +248,7 @@ def learning_analysis(machine: Machine, controller: Controller, law: LearningLaw
 
 
 def design_for(loop: CoupledLoop, law: ZeroPhase) -> LearningDesign | None:
-    """Return zero-phase learning by rule for the axis with the most lag, wide enough for the coupling; None where none was found."""
+    """Return zero-phase learning by rule for the axis with the most lag, wide enough for the coupling; None if there is none."""
 
     def closed(w: Array) -> NDArray[np.complex128]:
         forms = [axis.form(w) for axis in loop.axes]
@@ -257,13 +256,13 @@ def design_for(loop: CoupledLoop, law: ZeroPhase) -> LearningDesign | None:
             answers = np.stack([1.0 - form[:, 1, 0] for form in forms], axis=1)
         else:
             answers = np.stack([form[:, 0, 1] for form in forms], axis=1)
-        # The one whose phase is furthest back at each frequency.
+        # The axis with the most lag at each frequency.
         phase = np.unwrap(np.angle(answers), axis=0) if w.size > 1 else np.angle(answers)
         return np.asarray(answers[np.arange(w.size), np.argmin(phase, axis=1)])
 
     design = design_zero_phase(closed, loop.servo_period)
     for _ in range(MOST_WIDER):
-        # The rule knows the axes; the coupling makes their loops steeper across the path.
+        # The rule ignores the coupling, which makes the loops steeper across the path.
         tried = law.replace(gain=design.gain, half_width=float(design.half_width), passes=float(design.passes), lead=design.lead)
         at, factor = frequency_learning(loop, tried).worst_radius
         if factor <= 1.0 + SMALL:
@@ -287,13 +286,13 @@ def _warnings(
             found.append(f"without a Q-filter learning diverges from {start / TURN:.3g} Hz up: set bandwidth below that")
     elif response.worst_norm[1] > 1.0 + GROWTH:
         at, size = response.worst_norm
-        found.append(f"{law.kind} converges in the end, but a trial may make {at / TURN:.3g} Hz worse by a factor of {size:.4g} before")
+        found.append(f"{law.kind} converges in the end, but one trial may amplify {at / TURN:.3g} Hz by a factor of {size:.4g} first")
     if design is not None and design.worst_factor < factor:
         found.append(_advice(design, loop.servo_period))
     elif design is None and factor > 1.0 + GROWTH and isinstance(law, ZeroPhase):
-        found.append("no average was found that converges under this coupling: lower its gain, or learn by p-type with a Q-filter")
+        found.append("no average converges under this coupling: lower its gain, or use p-type with a Q-filter")
     if lifted is not None and lifted.radius > 1.0 + 1e-4 and factor <= 1.0 + GROWTH:
-        found.append(f"on this path, its normal turning, learning diverges by a factor of {lifted.radius:.4g} per trial")
+        found.append(f"on this path, with its turning normal, learning diverges by a factor of {lifted.radius:.4g} per trial")
     return [text for text in found if text]
 
 
@@ -312,7 +311,7 @@ def _grows(frequency: float, factor: float) -> str:
 
 
 def _second_pass(loop: CoupledLoop, law: ZeroPhase, single: float) -> str:
-    """Say whether averaging twice is enough."""
+    """Return whether a second pass is enough, as a sentence."""
     if law.passes == 2:
         return ""
     frequency, factor = frequency_learning(loop, law.replace(passes=2)).worst_radius

@@ -33,12 +33,12 @@ Complex = NDArray[np.complex128]
 HEARD = ("table", "tracking_error", "contour_error", "feedback_command")
 SHORTEST, LONGEST = 1 << 9, 1 << 15
 SETTLED = 1e-7
-"""Part of an impulse response that may lie in the outer eighths of the record."""
+"""Largest part of an impulse response in the outer eighths of the record."""
 
 
 @dataclass(frozen=True, eq=False)
 class LawKernels:
-    """What a law adds to the next table for an impulse in the middle of a long trial.
+    """Contribution of a law to the next table for an impulse in the middle of a long trial.
 
     Attributes
     ----------
@@ -55,7 +55,7 @@ class LawKernels:
 
     @cached_property
     def support(self) -> tuple[int, int]:
-        """First and last sample that are not zero but for rounding, over all kernels, from the impulse."""
+        """First and last sample, from the impulse, that are above rounding in any kernel."""
         size = np.max([np.abs(kernel).max(axis=(1, 2)) / max(np.abs(kernel).max(), 1e-300) for kernel in self.kernels.values()], axis=0)
         at = np.flatnonzero(size > 1e-12)
         return int(at[0]) - self.centre, int(at[-1]) - self.centre
@@ -82,7 +82,7 @@ class LawKernels:
 
 @dataclass(frozen=True, eq=False)
 class LawModel:
-    """A law that learns through a model of the axes, by its formula: norm-optimal learning, or the inverse of the model.
+    """A law that learns through a model of the axes, by its formula: norm-optimal learning, or plant inversion.
 
     Attributes
     ----------
@@ -126,7 +126,7 @@ class LawModel:
 
 
 def law_model(law: LearningLaw, loop: CoupledLoop) -> LawModel | None:
-    """Return a law that learns through a model by its formula; None for any other law."""
+    """Return a law that learns through a model; None for any other law."""
     if not isinstance(law, NormOptimal | PlantInversion):
         return None
     w = np.unique(np.concatenate([np.geomspace(1e-5 * loop.nyquist, loop.nyquist, 600), np.linspace(1e-5, 1.0, 600) * loop.nyquist]))
@@ -134,12 +134,12 @@ def law_model(law: LearningLaw, loop: CoupledLoop) -> LawModel | None:
 
 
 def _models(loop: CoupledLoop, target: str, w: Array) -> Complex:
-    """Return the responses (n, n_axis) of the axes, each alone, from what is learned to the position."""
+    """Return the responses (n, n_axis) of the axes, each alone, from the learned signal to the position."""
     return np.stack([axis.form(w)[:, 0, 0 if target == "command" else 1] for axis in loop.axes], axis=1)
 
 
 def law_kernels(law: LearningLaw, loop: CoupledLoop) -> LawKernels:
-    """Return what a law does with impulses, on a path that is straight, as laws without a model do on any path.
+    """Return a law's answers to impulses on a straight path; laws without a model answer alike on any path.
 
     Parameters
     ----------
@@ -159,18 +159,18 @@ def law_kernels(law: LearningLaw, loop: CoupledLoop) -> LawKernels:
             break
         size *= 4
         if size > LONGEST:
-            raise ComponentError(f"learning {law.kind} answers to an impulse for more than {LONGEST} samples: that is beyond its analysis")
+            raise ComponentError(f"learning {law.kind} answers to an impulse for more than {LONGEST} samples: too long for the analysis")
     _check_linear(law, problem, kernels)
     return LawKernels(kernels, size // 2, loop.servo_period)
 
 
 def lifted_problem(law: LearningLaw, loop: CoupledLoop, tangent: Array) -> LearningProblem:
-    """Return what a law knows before the first trial: a path with tangents (n_sample, n_axis), and the axes each alone."""
+    """Return the knowledge of a law before the first trial: tangents (n_sample, n_axis), and each axis alone."""
     return LearningProblem(loop.servo_period, tangent, lambda: impulse_responses(loop.axes, len(tangent), law.target))
 
 
 def _answers(law: LearningLaw, problem: LearningProblem, heard: str) -> Array:
-    """Return the next tables (n_sample, n_axis, n_axis) for an impulse on each axis of one of the things that a law hears."""
+    """Return the next tables (n_sample, n_axis, n_axis) for an impulse on each axis of one input of the law."""
     shape = problem.tangent.shape
     found = np.zeros((*shape, shape[1]))
     for j in range(shape[1]):
@@ -192,7 +192,7 @@ def _settled(kernel: Array) -> bool:
 
 
 def _check_linear(law: LearningLaw, problem: LearningProblem, kernels: dict[str, Array]) -> None:
-    """The answer to impulses on all axes at once, of any size, is the sum of the answers."""
+    """The answer to impulses on all axes at once has to be the sum of the answers."""
     shape = problem.tangent.shape
     rng = np.random.default_rng(1)
     given, wanted = {}, np.zeros(shape)
@@ -202,7 +202,7 @@ def _check_linear(law: LearningLaw, problem: LearningProblem, kernels: dict[str,
         given[name][shape[0] // 2] = sizes
         wanted += kernels[name] @ sizes
     apart = float(np.abs(_next(law, problem, given) - wanted).max())
-    # A law that solves an equation by steps does so to a tolerance of its own.
+    # A law that iterates has a tolerance of its own.
     if not apart <= max(1e-6, 100.0 * float(law.values().get("tolerance", 0.0))) * max(float(np.abs(wanted).max()), math.ulp(1.0)):
         raise ComponentError(f"learning {law.kind} is not linear in the table and the trial, so it has no frequency response")
 
@@ -223,7 +223,7 @@ def averaging(frequency: ArrayLike, servo_period: float, half_width: int, passes
 
 
 def zero_phase_factor(gain: float, average: ArrayLike, closed: ArrayLike) -> Complex:
-    """Return 1 - gamma H T, by which a trial of zero-phase learning multiplies what is left to learn (eq 9 on u_fb = T (u_d - u_ff)).
+    """Return 1 - gamma H T, the factor of a trial of zero-phase learning (eq 9 on u_fb = T (u_d - u_ff)).
 
     Parameters
     ----------
@@ -245,11 +245,11 @@ class FrequencyLearning:
     ----------
     frequency : ndarray (n,) [rad/s]
     radius : ndarray (n,)
-        Spectral radius of the factor: what a trial does in the end.
+        Spectral radius of the factor: growth per trial in the end.
     norm : ndarray (n,)
-        Its largest singular value: what a trial may do at once. Without coupling the two are the same.
+        Its largest singular value: growth in one trial. Without coupling the two are equal.
     worst_radius, worst_norm : (frequency [rad/s], factor)
-        The peaks, found between the frequencies.
+        The peaks, refined between the frequencies.
     """
 
     frequency: Array
@@ -260,13 +260,13 @@ class FrequencyLearning:
 
 
 def frequency_learning(loop: CoupledLoop, law: LearningLaw) -> FrequencyLearning:
-    """Return what a trial makes of each frequency, each direction of the path standing still.
+    """Return the factor of a trial over frequency, for each direction of the path at rest.
 
     Parameters
     ----------
     loop : CoupledLoop
     law : LearningLaw
-        Any law that is linear in what it hears.
+        Linear in its inputs.
 
     Raises
     ------
@@ -296,7 +296,7 @@ def frequency_learning(loop: CoupledLoop, law: LearningLaw) -> FrequencyLearning
 
 
 class _Trial:
-    """A trial at some frequencies, ready to be asked for in any direction."""
+    """A trial at some frequencies, for any direction."""
 
     def __init__(self, loop: CoupledLoop, law: LearningLaw, known: LawKernels | LawModel, frequency: Array) -> None:
         self.target, self.weight, eye = law.target, loop.coupling.weight, np.eye(len(loop.axes))
@@ -315,13 +315,13 @@ class _Trial:
         return np.asarray(heard["table"] - from_error @ position + heard["feedback_command"] @ feedback)
 
     def _closed(self, along: Array, across: Array) -> tuple[Complex, Complex]:
-        """Return position and feedback command over what is learned, the axes and their coupling closed."""
+        """Return position and feedback command over the learned signal, with axes and coupling closed."""
         eye, coupling, weighted = np.eye(len(along)), self.coupling * across, self.weight * along
         driven = self.pushed if self.target == "command" else self.shifted
         position = np.asarray(np.linalg.solve(eye + self.pushed @ coupling - self.shifted @ weighted, driven))
         correction, shift = -coupling @ position, weighted @ position
         if self.target == "command":
-            # What is learned goes into the command and is no part of the feedback.
+            # The learned command is no part of the feedback.
             return position, np.asarray(self.back @ (eye + correction) + self.asked @ shift - eye)
         return position, np.asarray(self.back @ correction + self.asked @ (eye + shift))
 
@@ -345,9 +345,9 @@ def _compositions(total: int, parts: int) -> list[tuple[int, ...]]:
 
 
 def learning_grid(loop: CoupledLoop, first: int, last: int) -> Array:
-    """Return frequencies (n,) [rad/s] at which no side lobe of an average from sample `first` to `last` slips through."""
+    """Return frequencies (n,) [rad/s] that resolve the side lobes of an average from sample `first` to `last`."""
     top = loop.nyquist
-    # Side lobes fall with frequency: the first ones are looked at closely, the rest by the spread of the decades.
+    # Side lobes fall with frequency: a fine grid for the first ones, decades for the rest.
     lobe = 2.0 * top / max(last - first, 8)
     poles = np.concatenate([axis.loop.poles for axis in loop.axes])
     angle = np.abs(np.angle(poles[np.abs(poles) > 1e-6])) / loop.servo_period
@@ -356,7 +356,7 @@ def learning_grid(loop: CoupledLoop, first: int, last: int) -> Array:
 
 
 def peak(function: Callable[[Array], Array], w: Array, values: Array) -> tuple[float, float]:
-    """Return where a function of frequency is largest, and its value there, looked for again about its largest value."""
+    """Return place and value of the largest value of a function of frequency, refined on ever finer grids."""
     for _ in range(4):
         i = int(np.argmax(values))
         w = np.linspace(w[max(i - 1, 0)], w[min(i + 1, w.size - 1)], 17)

@@ -32,17 +32,17 @@ Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
 
 LEFT_STANDING = 1e-7
-"""Distance from 1 of a pole that neither grows nor dies."""
+"""Distance from 1 of a pole that neither grows nor decays."""
 TOUCHING = 1e-6
-"""Distance of the polygon from -1 below which it is taken to reach it: what is left of a search over frequency."""
+"""Distance of the polygon from -1 that counts as none: the accuracy of the search over frequency."""
 
 
 @dataclass(frozen=True)
 class ContourMargins:
-    """Margins of the coupling over all directions of the path, each direction standing still. An unstable loop has none: they are nan.
+    """Margins of the coupling over all directions of the path, each at rest; nan for an unstable loop.
 
-    A direction is a unit vector over the axes, known up to the signs of its entries: of the normal for cross-coupling, of the tangent for
-    a modified reference.
+    A direction is a unit vector over the axes, up to the signs of its entries: the normal for cross-coupling, the tangent for a modified
+    reference.
 
     Attributes
     ----------
@@ -56,7 +56,7 @@ class ContourMargins:
         Smallest factor > 1 on the coupling at which some direction would reach -1; infinite if none.
     gain_direction : tuple of float
     phase : float [rad]
-        Smallest turn of phase at a gain of 1, over all directions; infinite if the gain is never 1.
+        Smallest change of phase that reaches -1 at a gain of 1, over all directions; infinite if the gain is never 1.
     phase_direction : tuple of float
     crossover : float [rad/s]
         Frequency of the phase margin; nan if there is none.
@@ -89,7 +89,7 @@ class ContourTransfer:
 
     @property
     def along(self) -> bool:
-        """Whether the coupling acts on the error along the path (modified reference) rather than on that across it."""
+        """Whether the coupling acts on the error along the path (modified reference) instead of across it."""
         return self.loop.coupling.weight != 0.0
 
     def vertices(self, frequency: ArrayLike) -> Complex:
@@ -116,7 +116,7 @@ class ContourTransfer:
 
     @cached_property
     def grid(self) -> Array:
-        """Frequencies that nothing of the loops slips through."""
+        """Frequencies fine enough for every crossing of the loop gains."""
         n_axis = range(len(self.loop.axes))
         poles = [*(axis.loop.poles for axis in self.loop.axes), poles_of(self.loop.coupling.f), *(self._vertex_poles(i) for i in n_axis)]
         return frequency_grid(self.loop.servo_period, np.concatenate(poles), max(len(axis.a) for axis in self.loop.axes))
@@ -138,7 +138,7 @@ class ContourTransfer:
     def stable(self) -> bool:
         """Whether the machine is stable with any direction at rest.
 
-        Where one direction is stable and -1 is in the polygon of no frequency, no pole can leave the unit circle on the way to any other.
+        If one direction is stable and no polygon contains -1, no pole can leave the unit circle on the way to any other direction.
         """
         axes = all(axis.loop.stable for axis in self.loop.axes)
         inside = all(_settles(self._vertex_poles(i)) for i in range(len(self.loop.axes)))
@@ -156,7 +156,7 @@ class ContourTransfer:
 
 
 def _settles(poles: Complex) -> bool:
-    """An integral of the coupling beside those of the axes leaves a pole at 1: only their sum is told, and what each holds stands still."""
+    """Return whether all poles lie inside the unit circle, apart from those at 1: integrals of axes and coupling share one sum."""
     return bool(np.abs(poles[np.abs(poles - 1.0) > LEFT_STANDING]).max(initial=0.0) < 1.0)
 
 
@@ -170,11 +170,11 @@ def contour_transfer(machine: Machine, controller: Controller, *, strength: floa
     Parameters
     ----------
     machine, controller
-        Linear but for limits, friction and quantisation, which are left out.
+        Limits, friction and quantisation are left out; all else is linear.
     strength : float, > 0
-        |C|^2, length of the coupling gains squared, which multiplies the loop gain. The unit normal has 1. Koren and Lo's variable gains
-        are C = n + e/(2 rho): (1 + e_max/(2 rho_min))^2 is the most they reach with a tracking error of e_max and curvature radii from
-        rho_min, and the margins are to be asked for at that.
+        |C|^2, squared length of the coupling gains, a factor on the loop gain: 1 for the unit normal. For Koren and Lo's variable gains,
+        C = n + e/(2 rho), use their largest value, (1 + e_max/(2 rho_min))^2 for tracking errors up to e_max and curvature radii from
+        rho_min.
 
     Raises
     ------
@@ -184,7 +184,7 @@ def contour_transfer(machine: Machine, controller: Controller, *, strength: floa
         If the strength is not positive.
     """
     if controller.coupling is None:
-        raise ComponentError("the controller has no coupling, so it has no contour error transfer function: give it one")
+        raise ComponentError("the controller has no coupling, so there is no contour error transfer function: add one")
     if not (strength > 0.0 and math.isfinite(strength)):
         raise ParameterError("strength", f"{strength:g}", "> 0 and finite")
     return ContourTransfer(coupled_loop(machine, controller), strength)
@@ -193,14 +193,14 @@ def contour_transfer(machine: Machine, controller: Controller, *, strength: floa
 def contour_margins(machine: Machine, controller: Controller, *, strength: float = 1.0) -> ContourMargins:
     """Return gain, phase and modulus margin of the coupling over all directions of the path; see `contour_transfer`.
 
-    Each direction stands still. What turning of the path adds is a matter of `internal_stability`.
+    Each direction is at rest; for the turning path see `internal_stability`.
     """
     return contour_transfer(machine, controller, strength=strength).margins()
 
 
 @dataclass(frozen=True)
 class InternalStability:
-    """Whether coupled axes are stable inside, in three steps, each of which needs the one before.
+    """Internal stability of coupled axes, in three steps, each based on the one before.
 
     Attributes
     ----------
@@ -209,8 +209,8 @@ class InternalStability:
     directions : ContourMargins or None
         The coupling with the direction of the path at rest, over all directions; None without a coupling.
     lap : float
-        Largest multiplier of a small error once round a closed path, its normal turning: below 1 it dies; nan where there is no closed
-        path. States that only stand still are left out.
+        Largest multiplier of a small error over one lap of a closed path, with the turning normal: below 1 it decays; nan without a
+        closed path. States at rest are left out.
     """
 
     axes: dict[str, bool]
@@ -219,27 +219,27 @@ class InternalStability:
 
     @property
     def stable(self) -> bool:
-        """Whether nothing that was looked at is unstable."""
+        """Whether every step found stability."""
         frozen = self.directions is None or self.directions.stable
         return all(self.axes.values()) and frozen and not self.lap >= 1.0
 
     @property
     def verdict(self) -> str:
-        """What was found, in words."""
+        """The result as a sentence."""
         bad = [name for name, stable in self.axes.items() if not stable]
         if bad:
-            return f"axis {', '.join(bad)} is unstable under its own controller: no coupling is to be added before that is mended"
+            return f"axis {', '.join(bad)} is unstable under its own controller: stabilise it before coupling"
         if self.directions is None:
             return "every axis is stable, and nothing couples them"
         if not self.directions.stable:
             worst = ", ".join(f"{name} {part:.2f}" for name, part in zip(self.axes, self.directions.modulus_direction, strict=True))
-            return f"the coupling is unstable where the path stands at ({worst}), near {self._hertz:.3g} Hz: lower its gain"
+            return f"the coupling is unstable in the direction ({worst}), near {self._hertz:.3g} Hz: lower its gain"
         said = f"stable in every direction at rest, never nearer to -1 than {self.directions.modulus:.2f}, at {self._hertz:.3g} Hz"
         if math.isnan(self.lap):
             return f"{said}; a path that turns fast may differ"
         if self.lap >= 1.0:
-            return f"{said}, and yet unstable on this path: an error grows by {self.lap:.3g} in a lap, since the path turns too fast"
-        return f"{said}, and along this path: a lap leaves {self.lap:.2g} of an error"
+            return f"{said}, but unstable on this path: an error grows by {self.lap:.3g} per lap, because the path turns too fast"
+        return f"{said}, and on this path: one lap leaves {self.lap:.2g} of an error"
 
     @property
     def _hertz(self) -> float:
@@ -247,17 +247,17 @@ class InternalStability:
 
 
 def internal_stability(machine: Machine, controller: Controller, reference: Reference | None = None) -> InternalStability:
-    """Return whether coupled axes are stable inside.
+    """Return whether coupled axes are internally stable.
 
     By the theorem of Yeh and Hsu the machine is internally stable if each axis is, and (C_cc, P_e) is for every normal. That holds for
-    normals that stand still: for normals that turn the product of the ticks of a lap is looked at.
+    normals at rest; for turning normals the product of the ticks of a lap decides.
 
     Parameters
     ----------
     machine, controller
-        Linear but for limits, friction and quantisation, which are left out.
+        Limits, friction and quantisation are left out; all else is linear.
     reference : Reference, optional
-        Of a closed path with whole laps; the last one is taken.
+        On a closed path with whole laps; the last lap counts.
 
     Raises
     ------

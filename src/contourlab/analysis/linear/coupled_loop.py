@@ -1,7 +1,7 @@
 """Axes and their coupling for small errors around the reference, from the very steps that run.
 
-Each axis is closed by its own controller; what is left open is what enters its command from elsewhere (the correction of a cross-coupling,
-a learned table) and what moves its reference. The coupling is taken as it runs on an error in one direction.
+Each axis is closed by its own controller. Its inputs are additions to its command (the correction of a cross-coupling, a learned table) and
+shifts of its reference. The coupling is linearised for an error in one direction.
 """
 
 from __future__ import annotations
@@ -27,26 +27,26 @@ Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
 
 NEGLIGIBLE = 1e-13
-"""Part of the largest value at which an impulse response has died away."""
+"""Part of the largest value at which an impulse response has decayed."""
 LOOK = 512
-"""Samples over which it has to be that small."""
+"""Samples over which it has to stay that small."""
 
 
 @dataclass(frozen=True, eq=False)
 class AxisLink:
-    """One axis closed by its controller: x(k + 1) = A x(k) + b v(k) + r m(k), with what is added to its command and to its reference.
+    """One axis closed by its controller: x(k + 1) = A x(k) + b v(k) + r m(k), with additions v to its command and m to its reference.
 
     Attributes
     ----------
     loop : SampledLoop
-        What it was made of.
+        The opened loop.
     a : ndarray (n, n)
     b, r : ndarray (n,)
-        Of the added command v and of the shift m of the reference.
+        Inputs of v and m.
     position : ndarray (n,)
         Position at tick k from x(k).
     command : ndarray (n + 2,)
-        Command at tick k from x(k), v(k), m(k), what was added included.
+        Command at tick k from x(k), v(k), m(k), v included.
     """
 
     loop: SampledLoop
@@ -57,7 +57,7 @@ class AxisLink:
     command: Array
 
     def response(self, frequency: ArrayLike) -> tuple[Complex, Complex]:
-        """Return position over added command, P/(1 + P C), and the share of it that the axis' own law takes back, T = P C/(1 + P C).
+        """Return position over added command, P/(1 + P C), and the complementary sensitivity T = P C/(1 + P C).
 
         Parameters
         ----------
@@ -85,7 +85,7 @@ class AxisLink:
 
 @dataclass(frozen=True, eq=False)
 class CouplingModel:
-    """A coupling on an error of one direction, as it runs.
+    """A coupling, linear in an error of one direction.
 
     Attributes
     ----------
@@ -93,7 +93,7 @@ class CouplingModel:
         q(k + 1) = F q + g eps, correction = h q + d eps: from the contour error, along the normal from the tool to the path, to the
         correction along the same normal. All zero for a coupling that gives none.
     weight : float
-        Part of the position along the path that the modified reference gives away, lambda; 0 for a coupling that leaves the reference.
+        Part of the position along the path that the modified reference discards, lambda; 0 for a coupling without it.
     servo_period : float [s]
     """
 
@@ -210,14 +210,14 @@ class CoupledLoop:
 
 
 def coupled_loop(machine: Machine, controller: Controller) -> CoupledLoop:
-    """Return the machine for small errors: friction, disturbance, quantisation, limits and feedforward left out.
+    """Return the machine for small errors, without friction, disturbance, quantisation, limits and feedforward.
 
-    Axes that move along each other are taken without each other's reaction.
+    Reactions between axes that carry each other are left out.
 
     Raises
     ------
     ComponentError
-        If a component is not linear, or the coupling is of no kind that the analysis knows.
+        If a component is not linear, or the analysis does not know the kind of coupling.
     """
     period = machine.servo_period
     links = tuple(axis_link(machine, controller, name) for name in machine.axis_names)
@@ -225,21 +225,21 @@ def coupled_loop(machine: Machine, controller: Controller) -> CoupledLoop:
 
 
 def axis_link(machine: Machine, controller: Controller, name: str) -> AxisLink:
-    """Return one axis of a machine, closed by its controller; feedforward of the reference is no part of a loop and is left out."""
+    """Return one axis of a machine, closed by its controller, without feedforward: it is no part of a loop."""
     mine = replace(controller.axes[name], feedforward=None)
     return link_of(sampled_loop(machine.axis(name), mine, machine.servo_period, machine.carried_mass(name)))
 
 
 def link_of(loop: SampledLoop) -> AxisLink:
-    """Return a sampled loop as seen from outside: closed, with what is added to its command."""
+    """Return a sampled loop, closed, with additions to its command and reference."""
     cut, c = loop.b[:, :2], loop.c
-    # What leaves the controller at a tick enters the drive at the same tick, and what is added goes the same way.
+    # The controller's command enters the drive at the same tick, and so do additions.
     inner = np.linalg.inv(np.eye(2) - c @ cut)
     closed, driven = loop.closed
     pushed, referred = cut @ inner[:, 0], driven[:, 0]
     through = c[0] @ closed
     kept = _live(closed, np.column_stack([pushed, referred]), np.vstack([loop.state[0], through]))
-    # The command holds what was added to it.
+    # The command includes the addition.
     direct = np.array([c[0] @ pushed + 1.0, c[0] @ referred])
     return AxisLink(
         loop,
@@ -252,20 +252,20 @@ def link_of(loop: SampledLoop) -> AxisLink:
 
 
 def impulse_responses(axes: Sequence[AxisLink], n_sample: int, target: str) -> Array:
-    """Return the positions of axes, each alone, after an impulse of 1 at sample 0 in what is added to their command or reference.
+    """Return the positions of axes, each alone, after a unit impulse at sample 0 in the addition to command or reference.
 
     Parameters
     ----------
     axes : sequence of AxisLink
-        The response of one that is not stable lasts to the end.
+        The response of an unstable axis lasts to the end.
     n_sample : int
-        Longest response that is of use.
+        Longest response.
     target : {"command", "reference"}
 
     Returns
     -------
     ndarray (m, n_axis) [m per command unit, or m/m]
-        m <= n_sample; what comes later is below 1e-13 of the largest value.
+        m <= n_sample; later values are below 1e-13 of the largest.
     """
     found = [_impulse_response(axis, n_sample, target) for axis in axes]
     longest = max(len(response) for response in found)
@@ -278,7 +278,7 @@ def _impulse_response(axis: AxisLink, n_sample: int, target: str) -> Array:
     for k in range(1, n_sample):
         found[k] = axis.position @ state
         state = axis.a @ state
-        # Over a stretch, since one sample may happen to pass zero; a long delay comes before anything.
+        # Over a stretch: one sample may pass zero, and a long delay precedes any response.
         if k % LOOK == 0:
             last = float(np.abs(found[k - LOOK : k + 1]).max())
             largest = max(largest, last)
@@ -293,7 +293,7 @@ def _live(a: Array, b: Array, c: Array) -> NDArray[np.intp]:
 
 
 def coupling_model(coupling: Component | None, servo_period: float) -> CouplingModel:
-    """Return a coupling as it runs on an error in one direction, which is what it does in any number of axes with that direction at rest.
+    """Return a coupling on an error in one direction; it is the same for any number of axes with that direction at rest.
 
     Parameters
     ----------
@@ -304,7 +304,7 @@ def coupling_model(coupling: Component | None, servo_period: float) -> CouplingM
     Raises
     ------
     ComponentError
-        If it is not linear in the error, or does with it what this analysis has no form for.
+        If it is not linear in the error, or has a form that this analysis does not cover.
     """
     none = np.zeros(0)
     if coupling is None:
@@ -317,7 +317,7 @@ def coupling_model(coupling: Component | None, servo_period: float) -> CouplingM
         raise ComponentError(f"coupling {coupling.kind} is not linear in the contour error, so it has no frequency response")
     # Rows: next states, correction across, correction along, shift across, shift along; columns: states, position across, position along.
     across, along = -matrix[:, m], matrix[:, m + 1]
-    # All but what the form has: a correction across from the error across, a shift along from the position along.
+    # The form: a correction across from the error across, a shift along from the position along; all else has to be zero.
     form = np.zeros(matrix.shape, dtype=bool)
     form[: m + 1, : m + 1] = form[m + 3, m + 1] = True
     form[:m, m + 1] = (matrix[:, :m] == 0.0).all(axis=0)
@@ -339,7 +339,7 @@ class _CouplingProbe:
         self.port = [name for port in self.step.states for name in [port.name] * port.rows]
         self.state_type = record(tuple(port.name for port in self.step.states))
         self.input_type = record(tuple(port.name for port in self.step.inputs))
-        # The first tick tells it the direction; what it remembers of that is no state of its own.
+        # The first tick shows it the direction; the memory of that is no state of the loop.
         self.rest = np.zeros(len(self.port))
         self.rest = self._tick(self.rest, 0.0, 0.0)[: len(self.port)]
         self.own = [i for i, name in enumerate(self.port) if name != "tangent"]

@@ -23,14 +23,15 @@ AROUND_A_POLE = (-2.0, -1.0, -0.5, 0.0, 0.5, 1.0, 2.0)
 
 @dataclass(frozen=True)
 class Margins:
-    """Stability margins of a loop gain. An unstable loop has none: all but `stable` are nan.
+    """Stability margins of a loop gain. For an unstable loop all but `stable` are nan.
 
     Attributes
     ----------
     gain : float
-        Smallest factor > 1 at which the loop would reach -1; infinite if none in the range looked at.
+        Smallest factor > 1 at which the loop gain would reach -1; infinite if none in the frequency range.
     phase : float [rad]
-        Smallest turn of phase at a gain of 1 that would reach -1: positive if a lag, negative if a lead; infinite if the gain is never 1.
+        Smallest change of phase at a gain of 1 that would reach -1: positive for a lag, negative for a lead; infinite if the gain is
+        never 1.
     crossover : float [rad/s]
         Frequency of that phase margin; nan if there is none.
     modulus : float
@@ -57,9 +58,9 @@ def margins(loop: LoopGain, frequency: ArrayLike, *, stable: bool) -> Margins:
     loop : callable
         Gives the loop gain (n,) at frequencies (n,) [rad/s].
     frequency : array_like (n,) [rad/s]
-        Where to look, rising: fine enough that no two crossings lie between neighbours. Each crossing is then found to rounding.
+        Rising, fine enough that no two crossings lie between neighbours. Each crossing is then refined to rounding.
     stable : bool
-        Whether the closed loop is stable, which its gain alone cannot tell.
+        Whether the closed loop is stable: the gain alone does not show it.
     """
     if not stable:
         return Margins(math.nan, math.nan, math.nan, math.nan, stable=False)
@@ -82,7 +83,7 @@ def delay_margin(loop: LoopGain, frequency: ArrayLike) -> float:
     """
     w = np.asarray(frequency, dtype=float)
     found = _phases(loop, w, np.asarray(loop(w), dtype=complex))
-    # A crossing that a lead would bring to -1 is brought there by a lag of the rest of the turn.
+    # Instead of a lead, a lag by the rest of the turn.
     return min(((phase % (2.0 * math.pi)) / at for at, phase in found), default=math.inf)
 
 
@@ -98,7 +99,7 @@ def _factors(loop: LoopGain, w: Array, gain: Complex) -> Iterator[tuple[float, f
     """Find where the loop gain is real and negative, and the factor from there to -1."""
     crossings = _zeros(lambda x: _value(loop, x).imag, w, gain.imag)
     found = [(at, _value(loop, at)) for at in crossings]
-    # At the Nyquist frequency a sampled loop is real: it meets the axis there without crossing it.
+    # At the Nyquist frequency a sampled loop is real: it meets the real axis without crossing it.
     if abs(gain[-1].imag) <= 1e-9 * abs(gain[-1]):
         found.append((float(w[-1]), complex(gain[-1])))
     for at, value in found:
@@ -152,12 +153,12 @@ def _value(loop: LoopGain, w: float) -> complex:
 
 
 SHARES = np.linspace(0.0, 1.0, 33)
-"""Where on an edge to look first; the worst place is then found between its neighbours."""
+"""Places on an edge that are tried first; the worst is then refined between its neighbours."""
 
 
 @dataclass(frozen=True, eq=False)
 class HullMargin:
-    """A margin with the frequency [rad/s] and the weights (n,) at which it is met."""
+    """A margin, with its frequency [rad/s] and weights (n,)."""
 
     value: float
     frequency: float
@@ -168,7 +169,7 @@ class HullMargin:
         """Return the weights of the point nearest to -1 in the polygon with some vertices (n,)."""
         from scipy.optimize import nnls
 
-        # The sum is held to 1 by a weight that makes its fault as small as rounding allows.
+        # A heavy weight holds the sum at 1 to rounding.
         heavy = 1e6 * max(1.0, float(np.abs(vertices + 1.0).max()))
         rows = np.vstack([vertices.real + 1.0, vertices.imag, np.full(vertices.size, heavy)])
         weights, _ = nnls(rows, np.array([0.0, 0.0, heavy]))

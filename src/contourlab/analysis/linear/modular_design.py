@@ -39,19 +39,19 @@ class LinearAxis:
 
 @dataclass(frozen=True)
 class LqWeights:
-    """What is weighed, over states in scaled time: integral [mm times the unit], position [mm], velocity [mm per unit], command.
+    """Weights of the states in scaled time, integral [mm times the unit], position [mm], velocity [mm per unit], and of the command.
 
     Attributes
     ----------
     time_unit : float [s], > 0
-        Time is counted in it: of the order of the loop's own time, so that the states are alike in size.
+        Unit of scaled time, of the order of the loop's own time, so that the states are of similar size.
     integral, position, velocity : float, >= 0
     command : float, > 0
 
     Notes
     -----
-    No published weights are known for these axes. These put the loops at about 2 Hz and give the losses of the raw drives and of those
-    behind the observer that are of the size of the technical brief's.
+    No weights are published for these axes. These give loops of about 2 Hz, and losses like those of the technical brief for the raw
+    drives and for those behind the observer.
     """
 
     time_unit: float = 0.1
@@ -70,17 +70,17 @@ class LqWeights:
 
 @dataclass(frozen=True, eq=False)
 class ModularDesign:
-    """Base and local gains, and what they cost.
+    """Base and local gains, and their cost.
 
     Attributes
     ----------
     method : str
     local : tuple of str
-        Of `GAINS`: those that each axis has its own value of.
+        Of `GAINS`: those with a value for each axis.
     gains : ndarray (n_axis, 3)
         K of each, base and local together.
     ratio : ndarray (n_axis,)
-        J/J*; infinite where the loop does not hold.
+        J/J*; infinite for an unstable loop.
     """
 
     method: str
@@ -104,7 +104,7 @@ def optimum(axis: LinearAxis, weights: LqWeights) -> tuple[Array, float]:
 
 
 def cost(axis: LinearAxis, gains: Array, weights: LqWeights) -> float:
-    """Return J of an axis under gains (3,); infinite where the loop does not hold."""
+    """Return J of an axis under gains (3,); infinite for an unstable loop."""
     from scipy.linalg import solve_continuous_lyapunov
 
     a, b, q, r = weights.matrices(axis)
@@ -122,7 +122,7 @@ def blind_swaps(axes: Sequence[LinearAxis], weights: LqWeights) -> Array:
 
 
 def direct_design(axes: Sequence[LinearAxis], local: Sequence[str] = (), weights: LqWeights | None = None) -> ModularDesign:
-    """Return base and local gains by the direct method, bi-level: the base that is best when each axis does its best with its local gains.
+    """Return base and local gains by the direct, bi-level method: the best base if each axis optimises its local gains.
 
     Parameters
     ----------
@@ -133,8 +133,8 @@ def direct_design(axes: Sequence[LinearAxis], local: Sequence[str] = (), weights
 
     Notes
     -----
-    Both levels are one problem here, min over base and local gains of sum_i (J_i/J_i* - 1): the inner minimum of each axis is that of its
-    own term. The sum is taken, so that axes that are not the worst count, too.
+    Both levels are one problem: min over base and local gains of sum_i (J_i/J_i* - 1), where each axis minimises its own term. With the
+    sum, axes other than the worst count too.
 
     References
     ----------
@@ -175,7 +175,7 @@ def checked_local(local: Sequence[str]) -> NDArray[np.bool_]:
 
 
 def assembled(z: Array, mask: NDArray[np.bool_], n_axis: int) -> Array:
-    """Return the gains (n_axis, 3) of a row: base entries, then the local ones axis by axis."""
+    """Return the gains (n_axis, 3) from a vector: base entries, then the local ones axis by axis."""
     n_base = int((~mask).sum())
     found = np.empty((n_axis, mask.size))
     found[:, ~mask] = z[:n_base]
@@ -184,17 +184,17 @@ def assembled(z: Array, mask: NDArray[np.bool_], n_axis: int) -> Array:
 
 
 def judged(method: str, local: Sequence[str], gains: Array, axes: Sequence[LinearAxis], weights: LqWeights) -> ModularDesign:
-    """Return a design with what it costs on each axis."""
+    """Return a design with its cost on each axis."""
     ratio = [cost(axis, k, weights) / optimum(axis, weights)[1] for axis, k in zip(axes, gains, strict=True)]
     return ModularDesign(method, tuple(local), np.asarray(gains), np.array(ratio))
 
 
 DECADES = 2.0
-"""The grid reaches so far below and above the fastest and slowest of the loops."""
+"""Decades of the grid below the slowest and above the fastest pole."""
 
 
 def three_step_design(axes: Sequence[LinearAxis], local: Sequence[str] = (), weights: LqWeights | None = None) -> ModularDesign:
-    """Return base and local gains by the 3-step method, the two side by side: K_i = K_base + K_local,i.
+    """Return base and local gains by the 3-step method, in parallel: K_i = K_base + K_local,i.
 
     Parameters
     ----------
@@ -206,8 +206,8 @@ def three_step_design(axes: Sequence[LinearAxis], local: Sequence[str] = (), wei
     Notes
     -----
     Step 1 is `optimum` for each axis. Step 2 is the least-squares problem min sum_i,w |W_i (K_i* - K_base - K_local,i)|^2 over a grid of
-    frequencies, where K(jw) = k_I/jw + k_P + k_V jw and W_i = G_i/(1 + G_i K_i*), so that an error of the controller counts by what it does
-    to the closed loop; gains are its unknowns, so it is linear. Step 3 is the exact cost of what came out.
+    frequencies, where K(jw) = k_I/jw + k_P + k_V jw. W_i = G_i/(1 + G_i K_i*) weighs an error of the controller by its effect on the closed
+    loop. The problem is linear in the gains. Step 3 is the exact cost of the result.
 
     References
     ----------
@@ -249,12 +249,12 @@ def lmi_design(axes: Sequence[LinearAxis], weights: LqWeights | None = None) -> 
     ----------
     axes : sequence of LinearAxis
     weights : LqWeights, optional
-        Their time unit is what scales states and time; in seconds the solvers fail on gains of some 1000.
+        The time unit scales states and time; in seconds the solvers fail on gains of some 1000.
 
     Raises
     ------
     ParameterError
-        If the solver finds nothing.
+        If the solvers fail.
 
     Notes
     -----

@@ -60,7 +60,7 @@ class AxisResponse:
 
 
 LONGEST = 1000
-"""States beyond which the poles would take longer than a run."""
+"""Longest delay [ticks]; beyond it the poles take longer than a run."""
 INPUTS = ("in.command", "in.disturbance_estimate", *(f"in.{name}" for name in EXTERNALS), "in.load")
 
 
@@ -101,7 +101,7 @@ class SampledLoop:
 
     @cached_property
     def poles(self) -> Complex:
-        """Poles of the closed loop in the plane of z; memories and what nothing reads are no part of it."""
+        """Poles of the closed loop in the plane of z, without memories and states that nothing reads."""
         return poles_of(self.closed[0])
 
     @property
@@ -134,18 +134,17 @@ class SampledLoop:
         return _gain(self._opened(checked_frequency(frequency, self.nyquist)))
 
     def delay_margin(self, *, observed_in_axis: bool = False) -> float:
-        """Return how much longer the signals may take round the loop before it loses its stability [s].
+        """Return the additional delay [s] at which the loop loses its stability.
 
         Parameters
         ----------
         observed_in_axis : bool
-            Whether the observer's loop stays as it is, and the delay acts on the command ahead of it alone; by default it acts on all
-            that goes to the drive.
+            Delay only the command ahead of the observer; by default all that goes to the drive is delayed.
 
         Returns
         -------
         float
-            Infinite if no delay does; nan for a loop that is unstable without one. Exact for whole servo periods.
+            Infinite if there is none; nan for a loop that is unstable without delay. Exact for whole servo periods.
         """
         if not self.stable:
             return math.nan
@@ -211,10 +210,10 @@ def _gain(opened: Complex) -> Complex:
 
 
 def sampled_loop(axis: Axis, controller: AxisController, servo_period: float, carried_mass: float = 0.0) -> SampledLoop:
-    """Return the sampled loop of an axis, friction, disturbance, quantisation and limits left out.
+    """Return the sampled loop of an axis, without friction, disturbance, quantisation and limits.
 
-    Axes are taken one at a time: without coupling by the contour, and without the reaction of axes that move along each other. A link
-    between base and axis is left out: what it costs is for `contourlab.analysis.linear.divided_loop`.
+    The axis is alone: no coupling by the contour, no reaction of axes that carry each other, and no link between base and axis (see
+    `contourlab.analysis.linear.divided_loop`).
 
     Parameters
     ----------
@@ -222,7 +221,7 @@ def sampled_loop(axis: Axis, controller: AxisController, servo_period: float, ca
     controller : AxisController
     servo_period : float [s], > 0
     carried_mass : float [kg]
-        What other axes put on this one.
+        Mass of the axes on this one.
 
     Raises
     ------
@@ -234,11 +233,11 @@ def sampled_loop(axis: Axis, controller: AxisController, servo_period: float, ca
 
 
 def bare_axis(axis: Axis, controller: AxisController, servo_period: float, carried_mass: float = 0.0) -> tuple[Machine, Controller]:
-    """Return a machine of one axis and its controller, without what is not linear; arguments as of `sampled_loop`."""
+    """Return a machine of one axis and its controller, without nonlinear parts; arguments as of `sampled_loop`."""
     ahead = controller.feedforward
-    # What is fed forward is no part of the loop: of it only what is linear has a place in the response to the reference.
+    # Feedforward is no part of the loop; if linear, it counts in the response to the reference.
     ahead = ahead if ahead is not None and ahead.linearize() is not None else None
-    # Under a supervisor it is the loop of the first controller, which is that for contact.
+    # Under a supervisor the loop is that of the first controller, which is for contact.
     nonlinear = dict.fromkeys(("gap_observer", "compensation", "supervisor", "link"))
     made = replace(controller, controller=without_limits(controller.controller).linear(), feedforward=ahead, others=(), **nonlinear)  # type: ignore[arg-type]
     return Machine("axis", (linear_axis(axis, carried_mass),), servo_period), Controller({axis.name: made})
@@ -255,7 +254,7 @@ def opened_schedule(machine: Machine, controller: Controller, columns: Mapping[s
     name = machine.axis_names[0]
     whole = build(machine, controller, Path([Line((0.0,), (1.0,))]), np.zeros(1), overrides=columns).schedule
     if sum(node.ring_length for node in whole.nodes) > LONGEST:
-        raise ComponentError(f"axis {name}: a delay of more than {LONGEST} servo periods is more than its analysis takes")
+        raise ComponentError(f"axis {name}: a delay of more than {LONGEST} servo periods is too long for the analysis")
     return _opened(name, whole)
 
 
@@ -283,7 +282,7 @@ def _opened(name: str, whole: Schedule) -> Schedule:
 
 
 def linear_axis(axis: Axis, carried_mass: float) -> Axis:
-    """Return the axis alone, without what is not linear."""
+    """Return the axis alone, without nonlinear parts."""
     drive, limit = axis.drive, axis.drive.parameters.get("limit")
     if limit is not None and limit.default == math.inf:
         drive = drive.replace(limit=math.inf)
@@ -292,7 +291,7 @@ def linear_axis(axis: Axis, carried_mass: float) -> Axis:
 
 
 def without_limits(controller: Component) -> Component:
-    """Return the controller without a limit of its own, whose integral does not wait for the drive, which is never at its limit here."""
+    """Return the controller without its own limit and without anti-windup: the drive never saturates here."""
     known = controller.parameters
     free: dict[str, Any] = {}
     if "anti_windup" in known and "none" in known["anti_windup"].choices:

@@ -1,7 +1,7 @@
-"""A whole trial as a linear map, with the normal turning as the path does: forwards, transposed, and its transitions, without a matrix.
+"""A whole trial as a linear map, with the turning normal: forwards, transposed, and its monodromy matrix.
 
-The samples are cut into stretches that are run side by side, first from rest, then from where each truly starts; what a stretch makes of
-its first state is worked out once. A trial of 30 000 samples costs a few hundred small products of matrices.
+The samples are cut into stretches that run side by side, first from rest, then from their true start. The transition matrix of each stretch
+is computed once. A trial of 30 000 samples costs a few hundred small matrix products.
 """
 
 from __future__ import annotations
@@ -19,7 +19,7 @@ Array = NDArray[np.float64]
 
 
 def normal_frames(tangents: ArrayLike) -> Array:
-    """Return unit normals (n_sample, n_axis, n_axis - 1) that are carried along a path by the least rotation from each tangent to the next.
+    """Return unit normals (n_sample, n_axis, n_axis - 1), each rotated as little as possible from the one before.
 
     Parameters
     ----------
@@ -41,7 +41,7 @@ def normal_frames(tangents: ArrayLike) -> Array:
 
 
 class TrialMap:
-    """What a table does to a trial, for small errors: u (n_sample, n_axis) -> tracking error, or feedback command.
+    """Effect of a table on a trial, for small errors: u (n_sample, n_axis) -> tracking error and feedback command.
 
     Parameters
     ----------
@@ -49,7 +49,7 @@ class TrialMap:
     tangents : ndarray (n_sample, n_axis)
         Direction of the path at each sample.
     target : str
-        ``"command"`` or ``"reference"``: what the table is added to.
+        ``"command"`` or ``"reference"``: the signal that the table is added to.
     """
 
     def __init__(self, loop: CoupledLoop, tangents: ArrayLike, target: str = "command") -> None:
@@ -66,7 +66,7 @@ class TrialMap:
         self._along = self._cut(np.concatenate([t, np.repeat(t[-1:], spare, axis=0)]))
 
     def forward(self, u: Array) -> tuple[Array, Array]:
-        """Return what a table (n_sample, n_axis) adds to the tracking error and to the feedback command, each (n_sample, n_axis)."""
+        """Return the effect of a table (n_sample, n_axis) on tracking error and feedback command, each (n_sample, n_axis)."""
         given = self._padded(u)
         shape = given.shape
         rest = np.zeros((shape[1], len(self._made.a)))
@@ -80,7 +80,7 @@ class TrialMap:
         return -self._joined(position), self._joined(fed)
 
     def transposed(self, of_error: Array, of_feedback: Array) -> Array:
-        """Return the transpose of `forward`: from weights on both of its results to one table."""
+        """Return the transpose of `forward`: from weights on both results to one table."""
         position, command = -self._padded(of_error), self._padded(of_feedback)
         count = position.shape[1]
         rest = np.zeros((count, len(self._made.a)))
@@ -93,7 +93,7 @@ class TrialMap:
         return self._joined(found - command) if self.target == "command" else self._joined(found)
 
     def monodromy(self) -> Array:
-        """Return what the trial makes of its first state, once round, in the frame of its start."""
+        """Return the transition matrix of the whole trial, in the frame of its start."""
         n = len(self._made.a)
         total = np.eye(n)
         full = self.n_sample // self.length
@@ -107,7 +107,7 @@ class TrialMap:
 
     @cached_property
     def _passages(self) -> Array:
-        """What each stretch makes of the state that it begins with: (n_stretch, n, n)."""
+        """Transition matrices of the stretches: (n_stretch, n, n)."""
         n, count = len(self._made.a), self._frames.shape[1]
         state = np.tile(np.eye(n), (count, 1))
         none = np.zeros((count * n, self.n_axis))
@@ -128,7 +128,7 @@ class TrialMap:
         return after, position, command
 
     def _tick_back(self, z: Array, w: tuple[Array, Array], frame: Array, along: Array) -> tuple[Array, Array]:
-        """Return the transpose of `_tick`: what falls on the states (m, n) and on the table (m, n_axis)."""
+        """Return the transpose of `_tick`, on the states (m, n) and on the table (m, n_axis)."""
         made, coupling = self._made, self.loop.coupling
         added = z @ made.pushed + w[1] * made.command_pushed
         shift = z @ made.referred + w[1] * made.command_referred
