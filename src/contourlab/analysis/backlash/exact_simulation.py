@@ -116,13 +116,7 @@ class ExactRun:
 
 
 def simulate_exact(
-    loop: BacklashLoop,
-    start: ArrayLike,
-    duration: float,
-    reference: float = 0.0,
-    *,
-    twist: float | None = None,
-    most: int = 100_000,
+    loop: BacklashLoop, start: ArrayLike, duration: float, reference: float = 0.0, *, twist: float | None = None, most: int = 100_000
 ) -> ExactRun:
     """Simulate a loop exactly.
 

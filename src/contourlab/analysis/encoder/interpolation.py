@@ -46,9 +46,9 @@ def interpolation_order(pitch: float, resolution: float) -> int:
     order = round(exact) if exact < 2.0 * HIGHEST else 0
     if not 1 <= order <= HIGHEST or abs(exact - order) > 1e-6 * order:
         near = sorted({pitch / (4.0 * n) for n in (np.floor(exact), np.ceil(exact)) if 1 <= n <= HIGHEST})
-        words = " or ".join(f"{value:.9g}" for value in near) or f"from {pitch / (4.0 * HIGHEST):.6g} to {0.25 * pitch:.6g}"
+        nearest = " or ".join(f"{value:.9g}" for value in near) or f"from {pitch / (4.0 * HIGHEST):.6g} to {0.25 * pitch:.6g}"
         raise ParameterError(
-            "resolution", f"{resolution:g} m", f"a pitch of {pitch:g} m over four times a whole number, such as {words}", "m"
+            "resolution", f"{resolution:g} m", f"a pitch of {pitch:g} m over four times a whole number, such as {nearest}", "m"
         )
     return order
 

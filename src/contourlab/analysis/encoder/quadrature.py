@@ -331,7 +331,7 @@ def track_ellipse(
     forgetting: float = 0.998,
     initial_covariance: float = 10.0,
     update_travel: float = 1.0 / 32.0,
-    told: int = 1024,
+    n_kept: int = 1024,
 ) -> Tracked:
     """Correct signals sample by sample, as a controller does: recursive least squares with forgetting and covariance resetting.
 
@@ -347,7 +347,7 @@ def track_ellipse(
         Of each coefficient, over the squared noise. Greater values give the initial constants less weight.
     update_travel : float, > 0
         Travel between two updates, in pitches. An axis at rest, or dithering within a pitch, causes none.
-    told : int, >= 2
+    n_kept : int, >= 2
         Number of samples at which the coefficients are kept.
 
     Raises
@@ -362,7 +362,7 @@ def track_ellipse(
         ("forgetting", forgetting, 0.9, 1.0),
         ("initial_covariance", initial_covariance, LEAST_COVARIANCE * (1.0 - forgetting), 1e6),
         ("update_travel", update_travel, 1e-4, 10.0),
-        ("told", told, 2, 1 << 30),
+        ("n_kept", n_kept, 2, 1 << 30),
     ):
         if not low <= value <= high:
             raise ParameterError(name, value, f"from {low:g} to {high:g}")
@@ -370,7 +370,7 @@ def track_ellipse(
     theta = replace(start, offset_1=start.offset_1 / size, offset_2=start.offset_2 / size, amplitude=1.0).coefficients()
     group, rows = _group({**dict(zip(DERIVED, theta, strict=True)), "amplitude": size}, (forgetting, initial_covariance, update_travel))
     n = first.size
-    chosen = np.unique(np.linspace(0, n - 1, min(n, told)).astype(np.int64))
+    chosen = np.unique(np.linspace(0, n - 1, min(n, n_kept)).astype(np.int64))
     out, kept = np.empty((3, n)), []
     for at in range(0, n, BLOCK):
         part = slice(at, min(at + BLOCK, n))

@@ -12,7 +12,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from contourlab.analysis.identification.filtered_motion import require_finite, true_spans
-from contourlab.errors import ParameterError
 
 Array = NDArray[np.float64]
 BATCHES = 8
@@ -24,40 +23,16 @@ CHANGED, OUTLYING = 0.003, 6.0
 difference: for normal scatter, four standard deviations."""
 FEWEST = 40
 """Fewest samples of a stretch."""
-
-
-@dataclass(frozen=True)
-class StretchSettings:
-    """What counts as constant speed.
-
-    Attributes
-    ----------
-    dropped : float
-        Share of a stretch at its start, dropped because the axis settles.
-    tolerance : float
-        Largest difference of speed between the halves of the rest, as a share of the speed.
-    shortest : float [s]
-        Shortest rest.
-    straightness : float
-        Without a reference: largest distance of the position from straight lines, as a share of the whole travel.
-    """
-
-    dropped: float = 0.25
-    tolerance: float = 0.15
-    shortest: float = 0.2
-    straightness: float = 0.02
-
-    def __post_init__(self) -> None:
-        bounds = {"dropped": 0.9, "tolerance": 1.0, "shortest": 1e4, "straightness": 0.2}
-        for name, high in bounds.items():
-            value = getattr(self, name)
-            if not 0.0 < value < high:
-                raise ParameterError(name, f"{value:g}", f"> 0 and < {high:g}")
-
-    @property
-    def least_way(self) -> float:
-        """Shortest travel of a stretch found from the position alone, as a share of the whole travel."""
-        return 4.0 * self.straightness
+DROPPED = 0.25
+"""Share of a stretch at its start, dropped because the axis settles."""
+TOLERANCE = 0.15
+"""Largest difference of speed between the halves of the rest, as a share of the speed."""
+SHORTEST = 0.2
+"""Shortest rest [s]."""
+STRAIGHTNESS = 0.02
+"""Without a reference: largest distance of the position from straight lines, as a share of the whole travel."""
+LEAST_TRAVEL = 4.0 * STRAIGHTNESS
+"""Shortest travel of a stretch found from the position alone, as a share of the whole travel."""
 
 
 @dataclass(frozen=True)
@@ -95,12 +70,7 @@ class Stretch:
 
 
 def constant_speed_stretches(
-    period: float,
-    position: Array,
-    command: Array,
-    reference: Array | None = None,
-    settings: StretchSettings | None = None,
-    source: str = "",
+    period: float, position: Array, command: Array, reference: Array | None = None, source: str = ""
 ) -> list[Stretch]:
     """Find the stretches of constant speed of a record.
 
@@ -111,7 +81,6 @@ def constant_speed_stretches(
     command : ndarray (n,)
     reference : ndarray (n,) [m], optional
         With it the stretches are those of one reference speed, less the time to settle; without it they follow from the position.
-    settings : StretchSettings, optional
     source : str
         Name of the record.
 
@@ -120,17 +89,16 @@ def constant_speed_stretches(
     ParameterError
         If the record is not finite.
     """
-    chosen = settings or StretchSettings()
     for name, values in (("position", position), ("command", command), ("reference", position if reference is None else reference)):
         require_finite(name, values)
-    shortest = max(round(chosen.shortest / period), FEWEST)
-    spans = _spans_of_position(position, chosen) if reference is None else _spans_of_reference(reference, shortest)
+    shortest = max(round(SHORTEST / period), FEWEST)
+    spans = _spans_of_position(position) if reference is None else _spans_of_reference(reference, shortest)
     found = []
     for start, stop in spans:
-        settled = start + math.ceil(chosen.dropped * (stop - start))
+        settled = start + math.ceil(DROPPED * (stop - start))
         if reference is None:
             settled, stop = _without_turns(position, settled, stop)
-        if stop - settled >= shortest and _is_even(position[settled:stop], chosen.tolerance):
+        if stop - settled >= shortest and _is_even(position[settled:stop]):
             found.append(_stretch(period, position, command, settled, stop, source))
     return found
 
@@ -148,7 +116,7 @@ def _spans_of_reference(reference: Array, shortest: int) -> list[tuple[int, int]
     return [(start, stop + 2 * step - 1) for start, stop in true_spans(steady) if stop - start + 2 * step > shortest]
 
 
-def _spans_of_position(position: Array, settings: StretchSettings) -> list[tuple[int, int]]:
+def _spans_of_position(position: Array) -> list[tuple[int, int]]:
     """Return where the position is a straight line over time: the sides of the polygon that keeps within a tolerance of it."""
     stride = max(1, position.size // 4000)
     places = position[::stride]
@@ -161,9 +129,9 @@ def _spans_of_position(position: Array, settings: StretchSettings) -> list[tuple
         line = np.linspace(places[first], places[last], last - first + 1)
         apart = np.abs(places[first : last + 1] - line)
         worst = int(np.argmax(apart))
-        if apart[worst] > settings.straightness * whole:
+        if apart[worst] > STRAIGHTNESS * whole:
             waiting += [(first + worst, last), (first, first + worst)]
-        elif abs(places[last] - places[first]) > settings.least_way * whole:
+        elif abs(places[last] - places[first]) > LEAST_TRAVEL * whole:
             # A corner of the polygon may lie on either side of its turn.
             spans.append((first * stride, last * stride - round(TURN * (last - first) * stride)))
     return spans
@@ -190,11 +158,11 @@ def _part_speeds(position: Array, start: int, stop: int) -> tuple[NDArray[np.int
     return edges, np.diff(position[edges]) / np.diff(edges)
 
 
-def _is_even(position: Array, tolerance: float) -> bool:
+def _is_even(position: Array) -> bool:
     """Return whether both halves have one speed, not zero."""
     half = position.size // 2
     first, second = position[half] - position[0], position[2 * half - 1] - position[half - 1]
-    return bool(first * second > 0.0 and abs(second - first) <= tolerance * abs(first + second) / 2.0)
+    return bool(first * second > 0.0 and abs(second - first) <= TOLERANCE * abs(first + second) / 2.0)
 
 
 def _stretch(period: float, position: Array, command: Array, start: int, stop: int, source: str) -> Stretch:

@@ -55,7 +55,7 @@ def load_side(x: Parameters, s: Complex) -> Complex:
 
         zeta = d/(2 w m l/M) + c l/(2 w m M),
 
-    of which the shaft's part and the motor's are not told apart without the share. The lead d/k is taken as 2 zeta/w, as if all were the
+    whose shaft and motor parts cannot be separated without the share. The lead d/k is taken as 2 zeta/w, as if all were the
     shaft's; what is the motor's lets the delay come out larger, by less than 2 zeta/w.
     """
     w = 2.0 * math.pi * x["resonance"]
@@ -351,39 +351,37 @@ def _fitted(points: _Points, model: Callable[[Parameters, Complex], Complex], fr
     found = replace(found, robust_deviations=np.maximum(found.deviations, found.robust_deviations))
     predicted = response(dict(zip(found.names, found.values.tolist(), strict=True)))
     fit = fit_percent(points.speed(points.response), points.speed(predicted))
-    said, usable = [], True
+    remarks, usable = [], True
     if points.left_out:
-        said.append(f"{points.left_out} points within the noise are left out, by coherence or deviation")
+        remarks.append(f"{points.left_out} points within the noise are left out, by coherence or deviation")
     for name in found.names:
         value, deviation = found[name], found.deviation(name)
         if name == "delay" and value < 1e-3 * points.period:
-            said.append("no delay is visible")
+            remarks.append("no delay is visible")
         elif name in found.at_bound:
-            said.append(f"{name} = {value:.3g} is at the bound of what is looked for: not told by this response")
+            remarks.append(f"{name} = {value:.3g} is at the bound of what is looked for: this response does not determine it")
             usable = usable and name not in VITAL
         elif deviation > 0.01 * WELL_KNOWN * abs(value) and not (name == "delay" and deviation < points.period):
-            said.append(f"{name} = {value:.4g} is poorly determined: known to {100.0 * deviation / abs(value):.2g} % only")
+            remarks.append(f"{name} = {value:.4g} is poorly determined: known to {100.0 * deviation / abs(value):.2g} % only")
             usable = usable and (name not in VITAL or deviation < 0.01 * USELESS * value)
     if fit < EXPLAINED:
-        said.append(f"the model explains {fit:.3g} % of the response: a resonance, a delay or friction of another kind is at work")
+        remarks.append(f"the model explains {fit:.3g} % of the response: a resonance, a delay or friction of another kind is at work")
         usable = usable and fit > 0.5 * EXPLAINED
-    return DriveFit(found, points.frequency, points.response, predicted, fit, usable, tuple(said))
+    return DriveFit(found, points.frequency, points.response, predicted, fit, usable, tuple(remarks))
 
 
 def _with_resonance(points: _Points, fit: DriveFit, rigid: DriveFit) -> DriveFit:
     """Return the fit with remarks on its resonance: does it lie among the points, and would one mass do?"""
     x = fit.parameters
     resonance = x["resonance"] if "resonance" in x else resonances(x)[0]
-    said, usable = list(fit.remarks), fit.usable
+    remarks, usable = list(fit.remarks), fit.usable
     if not points.frequency.min() < resonance < 1.1 * points.frequency.max():
-        said.append(f"the resonance, {resonance:.4g} Hz, lies outside the points: extrapolated")
+        remarks.append(f"the resonance, {resonance:.4g} Hz, lies outside the points: extrapolated")
         usable = False
     if "resonance" in x:
-        said.append("the load's side shows the whole mass and the resonance, not the shares of motor and load: measure at the motor")
+        remarks.append("the load's side shows the whole mass and the resonance, not the shares of motor and load: measure at the motor")
     elif fit.given:
-        said.append(
-            "from the load's side the share of the motor is not told: load, stiffness and shaft damping are as right as what was given"
-        )
+        remarks.append("the load's side does not show the share of the motor: load, stiffness and shaft damping depend on the given mass")
     n = 2 * points.frequency.size
 
     def criterion(one: DriveFit) -> float:
@@ -392,6 +390,6 @@ def _with_resonance(points: _Points, fit: DriveFit, rigid: DriveFit) -> DriveFit
         return n * math.log(max(left / n, 1e-300)) + 2.0 * k + 2.0 * k * (k + 1) / max(n - k - 1, 1)
 
     if criterion(fit) > criterion(rigid) - 2.0:
-        said.append("one mass explains the response as well: use linear-motor")
+        remarks.append("one mass explains the response as well: use linear-motor")
         usable = False
-    return replace(fit, usable=usable, remarks=tuple(said))
+    return replace(fit, usable=usable, remarks=tuple(remarks))

@@ -37,30 +37,6 @@ LONGEST_DELAY = 0.05
 """Longest delay that is fitted [s]."""
 
 
-@dataclass(frozen=True)
-class FirstOrderSettings:
-    """What is fitted, and how the velocity is measured.
-
-    Attributes
-    ----------
-    friction : bool
-        Fit Coulomb friction, and an offset: the part of the command that balances a constant force such as gravity.
-    delay : bool
-        Fit a delay of the command.
-    smoothing : int or None, >= 1
-        Samples over which the position is differenced. None: the fewest at which noise and encoder counts are below half a percent of the
-        velocity, up to a four-hundredth of the record.
-    """
-
-    friction: bool = True
-    delay: bool = True
-    smoothing: int | None = None
-
-    def __post_init__(self) -> None:
-        if self.smoothing is not None and not (isinstance(self.smoothing, int) and self.smoothing >= 1):
-            raise ParameterError("smoothing", self.smoothing, "a whole number of 1 or more")
-
-
 @dataclass(frozen=True, eq=False)
 class FirstOrderFit:
     """An axis of first order, identified from a record.
@@ -139,9 +115,7 @@ class _Blocks:
         return np.asarray(values[: n * self.smoothing].reshape(n, self.smoothing).mean(axis=1))
 
 
-def identify_first_order(
-    time: ArrayLike, command: ArrayLike, position: ArrayLike, settings: FirstOrderSettings | None = None
-) -> FirstOrderFit:
+def identify_first_order(time: ArrayLike, command: ArrayLike, position: ArrayLike, *, friction: bool = True) -> FirstOrderFit:
     """Find gain and damping, and friction, offset and delay, of an axis from its command and position.
 
     Parameters
@@ -152,43 +126,43 @@ def identify_first_order(
         Held from each sample to the next.
     position : array_like (n,) [m]
         Measured.
-    settings : FirstOrderSettings, optional
+    friction : bool
+        Fit Coulomb friction, and an offset: the part of the command that balances a constant force such as gravity.
 
     Raises
     ------
     ParameterError
         If the record is too short, uneven, not finite or at rest, if the axis goes against its command, or parameters cannot be separated.
     """
-    chosen = settings or FirstOrderSettings()
     period, (_, u, p) = even_record(time, {"command": command, "position": position})
     if not np.ptp(u) > 0.0:
         raise ParameterError("command", f"{u[0]:g} throughout", "a record whose command changes: one level cannot separate a and b")
-    smoothing = chosen.smoothing or smoothing_of(p)
+    smoothing = smoothing_of(p)
     blocks = _Blocks(u, period, smoothing)
     measured = blocks.differenced(p)
     if not np.ptp(measured) > 0.0:
         raise ParameterError("position", "a record", "one in which the axis moves")
-    free = _start(blocks, measured, chosen)
+    free = _start(blocks, measured, friction)
     found = fit_output(blocks.model, measured, free)
-    said: list[str] = []
+    left_out: list[str] = []
     for name in ("start", "delay", "friction"):
         if name in free and (name in found.at_bound or abs(found[name]) < 2.0 * found.deviation(name)):
-            said.append(f"{name} is not distinguishable from zero and is left out")
+            left_out.append(f"{name} is not distinguishable from zero and is left out")
             free = {key: replace(part, start=found[key]) for key, part in free.items() if key != name}
             found = fit_output(blocks.model, measured, free)
     middle = np.asarray(time, dtype=float)[0] + period * smoothing * (np.arange(measured.size) + 0.5)
     remarks, usable = _remarks(found, "velocity", "other friction, a resonance or a load is at work")
-    return FirstOrderFit(found, middle, blocks.averaged(u), smoothing, usable, (*said, *remarks))
+    return FirstOrderFit(found, middle, blocks.averaged(u), smoothing, usable, (*left_out, *remarks))
 
 
-def _start(blocks: _Blocks, measured: Array, settings: FirstOrderSettings) -> dict[str, Free]:
+def _start(blocks: _Blocks, measured: Array, with_friction: bool) -> dict[str, Free]:
     """Return the start of the fit: the best of a grid over damping and friction, each with its best gain."""
     u, whole = blocks.command, blocks.period * blocks.command.size
     size = float(np.sqrt(np.mean(u**2)))
     fastest = 1.0 / (2.0 * blocks.period * blocks.smoothing)
     best, least = (0.0, 1.0, 0.0), math.inf
     for b in np.geomspace(0.3 / whole, fastest, 14):
-        for share in (0.0, 0.2, 0.5, 0.8) if settings.friction else (0.0,):
+        for share in (0.0, 0.2, 0.5, 0.8) if with_friction else (0.0,):
             unit = blocks.unit({"b": float(b), "friction": share * size})
             power = float(unit @ unit)
             a = float(unit @ measured) / power if power > 0.0 else 0.0
@@ -201,10 +175,9 @@ def _start(blocks: _Blocks, measured: Array, settings: FirstOrderSettings) -> di
             "velocity", "a record", "rising with the command: one of the two is counted the other way round, or they are not of one axis"
         )
     free = {"a": Free(a, 1e-6 * a, 1e6 * a, a), "b": Free(b, 0.0, 20.0 * fastest, max(b, 0.01 * fastest))}
-    if settings.friction:
+    if with_friction:
         free |= {"friction": Free(friction, 0.0, float(np.abs(u).max()), size), "offset": Free(0.0, -2.0 * size, 2.0 * size, 0.1 * size)}
-    if settings.delay:
-        free["delay"] = Free(0.5 * blocks.period, 0.0, min(LONGEST_DELAY, 0.1 * whole), blocks.period)
+    free["delay"] = Free(0.5 * blocks.period, 0.0, min(LONGEST_DELAY, 0.1 * whole), blocks.period)
     if abs(measured[0]) > 0.01 * float(np.abs(measured).max()):
         free["start"] = Free(float(measured[0]), scale=float(np.abs(measured).max()))
     return free

@@ -336,12 +336,12 @@ def response_doubts(measured: MeasuredResponse) -> list[str]:
     f, h = measured.frequency[good], h[good]
     if not f.size:
         return []
-    said = []
+    doubts = []
     if f[-1] >= WIDE * f[0] and np.polyfit(np.log(f), np.log(np.abs(h)), 1)[0] > RISING:
-        said.append("the response of the position grows with frequency: are command and position exchanged?")
+        doubts.append("the response of the position grows with frequency: are command and position exchanged?")
     elif _goes_against(f, h, measured.period):
-        said.append("the axis goes against its command: reverse the sign of one of the two")
-    return said
+        doubts.append("the axis goes against its command: reverse the sign of one of the two")
+    return doubts
 
 
 def _goes_against(f: Array, h: NDArray[np.complex128], period: float) -> bool:

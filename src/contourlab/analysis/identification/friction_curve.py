@@ -289,36 +289,40 @@ def _level(curve: FrictionCurve) -> tuple[float, float]:
 def _remarks(
     chosen: FrictionCurve, tried: Sequence[FrictionCurve], sound: Sequence[FrictionCurve], v: Array, both: bool
 ) -> tuple[list[str], bool]:
-    said, usable = [], True
+    remarks, usable = [], True
     w = np.abs(v)
     for curve in tried:
         if not any(curve is other for other in sound):
-            said.append(f"{curve.name} would need a friction below zero")
+            remarks.append(f"{curve.name} would need a friction below zero")
     if not both:
-        said.append("one direction only: Fc contains both Coulomb friction and an offset, such as gravity")
+        remarks.append("one direction only: Fc contains both Coulomb friction and an offset, such as gravity")
     if chosen.model.stribeck:
         if chosen.bends_both_ways:
-            said.append("friction dips from rest in one direction and rises in the other: one law for both has the mean")
+            remarks.append("friction dips from rest in one direction and rises in the other: one law for both has the mean")
         elif chosen.rises:
-            said.append(f"concave: friction rises from {1e3 * w.min():.3g} mm/s on to its Coulomb level over vs; this is no Stribeck dip")
+            remarks.append(
+                f"concave: friction rises from {1e3 * w.min():.3g} mm/s on to its Coulomb level over vs: no Stribeck dip"
+            )
         elif chosen["vs"] < 1.2 * w.min():
-            said.append(f"vs is below the slowest run, {1e3 * w.min():.3g} mm/s: the level at rest is a guess from one speed")
+            remarks.append(f"vs is below the slowest run, {1e3 * w.min():.3g} mm/s: the level at rest is a guess from one speed")
             usable = False
     else:
-        said.append(f"no Stribeck effect is told: the slowest run is at {1e3 * w.min():.3g} mm/s, friction below is not in these stretches")
+        remarks.append(f"no Stribeck effect is visible: the slowest run is at {1e3 * w.min():.3g} mm/s")
     level, deviation = _level(chosen)
     if both and chosen.fit < EXPLAINED:
-        said.append(f"the curve explains {chosen.fit:.3g} % of the command: more than friction is at work, or it is that of another axis")
+        remarks.append(
+            f"the curve explains {chosen.fit:.3g} % of the command: more than friction acts, or it belongs to another axis"
+        )
         usable = False
     if chosen.fit < EXPLAINED and level < 2.0 * deviation:
-        said.append(f"no friction is told apart from the scatter: {level:.4g} with a standard deviation of {deviation:.2g}")
+        remarks.append(f"friction is not distinguishable from the scatter: {level:.4g} with a standard deviation of {deviation:.2g}")
         usable = False
     if not chosen.model.coulomb:
-        said.append("no Coulomb friction is told apart from zero")
+        remarks.append("Coulomb friction is not distinguishable from zero")
     for name in chosen.names:
         if name.startswith("Fv") and chosen[name] < 0.0:
-            said.append(f"{name} = {chosen[name]:.4g} is below zero within its deviation: take no viscous friction")
+            remarks.append(f"{name} = {chosen[name]:.4g} is below zero within its deviation: take no viscous friction")
         if name != "offset" and chosen.deviation(name) > 0.01 * WELL_KNOWN * abs(chosen[name]):
             share = 100.0 * chosen.deviation(name) / abs(chosen[name]) if chosen[name] else math.inf
-            said.append(f"{name} = {chosen[name]:.4g} is known to {share:.2g} % only")
-    return said, usable
+            remarks.append(f"{name} = {chosen[name]:.4g} is known to {share:.2g} % only")
+    return remarks, usable

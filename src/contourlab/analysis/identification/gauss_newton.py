@@ -236,7 +236,7 @@ class FitCovariance:
     ----------
     covariance : ndarray (p, p)
         That allows for a residual correlated over neighbouring rows and across channels; infinite on the diagonal where a parameter is
-        not told.
+        undetermined.
     deviations, white_deviations : ndarray (p,)
         Standard deviations from it; and as they would be were the residual white.
     correlation : ndarray (p, p)

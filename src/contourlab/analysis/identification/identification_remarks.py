@@ -60,8 +60,8 @@ def on_mass(mass: float) -> tuple[list[str], bool]:
     """
     if LIGHT <= mass <= HEAVY:
         return [], True
-    said = f"a mass of {mass:.4g} kg is moved: are the units of position, force and gain right?"
-    return [said], IMPOSSIBLE[0] <= mass <= IMPOSSIBLE[1]
+    remark = f"a mass of {mass:.4g} kg is moved: are the units of position, force and gain right?"
+    return [remark], IMPOSSIBLE[0] <= mass <= IMPOSSIBLE[1]
 
 
 def mean_coulomb(names: tuple[str, ...], values: Array, deviations: Array) -> tuple[float, float]:
@@ -86,48 +86,48 @@ def remarks_on(
     slowest : float [m/s]
         Speed below which rows were left out.
     """
-    said, usable = _on_parameters(names, values, np.maximum(deviations, robust))
+    remarks, usable = _on_parameters(names, values, np.maximum(deviations, robust))
     lengths = np.linalg.norm(columns, axis=0)
     condition = float(np.linalg.cond(columns / lengths))
     if condition > EXCITED:
-        said.append(f"too little excitation: condition number {condition:.3g} with columns of length one, below {EXCITED:g} is usual")
+        remarks.append(f"too little excitation: condition number {condition:.3g} with columns of length one, below {EXCITED:g} is usual")
     if fit < EXPLAINED:
         asked = "is the position the measured one, and the force that of this axis?"
-        said.append(f"the model explains {fit:.3g} % of the force: other friction or another force is at work, or {asked}")
+        remarks.append(f"the model explains {fit:.3g} % of the force: other friction or another force is at work, or {asked}")
         usable = usable and fit >= LEAST
     with np.errstate(divide="ignore", invalid="ignore"):
         ratio = float(np.nan_to_num(robust / deviations, nan=1.0).max())
     if ratio > COLOURED:
-        said.append(f"the residual is not white: deviations that allow for it are up to {ratio:.2g} times as large")
+        remarks.append(f"the residual is not white: deviations that allow for it are up to {ratio:.2g} times as large")
     resting = float(np.mean(np.abs(velocity) < AT_REST * np.abs(velocity).max()))
     if resting > RESTS and slowest == 0.0:
-        said.append(f"{100.0 * resting:.2g} % of the rows are at rest, where the sign of v is noise: leave them out with --slowest")
-    return tuple(said), usable
+        remarks.append(f"{100.0 * resting:.2g} % of the rows are at rest, where the sign of v is noise: leave them out with --slowest")
+    return tuple(remarks), usable
 
 
 def _on_parameters(names: tuple[str, ...], values: Array, deviations: Array) -> tuple[list[str], bool]:
-    said, usable = [], True
+    remarks, usable = [], True
     for name, value, deviation in zip(names, values.tolist(), deviations.tolist(), strict=True):
         share = 100.0 * deviation / abs(value) if value else np.inf
         if name == "offset" or share <= WELL_KNOWN:
             continue  # an offset of nothing is welcome
-        known = "is not told apart from zero" if abs(value) < 2.0 * deviation else f"is known to {share:.2g} % only"
-        said.append(f"{name} = {value:.4g} {known}, standard deviation {deviation:.2g}: too little excitation")
+        known = "is not distinguishable from zero" if abs(value) < 2.0 * deviation else f"is known to {share:.2g} % only"
+        remarks.append(f"{name} = {value:.4g} {known}, standard deviation {deviation:.2g}: too little excitation")
         usable = usable and name != "M"
-    told, possible = on_mass(float(values[names.index("M")]))
-    said, usable = [*said, *told], usable and possible
+    on_the_mass, possible = on_mass(float(values[names.index("M")]))
+    remarks, usable = [*remarks, *on_the_mass], usable and possible
     friction, _ = mean_coulomb(names, values, deviations)
     if friction < 0.0:
-        said.append(f"Fc = {friction:.4g} is below zero within its deviation: unusable as it stands, take no Coulomb friction")
+        remarks.append(f"Fc = {friction:.4g} is below zero within its deviation: unusable as it stands, take no Coulomb friction")
         usable = False
     elif len(names) == 5:
-        said.extend(
+        remarks.extend(
             f"{name} = {value:.4g} is below zero: a constant force larger than Coulomb friction acts, as gravity does"
             for name, value in zip(names, values.tolist(), strict=True)
             if name.startswith("Fc") and value < 0.0
         )
     for name, value in zip(names, values.tolist(), strict=True):
         if name.startswith("Fv") and value < 0.0:
-            said.append(f"{name} = {value:.4g} is below zero: unusable; friction falls with speed (Stribeck), or speeds are too alike")
+            remarks.append(f"{name} = {value:.4g} is below zero: unusable; friction falls with speed (Stribeck), or speeds are too alike")
             usable = False
-    return said, usable
+    return remarks, usable

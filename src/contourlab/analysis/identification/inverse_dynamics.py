@@ -198,13 +198,13 @@ def identify_inverse_dynamics(
     deviations = np.sqrt(np.diag(unscaled) * float(residual @ residual) / max(residual.size - lost, 1))
     scale = np.sqrt(np.diag(unscaled))
     robust = coloured_deviations(rows.columns, residual, unscaled, bartlett(usual_lags(residual.size)))
-    told = _judged(rows, rows.columns @ values)
+    explained = _judged(rows, rows.columns @ values)
     check_signs(names, values, np.maximum(deviations, robust))
-    remarks, usable = remarks_on(names, values, deviations, robust, rows.columns, rows.velocity, told.fit, chosen.slowest)
+    remarks, usable = remarks_on(names, values, deviations, robust, rows.columns, rows.velocity, explained.fit, chosen.slowest)
     with np.errstate(divide="ignore"):
         relative = 100.0 * deviations / np.abs(values)
     return InverseDynamicsFit(
-        **vars(told),
+        **vars(explained),
         settings=chosen,
         names=names,
         values=values,
@@ -272,7 +272,7 @@ def _check_excitation(rows: _Rows, names: tuple[str, ...]) -> None:
         raise ParameterError("position", "one place throughout", "a record in which the axis moves")
     for way, word in ((1.0, "forwards"), (-1.0, "backwards")):
         if np.count_nonzero(way * rows.velocity > 0.01 * fastest) < FEWEST_ROWS // 4:
-            bound = "a record that moves both ways: friction and offset are not told apart by one direction"
+            bound = "a record that moves both ways: one direction cannot separate friction and offset"
             raise ParameterError("velocity", f"never {word}", bound)
     lengths = np.linalg.norm(rows.columns, axis=0)
     if not lengths.all():

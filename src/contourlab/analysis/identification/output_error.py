@@ -130,13 +130,12 @@ def fit_output(model: Callable[[Mapping[str, float]], Array], measured: Array, f
     values, bound = np.where(lowest, low, np.where(highest, high, values)), lowest | highest
     predicted = output(values)
     slopes = _slopes(output, values, low, high, scale)
-    told = _covariance(slopes[:, ~bound], predicted - measured, [name for name, b in zip(names, bound, strict=True) if not b])
-    white, robust = np.zeros(len(names)), np.zeros(len(names))
-    white[~bound], robust[~bound] = told[0], told[1]
-    correlation = np.eye(len(names))
-    correlation[np.ix_(~bound, ~bound)] = told[2]
+    white, robust, correlation = np.zeros(len(names)), np.zeros(len(names)), np.eye(len(names))
+    inside = [name for name, b in zip(names, bound, strict=True) if not b]
+    part = np.ix_(~bound, ~bound)
+    white[~bound], robust[~bound], correlation[part], condition = _covariance(slopes[:, ~bound], predicted - measured, inside)
     stuck = tuple(name for name, b in zip(names, bound, strict=True) if b)
-    return OutputFit(names, values, white, robust, correlation, told[3], stuck, measured, predicted, fit_percent(measured, predicted))
+    return OutputFit(names, values, white, robust, correlation, condition, stuck, measured, predicted, fit_percent(measured, predicted))
 
 
 def _slopes(output: Callable[[Array], Array], at: Array, low: Array, high: Array, scale: Array) -> Array:

@@ -192,33 +192,33 @@ def sine_responses(runs: Sequence[Measured], names: Sequence[str]) -> MeasuredRe
         If no run has a usable sine.
     """
     points: list[SinePoint] = []
-    said: list[str] = []
+    remarks: list[str] = []
     periods: list[float] = []
     for run, name in zip(runs, names, strict=True):
         stretch = sine_stretch(run.command if run.outside is None else run.outside, run.period)
         if stretch is None:
-            said.append(f"{name}: no stretch in which the excitation is a sine")
+            remarks.append(f"{name}: no stretch in which the excitation is a sine")
             continue
         point = sine_point(run, *stretch)
         if point.still > STILL:
-            said.append(f"{name}: the axis stands still in {100.0 * point.still:.2g} % of the sine, at an end or sticking: left out")
+            remarks.append(f"{name}: the axis stands still in {100.0 * point.still:.2g} % of the sine, at an end or sticking: left out")
             continue
         if point.distortion > DISTORTED:
-            said.append(
+            remarks.append(
                 f"{name}: harmonics make {100.0 * point.distortion:.2g} % of the velocity at {point.frequency:.4g} Hz: no linear response"
             )
         if point.periods < 1.9:
-            said.append(f"{name}: {point.periods:.2g} periods of {point.frequency:.4g} Hz, its transient included")
+            remarks.append(f"{name}: {point.periods:.2g} periods of {point.frequency:.4g} Hz, its transient included")
         points.append(point)
         periods.append(run.period)
     if not points:
-        raise ParameterError("logs", f"{len(runs)} of them", "one with a sine in it: " + "; ".join(said))
+        raise ParameterError("logs", f"{len(runs)} of them", "one with a sine in it: " + "; ".join(remarks))
     # The drive has one servo period; a log of every tenth sample does not change how long a command is held.
     period = min(periods)
     if max(periods) > 1.001 * period:
-        told = f"{1e3 * period:.4g} to {1e3 * max(periods):.4g} ms"
-        said.append(f"sample periods are {told}: the command is taken as held for the shortest of them")
+        span = f"{1e3 * period:.4g} to {1e3 * max(periods):.4g} ms"
+        remarks.append(f"sample periods are {span}: the command is taken as held for the shortest of them")
     points.sort(key=lambda p: p.frequency)
     columns = [np.array([getattr(p, key) for p in points]) for key in ("frequency", "response", "deviation", "coherence", "distortion")]
     frequency, response, deviation, coherence, distortion = columns
-    return MeasuredResponse(frequency, response, deviation, coherence, "one sine a run, least squares", period, distortion, tuple(said))
+    return MeasuredResponse(frequency, response, deviation, coherence, "one sine a run, least squares", period, distortion, tuple(remarks))

@@ -95,16 +95,16 @@ def breakaways(time: ArrayLike, command: ArrayLike, position: ArrayLike) -> tupl
     spans = _ramps(u)
     if not spans:
         raise ParameterError("command", "a record", "one with slow ramps from about zero: up, back to zero, down, back to zero")
-    found, said = [], []
+    found, remarks = [], []
     for start, stop in spans:
         one = _breakaway(period, u[start : stop + 1], p[start : stop + 1], period * start)
         if isinstance(one, str):
-            said.append(f"the ramp at {period * start:.4g} s to {u[stop]:.4g}: {one}")
+            remarks.append(f"the ramp at {period * start:.4g} s to {u[stop]:.4g}: {one}")
         else:
             found.append(one)
     if not found:
-        raise ParameterError("position", "a record", "one in which the axis leaves: " + "; ".join(said))
-    return found, said
+        raise ParameterError("position", "a record", "one in which the axis leaves: " + "; ".join(remarks))
+    return found, remarks
 
 
 def _ramps(u: Array) -> list[tuple[int, int]]:

@@ -234,12 +234,12 @@ class InternalStability:
         if not self.directions.stable:
             worst = ", ".join(f"{name} {part:.2f}" for name, part in zip(self.axes, self.directions.modulus_direction, strict=True))
             return f"the coupling is unstable in the direction ({worst}), near {self._hertz:.3g} Hz: lower its gain"
-        said = f"stable in every direction at rest, never nearer to -1 than {self.directions.modulus:.2f}, at {self._hertz:.3g} Hz"
+        at_rest = f"stable in every direction at rest, never nearer to -1 than {self.directions.modulus:.2f}, at {self._hertz:.3g} Hz"
         if math.isnan(self.lap):
-            return f"{said}; a path that turns fast may differ"
+            return f"{at_rest}; a path that turns fast may differ"
         if self.lap >= 1.0:
-            return f"{said}, but unstable on this path: an error grows by {self.lap:.3g} per lap, because the path turns too fast"
-        return f"{said}, and on this path: one lap leaves {self.lap:.2g} of an error"
+            return f"{at_rest}, but unstable on this path: an error grows by {self.lap:.3g} per lap, because the path turns too fast"
+        return f"{at_rest}, and on this path: one lap leaves {self.lap:.2g} of an error"
 
     @property
     def _hertz(self) -> float:

@@ -226,8 +226,8 @@ def coupled_loop(machine: Machine, controller: Controller) -> CoupledLoop:
 
 def axis_link(machine: Machine, controller: Controller, name: str) -> AxisLink:
     """Return one axis of a machine, closed by its controller, without feedforward: it is no part of a loop."""
-    mine = replace(controller.axes[name], feedforward=None)
-    return link_of(sampled_loop(machine.axis(name), mine, machine.servo_period, machine.carried_mass(name)))
+    alone = replace(controller.axes[name], feedforward=None)
+    return link_of(sampled_loop(machine.axis(name), alone, machine.servo_period, machine.carried_mass(name)))
 
 
 def link_of(loop: SampledLoop) -> AxisLink:
@@ -242,12 +242,7 @@ def link_of(loop: SampledLoop) -> AxisLink:
     # The command includes the addition.
     direct = np.array([c[0] @ pushed + 1.0, c[0] @ referred])
     return AxisLink(
-        loop,
-        closed[np.ix_(kept, kept)],
-        pushed[kept],
-        referred[kept],
-        loop.state[0, kept],
-        np.concatenate([through[kept], direct]),
+        loop, closed[np.ix_(kept, kept)], pushed[kept], referred[kept], loop.state[0, kept], np.concatenate([through[kept], direct])
     )
 
 

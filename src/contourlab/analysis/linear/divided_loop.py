@@ -173,13 +173,13 @@ def divided_loop(machine: Machine, controller: Controller, tangent: ArrayLike | 
     return _cut(whole, names)
 
 
-def _linear(mine: AxisController) -> AxisController:
+def _linear(controller: AxisController) -> AxisController:
     """Return an axis' controller without nonlinear parts, with its links as nodes."""
     left_out: dict[str, Any] = dict.fromkeys(("gap_observer", "compensation", "supervisor", "feedforward"))
-    link = mine.link
+    link = controller.link
     if link is not None:
         link = Division(link.division, Network(), None if link.up is None else Network())
-    return replace(mine, controller=without_limits(mine.controller).linear(), others=(), link=link, **left_out)
+    return replace(controller, controller=without_limits(controller.controller).linear(), others=(), link=link, **left_out)
 
 
 def _cut(whole: Schedule, names: Sequence[str]) -> DividedLoop:

@@ -287,11 +287,7 @@ def lmi_design(axes: Sequence[LinearAxis], weights: LqWeights | None = None) -> 
         weighed, asked = x @ np.sqrt(q), y.T @ np.sqrt(r)
         bound = gamma[i] * best[i]
         whole = cvxpy.bmat(
-            [
-                [first, weighed, asked],
-                [weighed.T, -bound * eye, np.zeros((n, 1))],
-                [asked.T, np.zeros((1, n)), -bound * np.eye(1)],
-            ]
+            [[first, weighed, asked], [weighed.T, -bound * eye, np.zeros((n, 1))], [asked.T, np.zeros((1, n)), -bound * np.eye(1)]]
         )
         rules.append(0.5 * (whole + whole.T) << 0.0)
     problem = cvxpy.Problem(cvxpy.Minimize(cvxpy.sum(gamma)), rules)
