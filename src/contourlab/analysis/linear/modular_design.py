@@ -15,6 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from contourlab.errors import ParameterError
+from contourlab.extras import extra_module
 
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
@@ -269,10 +270,7 @@ def lmi_design(axes: Sequence[LinearAxis], weights: LqWeights | None = None) -> 
     ----------
     Ghaffari & Ulsoy, AIM 2016, for the idea; the inequality is the usual one of the linear quadratic problem with a common Lyapunov matrix.
     """
-    import cvxpy as solver_of
-
-    cvxpy: Any = solver_of  # its functions are not typed
-
+    cvxpy = extra_module("cvxpy")
     weights = weights or LqWeights()
     n, best = len(GAINS), np.array([optimum(axis, weights)[1] for axis in axes])
     x: Any = cvxpy.Variable((n, n), symmetric=True)
@@ -291,7 +289,7 @@ def lmi_design(axes: Sequence[LinearAxis], weights: LqWeights | None = None) -> 
         )
         rules.append(0.5 * (whole + whole.T) << 0.0)
     problem = cvxpy.Problem(cvxpy.Minimize(cvxpy.sum(gamma)), rules)
-    if not any(solved(problem, solver) for solver in ("CLARABEL", "SCS")):
+    if not solved(problem, "CLARABEL"):
         raise ParameterError("axes", f"{len(axes)} of them", "such that one Lyapunov matrix serves them all: take another time_unit")
     gains = np.asarray(y.value) @ np.linalg.inv(np.asarray(x.value))
     return judged("lmi", (), np.repeat(gains, len(axes), axis=0), axes, weights), np.asarray(gamma.value)
@@ -301,8 +299,7 @@ def solved(problem: Any, solver: str) -> bool:
     """Let a solver try; return whether it left a proposal, perhaps an inaccurate one."""
     import warnings
 
-    import cvxpy
-
+    cvxpy = extra_module("cvxpy")
     try:
         with warnings.catch_warnings():
             # "Solution may be inaccurate": the caller checks every proposal.
