@@ -12,7 +12,7 @@ import re
 from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
-from contourlab.components.link.ideal import IdealLink
+from contourlab.components.ideal import IdealLink
 from contourlab.engine.schedule import Late, Node
 from contourlab.engine.step import Port, Step
 from contourlab.errors import ParameterError

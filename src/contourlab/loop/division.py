@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 
 from contourlab.components.contract import Component
-from contourlab.components.link.ideal import IdealLink
+from contourlab.components.ideal import IdealLink
 from contourlab.errors import ParameterError
 
 DIVISIONS = {

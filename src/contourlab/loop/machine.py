@@ -12,11 +12,10 @@ import numpy as np
 from contourlab.components.contract import Component
 from contourlab.components.controller.position import PositionController
 from contourlab.components.drive.saturation import Saturation
-from contourlab.components.friction.none import NoFriction
+from contourlab.components.friction.laws import NoFriction
+from contourlab.components.ideal import IdealSensor, TrueVelocity
 from contourlab.components.origin import Origin
 from contourlab.components.plant.plant import Plant
-from contourlab.components.sensor.ideal import IdealSensor
-from contourlab.components.velocity.true import TrueVelocity
 from contourlab.errors import FeedError, ParameterError
 from contourlab.feed import AxisLimits
 from contourlab.loop.axis_parts import AxisError, Limits

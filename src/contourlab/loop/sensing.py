@@ -4,8 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
-from contourlab.components.sensor.ideal import IdealSensor
-from contourlab.components.velocity.true import TrueVelocity
+from contourlab.components.ideal import IdealSensor, TrueVelocity
 from contourlab.engine.schedule import Late, Node
 from contourlab.engine.step import Port, Step
 from contourlab.errors import ParameterError

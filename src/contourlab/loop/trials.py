@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 
 from contourlab.components.contract import Component
 from contourlab.components.drive.saturation import Saturation
-from contourlab.components.sensor.ideal import IdealSensor
+from contourlab.components.ideal import IdealSensor
 from contourlab.engine.runner import Group, make_group
 from contourlab.engine.schedule import Late, Schedule
 from contourlab.feed import Reference

@@ -17,9 +17,8 @@ from contourlab.analysis.linear.hull_margins import hull_modulus
 from contourlab.analysis.linear.internal_stability import internal_stability
 from contourlab.components.coupling.cross_coupled import CrossCoupled
 from contourlab.components.coupling.cross_coupled_filter import CrossCoupledFilter
-from contourlab.components.coupling.modified_error import ModifiedError
-from contourlab.components.coupling.modified_reference import ModifiedReference
-from contourlab.components.estimator.tangent import Tangent
+from contourlab.components.coupling.modified_reference import ModifiedError, ModifiedReference
+from contourlab.components.estimator.local import Tangent
 from contourlab.errors import ComponentError
 from contourlab.feed import uniform
 from contourlab.geometry import Line, Path, contour

@@ -10,7 +10,7 @@ from scipy.signal import cont2discrete
 
 from contourlab.components.contract import Component
 from contourlab.components.controller.position import PositionController
-from contourlab.components.friction.none import NoFriction
+from contourlab.components.friction.laws import NoFriction
 from contourlab.components.mechanics.core import link
 from contourlab.components.observer.disturbance_observer import DisturbanceObserver
 from contourlab.components.plant.ball_screw import BallScrew

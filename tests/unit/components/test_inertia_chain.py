@@ -11,7 +11,7 @@ from component_rig import make
 from two_mass_rig import Drive, random_command
 
 import contourlab as cl
-from contourlab.components.friction.lugre import LuGre
+from contourlab.components.friction.laws import LuGre
 from contourlab.components.mechanics.core import link
 from contourlab.components.plant.inertia_chain import InertiaChain
 from contourlab.components.plant.reflected import reflected_inertia, reflected_mass

@@ -14,8 +14,7 @@ from hypothesis import strategies as st
 from numpy.typing import NDArray
 
 from contourlab.components.controller.position import PositionController
-from contourlab.components.friction.coulomb import Coulomb
-from contourlab.components.friction.smooth_coulomb import SmoothCoulomb
+from contourlab.components.friction.laws import Coulomb, SmoothCoulomb
 from contourlab.components.plant.ball_screw import BallScrew
 from contourlab.components.plant.linear_motor import LinearMotor
 from contourlab.components.plant.rigid_axis import RigidAxis

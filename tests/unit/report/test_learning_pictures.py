@@ -12,7 +12,7 @@ from contourlab.analysis.learning.learning_analysis import learning_analysis
 from contourlab.analysis.linear.contour_transfer import contour_transfer
 from contourlab.components.controller.position import PositionController
 from contourlab.components.coupling.cross_coupled import CrossCoupled
-from contourlab.components.estimator.tangent import Tangent
+from contourlab.components.estimator.local import Tangent
 from contourlab.components.learning.zero_phase import ZeroPhase
 from contourlab.components.plant.rigid_axis import RigidAxis
 from contourlab.features.analyse.picture import contour_transfer_charts

@@ -1,13 +1,16 @@
-"""The inverse of backlash: the position of the motor that puts the load where it is asked for."""
+"""The inverse of backlash, with a given gap or one that it learns."""
 
 from __future__ import annotations
 
 from typing import Any
 
+import numpy as np
+
 from contourlab.components.compensation.reversal import limited_jump, pushed_side
 from contourlab.components.contract import Component, param
 from contourlab.engine.step import Port
-from contourlab.primitives import select
+from contourlab.errors import ParameterError
+from contourlab.primitives import clip, fabs, maximum, minimum, select
 
 
 class BacklashInverse(Component):
@@ -66,3 +69,123 @@ class BacklashInverse(Component):
         gap = select(inp.gap_estimate > 0.0, inp.gap_estimate, par.backlash_gap)
         shift = limited_jump(x.shift, 0.5 * gap * side, par.jump_velocity * clock.dt)
         return (side, shift), (shift,)
+
+
+COUNTED = 1.25
+"""Up to this times the largest gap the motor's way is counted, so that noise and small turns within the rest do not end a contact."""
+
+
+class AdaptiveBacklashInverse(Component):
+    """Shift of the reference by half the gap in the direction of motion, as `backlash-inverse` gives it, with a gap that is learnt.
+
+    Where the motor pushes the load forwards, motor less load is c_r; backwards it is c_l; the gap is c_r - c_l, and what the two scales are
+    apart drops out. With the regressor phi = (1, 0) or (0, 1) of the side that is pushed and e = (motor - load) - phi.(c_r, c_l), the law
+    is the normalised gradient
+
+        (c_r, c_l) <- (c_r, c_l) + (1 - exp(-dt/T)) phi d(e)/(phi.phi),   then projected onto 0 <= c_r - c_l <= largest_gap,
+
+    with the dead zone d(e) = e - clip(e, -d0, d0), T the `adaptation_time` and phi.phi = 1. Each side closes in on its measured value as
+    exp(-t/T) in the time that it is learnt in, to within d0, so that the gap ends within 2 d0 of what it would be. It starts from
+    `backlash_gap`. What an axis that stands reads, noise and drift within d0, teaches nothing.
+
+    It learns only where contact is sure: the reference faster than `learning_velocity`, the motor driven by more than the largest gap
+    since it last turned, on the side that the reference pushes, and all this for `settling_time` already. What is learnt is lost motion at
+    speed: the gap, and twice the force on the load over the stiffness behind the motor. With T above the time of a stroke that is the mean
+    force, the friction; with less the braking at its end counts most.
+
+    The side pushed is told as in `backlash-inverse`: for a load with more inertia than friction `load_time_constant` has to be given, or it
+    learns where the load runs ahead of the motor.
+
+    References
+    ----------
+    G. Tao & P. V. Kokotovic, "Adaptive control of systems with backlash", Automatica 29(2), 1993, 323-335: adaptive inverse with the
+    crossings c_r and c_l as parameters, gradient law with normalisation, dead zone and projection; here with the error of the measured load
+    position instead of that of a plant's output.
+    """
+
+    family = "compensation"
+    kind = "adaptive-backlash-inverse"
+    reference = "Tao & Kokotovic 1993, adaptive backlash inverse"
+    example = {
+        "backlash_gap": 0.01,
+        "largest_gap": 0.05,
+        "jump_velocity": 0.5,
+        "dead_band": 5e-4,
+        "load_time_constant": 0.3,
+        "initial_direction": -1.0,
+        "adaptation_time": 0.05,
+        "dead_zone": 2e-4,
+        "learning_velocity": 0.05,
+        "settling_time": 0.003,
+    }
+    states = tuple(Port(name) for name in ("side", "shift", "right", "left", "motor", "rise", "fall", "unsure_at", "begun", "known"))
+    inputs = tuple(Port(name) for name in ("reference_velocity", "reference_acceleration", "motor_position", "load_position"))
+    outputs = (Port("reference_shift"),)
+    derived = ("weight",)
+
+    backlash_gap: float = param(
+        default=0.0, unit="m", minimum=0.0, maximum=0.1, display="um", doc="total free travel to begin with, b; 0 to begin without a shift"
+    )
+    largest_gap: float = param(unit="m", minimum=0.0, exclusive=True, maximum=0.1, display="um", doc="what the gap cannot exceed")
+    adaptation_time: float = param(
+        default=0.5, unit="s", minimum=0.0, exclusive=True, doc="time of learning in which an error goes down to 1/e, T"
+    )
+    dead_zone: float = param(default=1e-7, unit="m", minimum=0.0, display="um", doc="error that teaches nothing, d0: a count of the scales")
+    learning_velocity: float = param(
+        default=1e-3, unit="m/s", minimum=0.0, exclusive=True, display="mm/s", doc="speed of the reference below which nothing is learnt"
+    )
+    settling_time: float = param(default=0.02, unit="s", minimum=0.0, display="ms", doc="how long contact has to be sure first")
+    jump_velocity: float = param(
+        default=0.01, unit="m/s", minimum=0.0, exclusive=True, display="mm/s", doc="speed of the shift across the gap"
+    )
+    dead_band: float = param(default=1e-6, unit="m/s", minimum=0.0, display="mm/s", doc="speed below which the side pushed is held")
+    load_time_constant: float = param(
+        default=0.0, unit="s", minimum=0.0, display="ms", doc="mass of the load over its viscous friction; 0 where friction rules"
+    )
+    initial_direction: float = param(
+        default=0.0, minimum=-1.0, maximum=1.0, whole=True, doc="side pushed before the first motion: 1 forwards, -1 backwards, 0 not known"
+    )
+
+    def __init__(self, **values: Any) -> None:
+        super().__init__(**values)
+        if self.backlash_gap > self.largest_gap:
+            raise ParameterError("backlash_gap", f"{self.backlash_gap:g}", f"<= largest_gap, {self.largest_gap:g}", "m")
+
+    def derive(self, par: Any, dt: float) -> tuple[Any, ...]:
+        return (-np.expm1(-dt / par.adaptation_time),)
+
+    @staticmethod
+    def step(par: Any, x: Any, inp: Any, clock: Any) -> Any:
+        before = select(x.side == 0.0, par.initial_direction, x.side)
+        speed = inp.reference_velocity + par.load_time_constant * inp.reference_acceleration
+        side = pushed_side(speed, par.dead_band, before)
+
+        motor, most = inp.motor_position, COUNTED * par.largest_gap
+        moved = x.begun * (motor - x.motor)
+        rise, fall = clip(x.rise + moved, 0.0, most), clip(x.fall - moved, 0.0, most)
+        slowest = minimum(fabs(speed), fabs(inp.reference_velocity))
+        # The three conditions as numbers that are positive where they hold, so that the least of them says whether all do.
+        gone = select(side > 0.0, rise, fall) - par.largest_gap
+        sure = minimum(minimum(gone, slowest - par.learning_velocity), inp.reference_velocity * side)
+        unsure_at = select(sure > 0.0, x.unsure_at, clock.t)
+        learning = select(clock.t - unsure_at > par.settling_time + 1e-6 * clock.dt, 1.0, 0.0)
+        right, left, known = learnt(par, x, motor - inp.load_position, side, learning)
+        gap = select(known > 0.0, right - left, par.backlash_gap)
+
+        shift = limited_jump(x.shift, 0.5 * gap * side, par.jump_velocity * clock.dt)
+        return (side, shift, right, left, motor, rise, fall, unsure_at, 1.0, known), (shift,)
+
+
+def learnt(par: Any, x: Any, apart: float, side: float, learning: float) -> tuple[float, float, float]:
+    """Return c_r, c_l and whether they are known, after a tick in which motor less load is `apart`."""
+    # The first contact gives what the two scales are apart: one side as it is read, the other by the gap to begin with.
+    first = learning * (1.0 - x.known)
+    right = select(first > 0.0, apart + select(side > 0.0, 0.0, par.backlash_gap), x.right)
+    left = select(first > 0.0, apart - select(side > 0.0, par.backlash_gap, 0.0), x.left)
+    of_right, of_left = apart - right, apart - left
+    rate = learning * par.weight
+    right += rate * select(side > 0.0, of_right - clip(of_right, -par.dead_zone, par.dead_zone), 0.0)
+    left += rate * select(side < 0.0, of_left - clip(of_left, -par.dead_zone, par.dead_zone), 0.0)
+    # The nearest pair inside the bounds.
+    beyond = 0.5 * (right - left - clip(right - left, 0.0, par.largest_gap))
+    return right - beyond, left + beyond, maximum(x.known, learning)

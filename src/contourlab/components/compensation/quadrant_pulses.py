@@ -1,4 +1,4 @@
-"""Quadrant-peak compensation: pulses on the command where an axis reverses, in two stages."""
+"""Quadrant-peak compensation: pulses on the command where an axis reverses, alone or with a backlash offset."""
 
 from __future__ import annotations
 
@@ -8,6 +8,7 @@ from typing import Any
 
 import numpy as np
 
+from contourlab.components.compensation.backlash_offset import BacklashOffset, offset_after
 from contourlab.components.compensation.reversal import pushed_side
 from contourlab.components.contract import Component, param, text_param
 from contourlab.engine.step import Port
@@ -156,11 +157,11 @@ class QuadrantPulses(Component):
         return slopes(par)
 
     def step_function(self) -> Any:
-        return _make(self.shape)
+        return _quadrant_pulses_step(self.shape)
 
 
 @cache
-def _make(shape: str) -> Any:
+def _quadrant_pulses_step(shape: str) -> Any:
     pulses = pulses_of(shape)
 
     def step(par: Any, x: Any, inp: Any, clock: Any) -> Any:
@@ -168,5 +169,51 @@ def _make(shape: str) -> Any:
         moment, size = pulse_states(par, x, side, inp.reference_acceleration, clock)
         command, shift = pulses(par, side, moment, size, clock)
         return (side, moment, size), (shift, command)
+
+    return step
+
+
+class CncBacklash(Component):
+    """Backlash offset and two-stage quadrant pulses on one reversal of the command.
+
+    Shift and command are those of `backlash-offset` and `quadrant-pulses` with the same parameters, the shifts added up: an axis has one
+    slot for its compensation, and a control has both. The gap is made good by the offset, what friction does behind it by the pulses.
+
+    References
+    ----------
+    Those of `backlash-offset` and `quadrant-pulses`.
+    """
+
+    family = "compensation"
+    kind = "cnc-backlash"
+    reference = "numerical controls: backlash offset with quadrant error compensation"
+    example = {**QuadrantPulses.example, **BacklashOffset.example}
+    parameters = {**BacklashOffset.parameters, **QuadrantPulses.parameters}
+    states = (*QuadrantPulses.states, Port("offset"), Port("offset_speed"))
+    inputs = QuadrantPulses.inputs
+    outputs = QuadrantPulses.outputs
+    derived = QuadrantPulses.derived
+
+    def __init__(self, **values: Any) -> None:
+        super().__init__(**values)
+        check_characteristic(self)
+
+    def derive(self, par: Any, dt: float) -> tuple[Any, ...]:
+        return slopes(par)
+
+    def step_function(self) -> Any:
+        return _cnc_backlash_step(str(self.values()["shape"]))
+
+
+@cache
+def _cnc_backlash_step(shape: str) -> Any:
+    pulses = pulses_of(shape)
+
+    def step(par: Any, x: Any, inp: Any, clock: Any) -> Any:
+        side = pushed_side(inp.reference_velocity, par.reversal_velocity, x.side)
+        offset, speed = offset_after(par, x, side, clock)
+        moment, size = pulse_states(par, x, side, inp.reference_acceleration, clock)
+        command, shift = pulses(par, side, moment, size, clock)
+        return (side, moment, size, offset, speed), (offset + shift, command)
 
     return step

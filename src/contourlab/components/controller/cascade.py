@@ -11,7 +11,7 @@ import numpy as np
 
 from contourlab.components.contract import Component, LinearModel, param, text_param
 from contourlab.components.controller.anti_windup import ANTI_WINDUP, integral_rise, recovery_part
-from contourlab.engine.step import Port
+from contourlab.engine.step import Port, ports
 from contourlab.errors import ParameterError
 from contourlab.primitives import clip
 
@@ -66,15 +66,15 @@ class Cascade(Component):
     }
     without_effect = ("tracking_time",)  # in the example, whose integral is held
     states = (Port("integral"), Port("last_command"))
-    inputs: ClassVar[tuple[Port, ...]] = (
-        Port("reference"),
-        Port("reference_velocity"),
-        Port("reference_acceleration"),
-        Port("position"),
-        Port("velocity"),
-        Port("disturbance_estimate"),
-        Port("feedforward"),
-        Port("accepted"),
+    inputs: ClassVar[tuple[Port, ...]] = ports(
+        "reference",
+        "reference_velocity",
+        "reference_acceleration",
+        "position",
+        "velocity",
+        "disturbance_estimate",
+        "feedforward",
+        "accepted",
     )
     outputs = (Port("command"),)
     derived = ("integral_rate", "recovery")

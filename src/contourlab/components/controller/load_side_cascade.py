@@ -8,7 +8,7 @@ import numpy as np
 
 from contourlab.components.contract import LinearModel, param
 from contourlab.components.controller.cascade import Cascade, cascade_step
-from contourlab.engine.step import Port
+from contourlab.engine.step import ports
 
 
 class LoadSideCascade(Cascade):
@@ -29,16 +29,16 @@ class LoadSideCascade(Cascade):
     calibrated_ahead = ("velocity_feedforward", "acceleration_feedforward")
     reference = "Nordin & Gutman 2002, section 4"
     example = {**Cascade.example, "damping_gain": 20.0}
-    inputs = (
-        Port("reference"),
-        Port("reference_velocity"),
-        Port("reference_acceleration"),
-        Port("load_position"),
-        Port("motor_velocity"),
-        Port("load_velocity"),
-        Port("disturbance_estimate"),
-        Port("feedforward"),
-        Port("accepted"),
+    inputs = ports(
+        "reference",
+        "reference_velocity",
+        "reference_acceleration",
+        "load_position",
+        "motor_velocity",
+        "load_velocity",
+        "disturbance_estimate",
+        "feedforward",
+        "accepted",
     )
 
     damping_gain: float = param(

@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 
 from contourlab.components.contract import Component, LinearModel, param, text_param
-from contourlab.engine.step import Port
+from contourlab.engine.step import Port, ports
 from contourlab.errors import ParameterError
 
 
@@ -66,15 +66,15 @@ class PositionController(Component):
     }
     reference = "Ghaffari & Ulsoy, eqs 15-16 and 20-23"
     states = (Port("integral"), Port("start"), Port("last_command"))
-    inputs = (
-        Port("reference"),
-        Port("reference_velocity"),
-        Port("reference_acceleration"),
-        Port("position"),
-        Port("velocity"),
-        Port("disturbance_estimate"),
-        Port("feedforward"),
-        Port("accepted"),
+    inputs = ports(
+        "reference",
+        "reference_velocity",
+        "reference_acceleration",
+        "position",
+        "velocity",
+        "disturbance_estimate",
+        "feedforward",
+        "accepted",
     )
     outputs = (Port("command"),)
     derived = ("integral_rate", "acceleration_feedforward", "velocity_feedforward")

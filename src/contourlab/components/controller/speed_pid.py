@@ -10,7 +10,7 @@ import numpy as np
 
 from contourlab.components.contract import Component, LinearModel, param, text_param
 from contourlab.components.mechanics.discretise import low_pass_weight
-from contourlab.engine.step import Port
+from contourlab.engine.step import Port, ports
 
 
 @cache
@@ -54,14 +54,8 @@ class SpeedPID(Component):
     reference = "Gecer Ulu et al., eqs 6-8"
     example = {"dc_gain": 0.8, "damping_ratio": 1.1, "natural_frequency": 150.0, "time_constant": 0.01, "acceleration_bandwidth": 900.0}
     states = (Port("integral"), Port("previous_velocity"), Port("acceleration"))
-    inputs = (
-        Port("reference"),
-        Port("reference_velocity"),
-        Port("reference_acceleration"),
-        Port("position"),
-        Port("velocity"),
-        Port("disturbance_estimate"),
-        Port("feedforward"),
+    inputs = ports(
+        "reference", "reference_velocity", "reference_acceleration", "position", "velocity", "disturbance_estimate", "feedforward"
     )
     outputs = (Port("command"),)
     derived = ("proportional", "integral", "derivative", "weight")

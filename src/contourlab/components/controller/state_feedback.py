@@ -13,7 +13,7 @@ import numpy as np
 from contourlab.components.contract import Component, LinearModel, param, text_param
 from contourlab.components.controller.anti_windup import ANTI_WINDUP, integral_rise, recovery_part
 from contourlab.components.mechanics.discretise import low_pass_weight
-from contourlab.engine.step import Port
+from contourlab.engine.step import Port, ports
 from contourlab.errors import ParameterError
 
 
@@ -88,15 +88,15 @@ class StateFeedback(Component):
     }
     without_effect = ("tracking_time",)  # in the example, whose integral is held
     states = (Port("integral"), Port("previous_velocity"), Port("acceleration"), Port("previous_reference"), Port("last_command"))
-    inputs = (
-        Port("reference"),
-        Port("reference_velocity"),
-        Port("reference_acceleration"),
-        Port("position"),
-        Port("velocity"),
-        Port("disturbance_estimate"),
-        Port("feedforward"),
-        Port("accepted"),
+    inputs = ports(
+        "reference",
+        "reference_velocity",
+        "reference_acceleration",
+        "position",
+        "velocity",
+        "disturbance_estimate",
+        "feedforward",
+        "accepted",
     )
     outputs = (Port("command"),)
     derived = ("weight", "recovery")

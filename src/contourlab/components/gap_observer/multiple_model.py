@@ -22,7 +22,7 @@ from contourlab.components.gap_observer.load_filter import (
     sane,
     started,
 )
-from contourlab.engine.step import Bank, Port, Step
+from contourlab.engine.step import Bank, Port, Step, ports
 from contourlab.errors import ParameterError
 from contourlab.primitives import clip, exp, lincomb, maximum, minimum, scale, select, sqrt
 
@@ -82,14 +82,7 @@ class MultipleModel(Component):
     kind = "multiple-model"
     reference = "Alspach & Sorenson 1972; Lagerberg & Egardt 2007"
     inputs = (Port("motor_position"), Port("applied"))
-    outputs = (
-        Port("gap_state"),
-        Port("gap"),
-        Port("gap_deviation"),
-        Port("confidence"),
-        Port("load_position"),
-        Port("load_velocity"),
-    )
+    outputs = ports("gap_state", "gap", "gap_deviation", "confidence", "load_position", "load_velocity")
     states = (
         Port("ticks"),
         Port("last_position"),

@@ -13,7 +13,7 @@ from contourlab.components.contract import LinearModel, param, text_param
 from contourlab.components.mechanics.two_mass_bristle import two_mass_bristle_step
 from contourlab.components.mechanics.two_mass_mechanics import two_mass_step
 from contourlab.components.plant.plant import Plant
-from contourlab.engine.step import Port
+from contourlab.engine.step import Port, ports
 from contourlab.errors import ComponentError, ParameterError
 from contourlab.primitives import clip, floor, lookup, select
 
@@ -46,24 +46,9 @@ class TwoInertia(Plant):
     force_unit = "N"
     two_sided = True
     rest_depends = ("backlash_gap", "backlash_angle", "start_in_gap", "lead")
-    states = (
-        Port("motor_position"),
-        Port("motor_velocity"),
-        Port("position"),
-        Port("velocity"),
-        Port("side"),
-        Port("twist"),
-    )
+    states = ports("motor_position", "motor_velocity", "position", "velocity", "side", "twist")
     inputs = (Port("command"), Port("load"))
-    outputs = (
-        Port("position"),
-        Port("velocity"),
-        Port("acceleration"),
-        Port("motor_position"),
-        Port("motor_velocity"),
-        Port("gap_state"),
-        Port("shaft_force"),
-    )
+    outputs = ports("position", "velocity", "acceleration", "motor_position", "motor_velocity", "gap_state", "shaft_force")
     derived = (
         "force_value",
         "motor_mobility",

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any
 
 from contourlab.app.folder import staged
 from contourlab.app.stages import Stages, shown
-from contourlab.components.friction.none import NoFriction
+from contourlab.components.friction.laws import NoFriction
 from contourlab.errors import DivergenceError, ParameterError, ProgramError, ScenarioError
 from contourlab.features.run.compare import Case, Outcome, run_case
 from contourlab.features.run.summary import summary_of

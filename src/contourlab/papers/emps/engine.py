@@ -6,8 +6,8 @@ from dataclasses import replace
 
 import numpy as np
 
-from contourlab.components.drive.delayed_saturation import DelayedSaturation
-from contourlab.components.sensor.ideal import IdealSensor
+from contourlab.components.drive.saturation import DelayedSaturation
+from contourlab.components.ideal import IdealSensor
 from contourlab.errors import ParameterError
 from contourlab.feed import Reference
 from contourlab.geometry import Line, Path

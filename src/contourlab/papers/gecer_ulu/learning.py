@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from contourlab.analysis.learning.learning_frequency import FrequencyLearning, frequency_learning
 from contourlab.analysis.linear.coupled_loop import coupled_loop
-from contourlab.components.drive.delayed_saturation import DelayedSaturation
+from contourlab.components.drive.saturation import DelayedSaturation
 from contourlab.features.learn import LearningRun, learn, learning_problem
 from contourlab.features.learn.trial import record_of
 from contourlab.loop import Controller, Machine

@@ -11,9 +11,9 @@ from numpy.typing import NDArray
 
 from contourlab.components.contract import Component
 from contourlab.components.controller.position import PositionController
-from contourlab.components.disturbance.table import TableLoad
-from contourlab.components.friction.none import NoFriction
-from contourlab.components.sensor.ideal import IdealSensor
+from contourlab.components.disturbance.loads import TableLoad
+from contourlab.components.friction.laws import NoFriction
+from contourlab.components.ideal import IdealSensor
 from contourlab.engine.runner import make_group
 from contourlab.geometry import Line, Path
 from contourlab.loop.axis_parts import Limits

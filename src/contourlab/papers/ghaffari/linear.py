@@ -13,9 +13,9 @@ from numpy.typing import NDArray
 from contourlab.analysis.linear.tick_map import spectral_radius
 from contourlab.components.controller.position import PositionController
 from contourlab.components.drive.saturation import Saturation
-from contourlab.components.friction.none import NoFriction
+from contourlab.components.friction.laws import NoFriction
+from contourlab.components.ideal import IdealSensor
 from contourlab.components.plant.rigid_axis import RigidAxis
-from contourlab.components.sensor.ideal import IdealSensor
 from contourlab.geometry import Line, Path
 from contourlab.loop.machine import Axis, AxisController, Controller, Machine
 from contourlab.loop.template import build

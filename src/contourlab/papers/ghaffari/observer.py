@@ -10,8 +10,8 @@ from numpy.typing import NDArray
 
 from contourlab.analysis.linear.response import AxisResponse
 from contourlab.components.controller.position import PositionController
-from contourlab.components.friction.none import NoFriction
-from contourlab.components.sensor.ideal import IdealSensor
+from contourlab.components.friction.laws import NoFriction
+from contourlab.components.ideal import IdealSensor
 from contourlab.loop.machine import AxisController
 from contourlab.papers.ghaffari.axis_response import axis_response
 from contourlab.papers.ghaffari.setup import AXES, TABLE_2, TABLE_3, Gains, Reading, axis, axis_controller

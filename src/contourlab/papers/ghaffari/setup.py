@@ -14,7 +14,7 @@ from contourlab.components.controller.position import PositionController
 from contourlab.components.coupling.modified_reference import ModifiedReference
 from contourlab.components.drive.saturation import Saturation
 from contourlab.components.estimator.newton import Newton
-from contourlab.components.friction.coulomb import Coulomb
+from contourlab.components.friction.laws import Coulomb
 from contourlab.components.observer.disturbance_observer import DisturbanceObserver
 from contourlab.components.plant.rigid_axis import RigidAxis
 from contourlab.components.sensor.encoder import Encoder

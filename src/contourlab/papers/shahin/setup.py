@@ -9,12 +9,7 @@ from typing import Any
 import numpy as np
 
 from contourlab.components.controller.cascade import Cascade
-from contourlab.components.controller.contact_zone_1 import ContactZone1
-from contourlab.components.controller.contact_zone_2 import ContactZone2
-from contourlab.components.controller.contact_zone_3 import ContactZone3
-from contourlab.components.controller.gap_zone_1 import GapZone1
-from contourlab.components.controller.gap_zone_2 import GapZone2
-from contourlab.components.controller.gap_zone_3 import GapZone3
+from contourlab.components.controller.zone_law import ContactZone1, ContactZone2, ContactZone3, GapZone1, GapZone2, GapZone3
 from contourlab.components.plant.two_inertia import TwoInertia
 from contourlab.components.supervisor.performance import Performance
 from contourlab.feed import Reference, uniform

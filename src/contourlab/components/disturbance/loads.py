@@ -1,4 +1,4 @@
-"""A force from a table over time or position."""
+"""Forces over time or position."""
 
 from __future__ import annotations
 
@@ -12,11 +12,54 @@ from numpy.typing import NDArray
 from contourlab.components.contract import Component, param, text_param
 from contourlab.engine.step import Port
 from contourlab.errors import ParameterError
-from contourlab.primitives import clip, floor, lookup
+from contourlab.primitives import clip, floor, lookup, sin
+
+
+class ConstantLoad(Component):
+    """A force that is there from a given time on: gravity on a vertical axis, a steady cutting force."""
+
+    family = "disturbance"
+    kind = "constant"
+    reference = "constant load from a given time"
+    example = {"force": 2.0, "start": 0.05}
+    unbounded = ("force",)
+    inputs = (Port("position"),)
+    outputs = (Port("force"),)
+
+    force: float = param(unit="{force}", doc="force along the axis")
+    start: float = param(default=0.0, unit="s", minimum=0.0, doc="time from which it acts")
+
+    @staticmethod
+    def step(par: Any, x: Any, inp: Any, clock: Any) -> Any:
+        return (), (par.force if clock.t >= par.start else 0.0,)
+
+
+class SineLoad(Component):
+    """A force A sin(2 pi f t + phase): an unbalanced spindle, a tooth-passing force."""
+
+    family = "disturbance"
+    kind = "sine"
+    reference = "harmonic load"
+    example = {"amplitude": 2.0, "frequency": 12.0, "phase": 0.3}
+    unbounded = ("phase",)
+    inputs = (Port("position"),)
+    outputs = (Port("force"),)
+    derived = ("angular_frequency",)
+
+    amplitude: float = param(unit="{force}", minimum=0.0, doc="amplitude, A")
+    frequency: float = param(unit="Hz", minimum=0.0, doc="frequency, f")
+    phase: float = param(default=0.0, unit="rad", doc="phase at time 0")
+
+    def derive(self, par: Any, dt: float) -> tuple[Any, ...]:
+        return (2.0 * math.pi * par.frequency,)
+
+    @staticmethod
+    def step(par: Any, x: Any, inp: Any, clock: Any) -> Any:
+        return (), (par.amplitude * sin(par.angular_frequency * clock.t + par.phase),)
 
 
 @cache
-def _make(over_time: bool, repeat: bool) -> Any:
+def _table_step(over_time: bool, repeat: bool) -> Any:
     def step(par: Any, x: Any, inp: Any, clock: Any) -> Any:
         where = clock.t if over_time else inp.position
         u = (where - par.origin) * par.inverse_step
@@ -71,7 +114,7 @@ class TableLoad(Component):
             raise ParameterError(f"{self.over}_step", "not given", f'> 0, and given with over = "{self.over}"')
 
     def step_function(self) -> Any:
-        return _make(self.over == "time", self.beyond == "repeat")
+        return _table_step(self.over == "time", self.beyond == "repeat")
 
     def derive(self, par: Any, dt: float) -> tuple[Any, ...]:
         origin, step = (par.start_time, par.time_step) if self.over == "time" else (par.start_position, par.position_step)
