@@ -27,7 +27,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from contourlab.components.origin import Traced
-from contourlab.engine.step import Port, Step
+from contourlab.engine.step import Port, Step, ports
 from contourlab.errors import ComponentError, ParameterError
 
 if TYPE_CHECKING:
@@ -189,6 +189,13 @@ def param(
 def text_param(default: str | None, choices: tuple[str, ...], *, doc: str, source: str = "") -> Any:
     """Declare a word out of a few; it decides the structure of the step."""
     return Parameter("", "", default, -math.inf, math.inf, False, choices, False, True, False, "", doc, source)
+
+
+NOISE_STREAM: Any = param(default=0.0, minimum=0.0, maximum=2.0**53, whole=True, doc="number of the noise stream; the run sets it")
+"""The parameter ``stream`` of a component that makes noise."""
+
+REFERENCE = ports("reference", "reference_velocity", "reference_acceleration")
+"""Input ports with the reference of an axis."""
 
 
 @dataclass(frozen=True)

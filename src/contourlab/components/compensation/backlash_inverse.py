@@ -12,6 +12,15 @@ from contourlab.engine.step import Port
 from contourlab.errors import ParameterError
 from contourlab.primitives import clip, fabs, maximum, minimum, select
 
+JUMP_VELOCITY = param(default=0.01, unit="m/s", minimum=0.0, exclusive=True, display="mm/s", doc="of the shift over the gap")
+DEAD_BAND = param(default=1e-6, unit="m/s", minimum=0.0, display="mm/s", doc="speed below which the side pushed is held")
+LOAD_TIME_CONSTANT = param(
+    default=0.0, unit="s", minimum=0.0, display="ms", doc="mass of the load over its viscous friction; 0 where friction rules"
+)
+INITIAL_DIRECTION = param(
+    default=0.0, minimum=-1.0, maximum=1.0, whole=True, doc="side pushed at first: 1 forwards, -1 backwards, 0 not known"
+)
+
 
 class BacklashInverse(Component):
     """Shift of the reference by half the gap in the direction of motion: +b/2 forwards, -b/2 backwards, b the total gap.
@@ -50,16 +59,10 @@ class BacklashInverse(Component):
     outputs = (Port("reference_shift"),)
 
     backlash_gap: float = param(unit="m", minimum=0.0, maximum=0.1, display="um", doc="total free travel between motor and load, b")
-    jump_velocity: float = param(
-        default=0.01, unit="m/s", minimum=0.0, exclusive=True, display="mm/s", doc="speed of the shift across the gap"
-    )
-    dead_band: float = param(default=1e-6, unit="m/s", minimum=0.0, display="mm/s", doc="speed below which the side pushed is held")
-    load_time_constant: float = param(
-        default=0.0, unit="s", minimum=0.0, display="ms", doc="mass of the load over its viscous friction; 0 where friction rules"
-    )
-    initial_direction: float = param(
-        default=0.0, minimum=-1.0, maximum=1.0, whole=True, doc="side pushed before the first motion: 1 forwards, -1 backwards, 0 not known"
-    )
+    jump_velocity: float = JUMP_VELOCITY
+    dead_band: float = DEAD_BAND
+    load_time_constant: float = LOAD_TIME_CONSTANT
+    initial_direction: float = INITIAL_DIRECTION
 
     @staticmethod
     def step(par: Any, x: Any, inp: Any, clock: Any) -> Any:
@@ -123,28 +126,18 @@ class AdaptiveBacklashInverse(Component):
     outputs = (Port("reference_shift"),)
     derived = ("weight",)
 
-    backlash_gap: float = param(
-        default=0.0, unit="m", minimum=0.0, maximum=0.1, display="um", doc="total free travel to begin with, b; 0 to begin without a shift"
-    )
+    backlash_gap: float = param(default=0.0, unit="m", minimum=0.0, maximum=0.1, display="um", doc="initial total free travel, b")
     largest_gap: float = param(unit="m", minimum=0.0, exclusive=True, maximum=0.1, display="um", doc="what the gap cannot exceed")
-    adaptation_time: float = param(
-        default=0.5, unit="s", minimum=0.0, exclusive=True, doc="time of learning in which an error goes down to 1/e, T"
-    )
+    adaptation_time: float = param(default=0.5, unit="s", minimum=0.0, exclusive=True, doc="time in which an error falls to 1/e, T")
     dead_zone: float = param(default=1e-7, unit="m", minimum=0.0, display="um", doc="error that teaches nothing, d0: a count of the scales")
     learning_velocity: float = param(
         default=1e-3, unit="m/s", minimum=0.0, exclusive=True, display="mm/s", doc="speed of the reference below which nothing is learnt"
     )
     settling_time: float = param(default=0.02, unit="s", minimum=0.0, display="ms", doc="how long contact has to be sure first")
-    jump_velocity: float = param(
-        default=0.01, unit="m/s", minimum=0.0, exclusive=True, display="mm/s", doc="speed of the shift across the gap"
-    )
-    dead_band: float = param(default=1e-6, unit="m/s", minimum=0.0, display="mm/s", doc="speed below which the side pushed is held")
-    load_time_constant: float = param(
-        default=0.0, unit="s", minimum=0.0, display="ms", doc="mass of the load over its viscous friction; 0 where friction rules"
-    )
-    initial_direction: float = param(
-        default=0.0, minimum=-1.0, maximum=1.0, whole=True, doc="side pushed before the first motion: 1 forwards, -1 backwards, 0 not known"
-    )
+    jump_velocity: float = JUMP_VELOCITY
+    dead_band: float = DEAD_BAND
+    load_time_constant: float = LOAD_TIME_CONSTANT
+    initial_direction: float = INITIAL_DIRECTION
 
     def __init__(self, **values: Any) -> None:
         super().__init__(**values)

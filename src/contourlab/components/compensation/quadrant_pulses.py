@@ -126,27 +126,17 @@ class QuadrantPulses(Component):
     derived = ("rise", "fall", "knee")
 
     first_amplitude: float = param(unit="{command}", minimum=-1e6, maximum=1e6, doc="of stage 1; positive pushes in the new direction")
-    first_width: float = param(
-        default=0.02, unit="s", minimum=0.0, exclusive=True, display="ms", doc="of stage 1: how long it lasts, or its time constant"
-    )
+    first_width: float = param(default=0.02, unit="s", minimum=0.0, exclusive=True, display="ms", doc="length or time constant of stage 1")
     first_delay: float = param(default=0.0, unit="s", minimum=0.0, display="ms", doc="from the reversal to stage 1")
-    second_amplitude: float = param(
-        default=0.0, unit="{command}", minimum=-1e6, maximum=1e6, doc="of stage 2; positive pushes in the new direction"
-    )
-    second_width: float = param(
-        default=0.02, unit="s", minimum=0.0, exclusive=True, display="ms", doc="of stage 2: how long it lasts, or its time constant"
-    )
+    second_amplitude: float = param(default=0.0, unit="{command}", minimum=-1e6, maximum=1e6, doc="of stage 2; positive: the new direction")
+    second_width: float = param(default=0.02, unit="s", minimum=0.0, exclusive=True, display="ms", doc="length or time constant of stage 2")
     second_delay: float = param(default=0.02, unit="s", minimum=0.0, display="ms", doc="from the reversal to stage 2")
-    position_pulse: float = param(
-        default=0.0, unit="m", minimum=-0.01, maximum=0.01, display="um", doc="amplitude of stage 1 on the reference"
-    )
+    position_pulse: float = param(default=0.0, unit="m", minimum=-0.01, maximum=0.01, display="um", doc="size of stage 1 on the reference")
     acceleration_1: float = param(default=0.0, unit="m/s^2", minimum=0.0, doc="acceleration up to which pulses grow, a_1")
     acceleration_2: float = param(default=math.inf, unit="m/s^2", minimum=0.0, doc="acceleration up to which they stay, a_2")
     acceleration_3: float = param(default=math.inf, unit="m/s^2", minimum=0.0, doc="acceleration from which they are `fast_ratio`, a_3")
     fast_ratio: float = param(default=1.0, minimum=0.0, maximum=10.0, doc="size of pulses beyond a_3 over that from a_1 to a_2")
-    reversal_velocity: float = param(
-        default=0.0, unit="m/s", minimum=0.0, display="mm/s", doc="speed of the reference below which it has no direction"
-    )
+    reversal_velocity: float = param(default=0.0, unit="m/s", minimum=0.0, display="mm/s", doc="speed below which the side is held")
     shape: str = text_param(default="rectangle", choices=SHAPES, doc="whether a stage lasts its width or decays with it")
 
     def __init__(self, **values: Any) -> None:

@@ -9,8 +9,8 @@ from typing import Any, ClassVar
 
 import numpy as np
 
-from contourlab.components.contract import Component, LinearModel, param, text_param
-from contourlab.components.controller.anti_windup import ANTI_WINDUP, integral_rise, recovery_part
+from contourlab.components.contract import REFERENCE, Component, LinearModel, param, text_param
+from contourlab.components.controller.anti_windup import ANTI_WINDUP, TRACKING_TIME, integral_rise, recovery_part
 from contourlab.engine.step import Port, ports
 from contourlab.errors import ParameterError
 from contourlab.primitives import clip
@@ -66,35 +66,20 @@ class Cascade(Component):
     }
     without_effect = ("tracking_time",)  # in the example, whose integral is held
     states = (Port("integral"), Port("last_command"))
-    inputs: ClassVar[tuple[Port, ...]] = ports(
-        "reference",
-        "reference_velocity",
-        "reference_acceleration",
-        "position",
-        "velocity",
-        "disturbance_estimate",
-        "feedforward",
-        "accepted",
-    )
+    inputs: ClassVar[tuple[Port, ...]] = (*REFERENCE, *ports("position", "velocity", "disturbance_estimate", "feedforward", "accepted"))
     outputs = (Port("command"),)
     derived = ("integral_rate", "recovery")
 
     position_gain: float = param(unit="1/s", minimum=0.0, doc="velocity asked for per position error, K_v")
     velocity_gain: float = param(unit="{command}*s/m", minimum=0.0, display="{command}*s/mm", doc="of the velocity loop, K")
-    integral_time: float = param(
-        default=math.inf, unit="s", minimum=0.0, exclusive=True, display="ms", doc="of the velocity loop, T_i; infinite for no integral"
-    )
+    integral_time: float = param(default=math.inf, unit="s", minimum=0.0, exclusive=True, display="ms", doc="of the velocity loop, T_i")
     velocity_feedforward: float = param(default=1.0, minimum=0.0, maximum=2.0, doc="part of the reference's velocity asked for, w")
     acceleration_feedforward: float = param(
-        default=0.0, unit="{command}*s^2/m", minimum=0.0, display="{command}*s^2/mm", doc="command per acceleration of the reference, k_a"
+        default=0.0, unit="{command}*s^2/m", minimum=0.0, display="{command}*s^2/mm", doc="per reference acceleration, k_a"
     )
-    command_limit: float = param(
-        default=math.inf, unit="{command}", minimum=0.0, exclusive=True, doc="largest command it gives, such as the peak current"
-    )
+    command_limit: float = param(default=math.inf, unit="{command}", minimum=0.0, exclusive=True, doc="largest command (peak current)")
     anti_windup: str = text_param(default="hold", choices=ANTI_WINDUP, doc="what the integral does at a limit")
-    tracking_time: float = param(
-        default=0.01, unit="s", minimum=0.0, exclusive=True, display="ms", doc="time constant of the back-calculation, T_t"
-    )
+    tracking_time: float = TRACKING_TIME
 
     def derive(self, par: Any, dt: float) -> tuple[Any, ...]:
         return par.velocity_gain / par.integral_time, recovery_part(par.tracking_time, dt)

@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 
 from contourlab.components.contract import Component, LinearModel, param, text_param
-from contourlab.components.controller.anti_windup import ANTI_WINDUP, integral_rise, recovery_part
+from contourlab.components.controller.anti_windup import ANTI_WINDUP, TRACKING_TIME, integral_rise, recovery_part
 from contourlab.engine.step import Port
 from contourlab.errors import ParameterError
 
@@ -58,9 +58,7 @@ class LeadLag(Component):
     lag_time: float = param(unit="s", minimum=0.0, exclusive=True, display="ms", doc="time constant of the denominator, b")
     integral_rate: float = param(default=0.0, unit="rad/s", minimum=0.0, doc="corner below which the integral acts, k_i")
     anti_windup: str = text_param(default="hold", choices=ANTI_WINDUP, doc="what the integral does while the drive saturates")
-    tracking_time: float = param(
-        default=0.01, unit="s", minimum=0.0, exclusive=True, display="ms", doc="time constant of the back-calculation, T_t"
-    )
+    tracking_time: float = TRACKING_TIME
 
     def derive(self, par: Any, dt: float) -> tuple[Any, ...]:
         below = 2.0 * par.lag_time + dt

@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy as np
 
-from contourlab.components.contract import LinearModel, param
+from contourlab.components.contract import REFERENCE, LinearModel, param
 from contourlab.components.controller.cascade import Cascade, cascade_step
 from contourlab.engine.step import ports
 
@@ -29,17 +29,7 @@ class LoadSideCascade(Cascade):
     calibrated_ahead = ("velocity_feedforward", "acceleration_feedforward")
     reference = "Nordin & Gutman 2002, section 4"
     example = {**Cascade.example, "damping_gain": 20.0}
-    inputs = ports(
-        "reference",
-        "reference_velocity",
-        "reference_acceleration",
-        "load_position",
-        "motor_velocity",
-        "load_velocity",
-        "disturbance_estimate",
-        "feedforward",
-        "accepted",
-    )
+    inputs = (*REFERENCE, *ports("load_position", "motor_velocity", "load_velocity", "disturbance_estimate", "feedforward", "accepted"))
 
     damping_gain: float = param(
         default=0.0, unit="{command}*s/m", minimum=0.0, display="{command}*s/mm", doc="on the velocity of the motor against the load, k_d"

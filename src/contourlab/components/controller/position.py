@@ -9,7 +9,7 @@ from typing import Any
 
 import numpy as np
 
-from contourlab.components.contract import Component, LinearModel, param, text_param
+from contourlab.components.contract import REFERENCE, Component, LinearModel, param, text_param
 from contourlab.engine.step import Port, ports
 from contourlab.errors import ParameterError
 
@@ -66,16 +66,7 @@ class PositionController(Component):
     }
     reference = "Ghaffari & Ulsoy, eqs 15-16 and 20-23"
     states = (Port("integral"), Port("start"), Port("last_command"))
-    inputs = ports(
-        "reference",
-        "reference_velocity",
-        "reference_acceleration",
-        "position",
-        "velocity",
-        "disturbance_estimate",
-        "feedforward",
-        "accepted",
-    )
+    inputs = (*REFERENCE, *ports("position", "velocity", "disturbance_estimate", "feedforward", "accepted"))
     outputs = (Port("command"),)
     derived = ("integral_rate", "acceleration_feedforward", "velocity_feedforward")
 
@@ -88,7 +79,7 @@ class PositionController(Component):
         minimum=0.0,
         exclusive=True,
         display="mm/s^2/{command}",
-        doc="acceleration per command of the model fed forward, a'; infinite for no feedforward",
+        doc="of the feedforward model, a'; inf: none",
     )
     model_damping: float = param(default=0.0, unit="1/s", minimum=0.0, doc="decay of the model's velocity, b'")
     structure: str = text_param(default="feedforward", choices=("feedforward", "ipv"), doc="eq (15), or the form of eq (16)")

@@ -10,8 +10,8 @@ from typing import Any
 
 import numpy as np
 
-from contourlab.components.contract import Component, LinearModel, param, text_param
-from contourlab.components.controller.anti_windup import ANTI_WINDUP, integral_rise, recovery_part
+from contourlab.components.contract import REFERENCE, Component, LinearModel, param, text_param
+from contourlab.components.controller.anti_windup import ANTI_WINDUP, TRACKING_TIME, integral_rise, recovery_part
 from contourlab.components.mechanics.discretise import low_pass_weight
 from contourlab.engine.step import Port, ports
 from contourlab.errors import ParameterError
@@ -88,16 +88,7 @@ class StateFeedback(Component):
     }
     without_effect = ("tracking_time",)  # in the example, whose integral is held
     states = (Port("integral"), Port("previous_velocity"), Port("acceleration"), Port("previous_reference"), Port("last_command"))
-    inputs = ports(
-        "reference",
-        "reference_velocity",
-        "reference_acceleration",
-        "position",
-        "velocity",
-        "disturbance_estimate",
-        "feedforward",
-        "accepted",
-    )
+    inputs = (*REFERENCE, *ports("position", "velocity", "disturbance_estimate", "feedforward", "accepted"))
     outputs = (Port("command"),)
     derived = ("weight", "recovery")
 
@@ -109,13 +100,11 @@ class StateFeedback(Component):
     acceleration_feedforward: float = param(default=0.0, unit="{command}*s^2/m", minimum=0.0, display="{command}*s^2/mm", doc="f_2")
     jerk_feedforward: float = param(default=0.0, unit="{command}*s^3/m", minimum=0.0, display="{command}*s^3/mm", doc="f_3")
     acceleration_bandwidth: float = param(
-        default=math.inf, unit="rad/s", minimum=0.0, exclusive=True, doc="of the filter of the differenced velocity; infinite for none"
+        default=math.inf, unit="rad/s", minimum=0.0, exclusive=True, doc="of the differenced velocity's filter; inf: no filter"
     )
     following: str = text_param(default="model", choices=("model", "position"), doc="what of the reference is followed")
     anti_windup: str = text_param(default="hold", choices=ANTI_WINDUP, doc="what the integral does while the drive saturates")
-    tracking_time: float = param(
-        default=0.01, unit="s", minimum=0.0, exclusive=True, display="ms", doc="time constant of the back-calculation, T_t"
-    )
+    tracking_time: float = TRACKING_TIME
     unbounded = ("velocity_gain", "acceleration_gain")
 
     def derive(self, par: Any, dt: float) -> tuple[Any, ...]:

@@ -13,8 +13,8 @@ from typing import Any, ClassVar
 
 import numpy as np
 
-from contourlab.components.contract import Component, LinearModel, param, text_param
-from contourlab.components.controller.anti_windup import ANTI_WINDUP, integral_rise, recovery_part
+from contourlab.components.contract import REFERENCE, Component, LinearModel, param, text_param
+from contourlab.components.controller.anti_windup import ANTI_WINDUP, TRACKING_TIME, integral_rise, recovery_part
 from contourlab.engine.step import Port, ports
 from contourlab.primitives import select
 
@@ -88,18 +88,18 @@ class ZoneLaw(Component):
     reference = "Shahin, ElMaraghy & ElBeheiry, eqs 10 and 12-16"
     per_inertia: ClassVar[bool] = False
     states = (Port("integral"), Port("flank"), Port("load_velocity"), Port("last_command"))
-    inputs = ports(
-        "reference",
-        "reference_velocity",
-        "reference_acceleration",
-        "motor_position",
-        "motor_velocity",
-        "load_position",
-        "load_velocity",
-        "gap_estimate",
-        "disturbance_estimate",
-        "feedforward",
-        "accepted",
+    inputs = (
+        *REFERENCE,
+        *ports(
+            "motor_position",
+            "motor_velocity",
+            "load_position",
+            "load_velocity",
+            "gap_estimate",
+            "disturbance_estimate",
+            "feedforward",
+            "accepted",
+        ),
     )
     outputs = (Port("command"),)
     derived: ClassVar[tuple[str, ...]] = ("turn",)
@@ -206,13 +206,11 @@ class Integral(TorqueGains):
     integral_of: str = text_param(
         default="reference",
         choices=("reference", "flank"),
-        doc="what the distance that is summed up is from",
+        doc="from what the summed distance is counted",
         source="Shahin, ElMaraghy & ElBeheiry, eqs 13 and 16",
     )
     anti_windup: str = text_param(default="back-calculation", choices=ANTI_WINDUP, doc="what the integral does at a limit, or not active")
-    tracking_time: float = param(
-        default=0.01, unit="s", minimum=0.0, exclusive=True, display="ms", doc="time constant of the back-calculation, T_t"
-    )
+    tracking_time: float = TRACKING_TIME
 
     wishes: ClassVar[dict[str, Any]] = {
         **TorqueGains.wishes,

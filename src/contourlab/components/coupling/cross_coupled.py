@@ -45,12 +45,8 @@ class CrossCoupled(Component):
     gain: float = param(unit="{command}/m", minimum=0.0, display="{command}/mm", doc="K: correction for a contour error")
     integral_rate: float = param(default=0.0, unit="1/s", minimum=0.0, doc="k_i: one over the integral time; 0 for no integral")
     derivative_time: float = param(default=0.0, unit="s", minimum=0.0, display="ms", doc="T_d; 0 for no derivative")
-    derivative_filter: float = param(
-        default=1e-3, unit="s", minimum=0.0, exclusive=True, display="ms", doc="T_f: time constant of the derivative's low-pass"
-    )
-    limit: float = param(
-        default=math.inf, unit="{command}", minimum=0.0, exclusive=True, doc="largest length of the correction, taken over all axes"
-    )
+    derivative_filter: float = param(default=1e-3, unit="s", minimum=0.0, exclusive=True, display="ms", doc="T_f: derivative's low-pass")
+    limit: float = param(default=math.inf, unit="{command}", minimum=0.0, exclusive=True, doc="largest length of the correction")
 
     def derive(self, par: Any, dt: float) -> tuple[Any, ...]:
         # Backward Euler: the slope of a ramp comes out as it is.

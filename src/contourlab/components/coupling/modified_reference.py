@@ -5,11 +5,21 @@ from __future__ import annotations
 from typing import Any
 
 from contourlab.components.contract import Component, param
-from contourlab.engine.step import Port
+from contourlab.engine.step import Port, ports
 from contourlab.primitives import add, lincomb, sub
 
 
-class ModifiedReference(Component):
+class _Modified(Component):
+    family = "coupling"
+    calibrated = ("weight",)
+    example = {"weight": 0.75}
+    inputs = ports("reference", "position", "foot_position", "error_vector", size=-1)
+    outputs = (Port("modified_reference", -1),)
+
+    weight: float = param(default=0.75, minimum=0.0, maximum=0.99, doc="lambda: weight of the contour error against the tracking error")
+
+
+class ModifiedReference(_Modified):
     """r' = (1 - lambda) r(theta) + lambda r(theta_hat): the axes follow a point between the leading one and the nearest one.
 
     Since r' - p = (1 - lambda)(r - p) + lambda (r(theta_hat) - p), the error across the path keeps its gain and the error along it is
@@ -20,22 +30,15 @@ class ModifiedReference(Component):
     Ghaffari & Ulsoy, "Component swapping modularity for distributed precision contouring", section II and Fig 3.
     """
 
-    family = "coupling"
     kind = "modified-reference"
-    calibrated = ("weight",)
-    example = {"weight": 0.75}
     reference = "Ghaffari & Ulsoy, section II"
-    inputs = (Port("reference", -1), Port("position", -1), Port("foot_position", -1), Port("error_vector", -1))
-    outputs = (Port("modified_reference", -1),)
-
-    weight: float = param(default=0.75, minimum=0.0, maximum=0.99, doc="lambda: 0 follows the leading point, towards 1 the nearest one")
 
     @staticmethod
     def step(par: Any, x: Any, inp: Any, clock: Any) -> Any:
         return (), (lincomb(1.0 - par.weight, inp.reference, par.weight, inp.foot_position),)
 
 
-class ModifiedError(Component):
+class ModifiedError(_Modified):
     """e' = (1 - lambda)(r - p) + lambda e_n, with e_n the contour-error vector, in place of each axis' own error.
 
     It is the modified reference with the projection on the normal in place of the vector to the foot point: the two are the same as far as
@@ -47,15 +50,8 @@ class ModifiedError(Component):
     Mechatronics 21 (2016).
     """
 
-    family = "coupling"
     kind = "modified-error"
-    calibrated = ("weight",)
-    example = {"weight": 0.75}
     reference = "Ghaffari & Ulsoy 2016"
-    inputs = (Port("reference", -1), Port("position", -1), Port("foot_position", -1), Port("error_vector", -1))
-    outputs = (Port("modified_reference", -1),)
-
-    weight: float = param(default=0.75, minimum=0.0, maximum=0.99, doc="lambda: weight of the contour error against the tracking error")
 
     @staticmethod
     def step(par: Any, x: Any, inp: Any, clock: Any) -> Any:

@@ -15,16 +15,21 @@ from contourlab.errors import ParameterError
 from contourlab.primitives import clip, floor, lookup, sin
 
 
-class ConstantLoad(Component):
-    """A force that is there from a given time on: gravity on a vertical axis, a steady cutting force."""
+class Disturbance(Component):
+    """Base: a force on an axis that is not friction."""
 
     family = "disturbance"
+    inputs = (Port("position"),)
+    outputs = (Port("force"),)
+
+
+class ConstantLoad(Disturbance):
+    """A force that is there from a given time on: gravity on a vertical axis, a steady cutting force."""
+
     kind = "constant"
     reference = "constant load from a given time"
     example = {"force": 2.0, "start": 0.05}
     unbounded = ("force",)
-    inputs = (Port("position"),)
-    outputs = (Port("force"),)
 
     force: float = param(unit="{force}", doc="force along the axis")
     start: float = param(default=0.0, unit="s", minimum=0.0, doc="time from which it acts")
@@ -34,16 +39,13 @@ class ConstantLoad(Component):
         return (), (par.force if clock.t >= par.start else 0.0,)
 
 
-class SineLoad(Component):
+class SineLoad(Disturbance):
     """A force A sin(2 pi f t + phase): an unbalanced spindle, a tooth-passing force."""
 
-    family = "disturbance"
     kind = "sine"
     reference = "harmonic load"
     example = {"amplitude": 2.0, "frequency": 12.0, "phase": 0.3}
     unbounded = ("phase",)
-    inputs = (Port("position"),)
-    outputs = (Port("force"),)
     derived = ("angular_frequency",)
 
     amplitude: float = param(unit="{force}", minimum=0.0, doc="amplitude, A")
@@ -71,14 +73,13 @@ def _table_step(over_time: bool, repeat: bool) -> Any:
     return step
 
 
-class TableLoad(Component):
+class TableLoad(Disturbance):
     """A force given at evenly spaced times or positions, linear between them: measured cutting forces, force ripple, cogging.
 
     With `beyond = "hold"` the first and last values hold outside the table; with ``"repeat"`` the table repeats, its last point being the
     first of the next turn.
     """
 
-    family = "disturbance"
     kind = "table"
     reference = "linear interpolation of a table"
     example = {
@@ -91,8 +92,6 @@ class TableLoad(Component):
     }
     without_effect = ("start_time", "time_step")  # in the example, which is over position
     unbounded = ("start_time", "start_position", "forces")
-    inputs = (Port("position"),)
-    outputs = (Port("force"),)
     tables = ("values_table",)
     derived = ("origin", "inverse_step", "intervals")
 
@@ -101,9 +100,7 @@ class TableLoad(Component):
     start_time: float = param(default=0.0, unit="s", doc="time of the first value")
     time_step: float = param(default=math.inf, unit="s", minimum=0.0, exclusive=True, doc="time between two values; wanted over time")
     start_position: float = param(default=0.0, unit="m", display="mm", doc="position of the first value")
-    position_step: float = param(
-        default=math.inf, unit="m", minimum=0.0, exclusive=True, display="mm", doc="distance between two values; wanted over position"
-    )
+    position_step: float = param(default=math.inf, unit="m", minimum=0.0, exclusive=True, display="mm", doc="distance between values")
     forces: tuple[float, ...] = param(unit="{force}", vector=True, doc="the forces; at least two")
 
     def __init__(self, **values: Any) -> None:

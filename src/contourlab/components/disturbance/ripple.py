@@ -9,7 +9,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from contourlab.components.contract import Component, param
+from contourlab.components.contract import NOISE_STREAM, param
+from contourlab.components.disturbance.loads import Disturbance
 from contourlab.engine.step import Port
 from contourlab.errors import ParameterError
 from contourlab.primitives import cos, floor, lookup, normal, select, sin, sqrt
@@ -21,7 +22,7 @@ def next_noise(last: float, rms: float, keep: float, stream: float, k: float) ->
     return select(k == 0.0, fresh, keep * last + sqrt(1.0 - keep * keep) * fresh)
 
 
-class LowPassedNoise(Component):
+class LowPassedNoise(Disturbance):
     """Normal noise behind a low-pass of first order: E[F(t) F(t + T)] = rms^2 exp(-w |T|) at the ticks, held between them.
 
     It has its rms at any servo period and from the first tick on. Other axes, seeds and trials give other noise: it is the non-repeatable
@@ -32,24 +33,15 @@ class LowPassedNoise(Component):
     Ornstein-Uhlenbeck process, sampled exactly: Gillespie, Physical Review E 54 (1996), eq (1.9).
     """
 
-    family = "disturbance"
     kind = "low-passed-noise"
     reference = "Ornstein-Uhlenbeck process, sampled exactly: Gillespie 1996, eq 1.9"
     example = {"rms": 2.0, "bandwidth": 200.0, "stream": 7.0}
     states = (Port("noise"),)
-    inputs = (Port("position"),)
-    outputs = (Port("force"),)
     derived = ("keep",)
 
     rms: float = param(unit="{force}", minimum=0.0, doc="root mean square of the force")
     bandwidth: float = param(unit="rad/s", minimum=0.0, exclusive=True, doc="corner of the low-pass, w")
-    stream: float = param(
-        default=0.0,
-        minimum=0.0,
-        maximum=2.0**53,
-        whole=True,
-        doc="number of the noise stream; set by the run from its seed",
-    )
+    stream: float = NOISE_STREAM
 
     def derive(self, par: Any, dt: float) -> tuple[Any, ...]:
         return (np.exp(-par.bandwidth * dt),)
@@ -80,7 +72,7 @@ def _force_ripple_step(n: int) -> Any:
     return step
 
 
-class ForceRipple(Component):
+class ForceRipple(Disturbance):
     """Ripple of a motor's force over its magnets' pitch: F = sum of a_k sin(2 pi k p/P + phi_k), k = 1 ... n, and noise.
 
     The ripple is the same in every trial, as the reluctance of iron and the unevenness of magnets are. Noise, where its rms is given, is
@@ -93,7 +85,6 @@ class ForceRipple(Component):
     38 (2002).
     """
 
-    family = "disturbance"
     kind = "force-ripple"
     reference = "Tan, Huang & Lee 2002: Fourier series over position"
     example = {
@@ -106,8 +97,6 @@ class ForceRipple(Component):
     }
     unbounded = ("phases",)
     states = (Port("noise"),)
-    inputs = (Port("position"),)
-    outputs = (Port("force"),)
     derived = ("inverse_pitch", "keep")
     tables = ("in_phase", "quadrature")
 
@@ -116,13 +105,7 @@ class ForceRipple(Component):
     phases: tuple[float, ...] = param(unit="rad", vector=True, doc="of the harmonics at position 0, phi_k; as many")
     noise: float = param(default=0.0, unit="{force}", minimum=0.0, doc="root mean square of the noise beside the ripple")
     noise_bandwidth: float = param(default=100.0, unit="rad/s", minimum=0.0, exclusive=True, doc="corner of the noise's low-pass")
-    stream: float = param(
-        default=0.0,
-        minimum=0.0,
-        maximum=2.0**53,
-        whole=True,
-        doc="number of the noise stream; set by the run from its seed",
-    )
+    stream: float = NOISE_STREAM
 
     def __init__(self, **values: Any) -> None:
         super().__init__(**values)
@@ -143,7 +126,7 @@ class ForceRipple(Component):
 _TURN = 2.0 * math.pi
 
 
-class ScrewRipple(Component):
+class ScrewRipple(Disturbance):
     """Force over a turn of the screw: F = F_0 + a_1 sin(w p) + b_1 cos(w p) + a_n sin(n w p) + b_n cos(n w p), w = 2 pi/l.
 
     F_0 is gravity, or half of what friction differs by between the two directions. Once a turn a screw that is bent or set askew grips
@@ -151,13 +134,10 @@ class ScrewRipple(Component):
     is linear in them and a batch can vary them; a ripple with many harmonics is "force-ripple".
     """
 
-    family = "disturbance"
     kind = "screw-ripple"
     reference = "Fourier series over a turn, first and one further term"
     example = {"lead": 0.7, "offset": 0.5, "sine": 1.0, "cosine": -0.6, "order": 5.0, "order_sine": 0.4, "order_cosine": 0.3}
     unbounded = ("offset", "sine", "cosine", "order_sine", "order_cosine")
-    inputs = (Port("position"),)
-    outputs = (Port("force"),)
     derived = ("inverse_lead",)
 
     lead: float = param(unit="m", minimum=0.0, exclusive=True, display="mm", doc="travel per turn, l")

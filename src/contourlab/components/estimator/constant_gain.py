@@ -10,9 +10,9 @@ from typing import Any
 import numpy as np
 
 from contourlab.components.contract import param
-from contourlab.components.estimator.local import LocalEstimator, frame_of, sided
+from contourlab.components.estimator.local import LocalEstimator, local_step
 from contourlab.errors import ParameterError
-from contourlab.primitives import add, copysign, dot, lincomb, scale, sub
+from contourlab.primitives import copysign, dot, lincomb, scale, sub
 
 
 class ConstantGain(LocalEstimator):
@@ -39,7 +39,7 @@ class ConstantGain(LocalEstimator):
         minimum=-2.0 * math.pi,
         maximum=2.0 * math.pi,
         display="deg",
-        doc="by which the direction is turned counter-clockwise; two axes only",
+        doc="turns the direction counter-clockwise; two axes only",
     )
 
     def __init__(self, **values: Any) -> None:
@@ -59,14 +59,11 @@ class ConstantGain(LocalEstimator):
 
     def make_function(self, evaluate: Callable[..., Any], n_axis: int) -> Any:
         length = math.hypot(*self.direction)
-        return _make(evaluate, tuple(number / length for number in self.direction))
+        return local_step(_on_line(tuple(number / length for number in self.direction)), evaluate, n_axis)
 
 
 @cache
-def _make(evaluate: Callable[..., Any], direction: tuple[float, ...]) -> Any:
-    planar = len(direction) == 2
-    frame, signed = frame_of(evaluate), sided(len(direction))
-
+def _on_line(direction: tuple[float, ...]) -> Callable[..., Any]:
     def turned(par: Any) -> Any:
         c, s = par.turn_cosine, par.turn_sine
         return c * direction[0] - s * direction[1], s * direction[0] + c * direction[1]
@@ -74,14 +71,12 @@ def _make(evaluate: Callable[..., Any], direction: tuple[float, ...]) -> Any:
     def straight(par: Any) -> Any:
         return direction
 
-    line = turned if planar else straight
+    line = turned if len(direction) == 2 else straight
 
-    def step(par: Any, x: Any, inp: Any, clock: Any) -> Any:
-        r, travel, _ = frame(par, inp.arc_length)
+    def nearest(par: Any, r: Any, tangent: Any, bend: Any, position: Any) -> Any:
         along = line(par)
-        along = scale(copysign(1.0, dot(along, travel)), along)
-        lag = sub(r, inp.position)
-        error = lincomb(1.0, lag, -dot(along, lag), along)
-        return (), (add(inp.position, error), error, signed(along, error), along)
+        along = scale(copysign(1.0, dot(along, tangent)), along)
+        lag = sub(r, position)
+        return lincomb(1.0, lag, -dot(along, lag), along), along
 
-    return step
+    return nearest

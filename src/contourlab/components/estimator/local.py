@@ -14,7 +14,9 @@ from contourlab.primitives import add, dot, lincomb, maximum, scale, select, sqr
 
 
 class LocalEstimator(Component):
-    """An estimator without memory: it knows tangent and curvature of the path at the reference, and nothing else of it.
+    """An estimator without memory: it sees point, tangent and curvature of the path at the reference, nothing else.
+
+    A law is a function `nearest`; the base makes the step of it.
 
     Class attributes
     ----------------
@@ -30,35 +32,44 @@ class LocalEstimator(Component):
     most_axes: ClassVar[int] = 1_000_000
 
     def check_axes(self, n_axis: int) -> None:
-        """Refuse a machine with a number of axes for which the estimator makes no sense.
-
-        Raises
-        ------
-        ParameterError
-            Naming the estimator, the number and the range.
-        """
+        """Raise ParameterError unless the estimator is valid for this number of axes."""
         if not self.fewest_axes <= n_axis <= self.most_axes:
-            wanted = f"used with {self.fewest_axes}" if self.fewest_axes == self.most_axes else f"used with {self.fewest_axes} or more"
-            raise ParameterError("controller.estimator", f"{self.kind} for {n_axis} axes", f"{wanted}; tangent, taylor and newton take any")
+            number = f"{self.fewest_axes}" if self.fewest_axes == self.most_axes else f"{self.fewest_axes} or more"
+            bound = f"used with {number}; tangent, taylor and newton take any"
+            raise ParameterError("controller.estimator", f"{self.kind} for {n_axis} axes", bound)
 
-    def make_function(self, evaluate: Callable[..., Any], n_axis: int) -> Any:
-        """Return the step function on a path seen through `evaluate`."""
-        # What tells one local estimator from another.
+    @staticmethod
+    def nearest(par: Any, r: Any, tangent: Any, bend: Any, position: Any) -> Any:
+        """Return the error vector from `position` to the path, and the tangent at the foot.
+
+        r, tangent and bend are the path's point, unit tangent and curvature vector at the reference.
+        """
         raise NotImplementedError
 
-    def path_step(self, view: PathView, n_axis: int) -> Step:
-        """Return the step on a given path.
+    def make_function(self, evaluate: Callable[..., Any], n_axis: int) -> Any:
+        """Return the step function on a path that `evaluate` describes."""
+        return local_step(type(self).nearest, evaluate, n_axis)
 
-        Raises
-        ------
-        ParameterError
-            If it is not valid for so many axes.
-        """
+    def path_step(self, view: PathView, n_axis: int) -> Step:
+        """Return the step on a given path; raise ParameterError if it is not valid for so many axes."""
         self.check_axes(n_axis)
         states, inputs, outputs = self.ports(n_axis)
         parameters = (*self.numeric(), *self.derived, *view.parameters)
         function = self.make_function(view.evaluate, n_axis)
         return Step(f"estimator/{self.kind}", function, parameters, tuple(view.tables), "", states, inputs, outputs)
+
+
+@cache
+def local_step(nearest: Callable[..., Any], evaluate: Callable[..., Any], n_axis: int) -> Any:
+    """Return the step function of a law `nearest`; see `LocalEstimator.nearest`."""
+    frame, signed = frame_of(evaluate), sided(n_axis)
+
+    def step(par: Any, x: Any, inp: Any, clock: Any) -> Any:
+        r, tangent, bend = frame(par, inp.arc_length)
+        error, along = nearest(par, r, tangent, bend, inp.position)
+        return (), (add(inp.position, error), error, signed(along, error), along)
+
+    return step
 
 
 @cache
@@ -110,21 +121,11 @@ class Tangent(LocalEstimator):
     kind = "tangent"
     reference = "Yeh & Hsu 2002; Gecer Ulu, Ulu & Cakmakci, section 3.2"
 
-    def make_function(self, evaluate: Callable[..., Any], n_axis: int) -> Any:
-        return _tangent_step(evaluate, n_axis)
-
-
-@cache
-def _tangent_step(evaluate: Callable[..., Any], n_axis: int) -> Any:
-    frame, signed = frame_of(evaluate), sided(n_axis)
-
-    def step(par: Any, x: Any, inp: Any, clock: Any) -> Any:
-        r, tangent, _ = frame(par, inp.arc_length)
-        lag = sub(r, inp.position)
+    @staticmethod
+    def nearest(par: Any, r: Any, tangent: Any, bend: Any, position: Any) -> Any:
+        lag = sub(r, position)
         error = lincomb(1.0, lag, -dot(tangent, lag), tangent)
-        return (), (add(inp.position, error), error, signed(tangent, error), tangent)
-
-    return step
+        return error, tangent
 
 
 class Taylor(LocalEstimator):
@@ -143,25 +144,14 @@ class Taylor(LocalEstimator):
     kind = "taylor"
     reference = "second-order expansion of the path at the reference"
 
-    def make_function(self, evaluate: Callable[..., Any], n_axis: int) -> Any:
-        return _taylor_step(evaluate, n_axis)
-
-
-@cache
-def _taylor_step(evaluate: Callable[..., Any], n_axis: int) -> Any:
-    frame, signed = frame_of(evaluate), sided(n_axis)
-
-    def step(par: Any, x: Any, inp: Any, clock: Any) -> Any:
-        r, tangent, bend = frame(par, inp.arc_length)
-        away = sub(inp.position, r)
+    @staticmethod
+    def nearest(par: Any, r: Any, tangent: Any, bend: Any, position: Any) -> Any:
+        away = sub(position, r)
         a = dot(away, tangent)
         gap = add(lincomb(-1.0, away, a, tangent), scale(0.5 * a * a, bend))
         slope = lincomb(1.0, tangent, a, bend)
         along = scale(1.0 / sqrt(dot(slope, slope)), slope)
-        error = lincomb(1.0, gap, -dot(along, gap), along)
-        return (), (add(inp.position, error), error, signed(along, error), along)
-
-    return step
+        return lincomb(1.0, gap, -dot(along, gap), along), along
 
 
 STRAIGHT = 1e-12
@@ -187,17 +177,9 @@ class OsculatingCircle(LocalEstimator):
     kind = "osculating-circle"
     reference = "Koren & Lo 1991, without their expansion"
 
-    def make_function(self, evaluate: Callable[..., Any], n_axis: int) -> Any:
-        return _osculating_circle_step(evaluate, n_axis)
-
-
-@cache
-def _osculating_circle_step(evaluate: Callable[..., Any], n_axis: int) -> Any:
-    frame, signed = frame_of(evaluate), sided(n_axis)
-
-    def step(par: Any, x: Any, inp: Any, clock: Any) -> Any:
-        r, tangent, bend = frame(par, inp.arc_length)
-        away = sub(inp.position, r)
+    @staticmethod
+    def nearest(par: Any, r: Any, tangent: Any, bend: Any, position: Any) -> Any:
+        away = sub(position, r)
         a = dot(away, tangent)
         across = lincomb(1.0, away, -a, tangent)
         k = sqrt(dot(bend, bend))
@@ -214,9 +196,7 @@ def _osculating_circle_step(evaluate: Callable[..., Any], n_axis: int) -> Any:
         error = add(lincomb(-1.0, across, inwards, bend), scale(-way * a * k / safe, tangent))
         lost = q < CENTRE
         at_foot = lincomb(select(lost, 1.0, start / safe), tangent, select(lost, 0.0, a / safe), bend)
-        return (), (add(inp.position, error), error, signed(at_foot, error), at_foot)
-
-    return step
+        return error, at_foot
 
 
 NOWHERE = 1e-9

@@ -43,14 +43,7 @@ class Newton(Component):
         Port("tangent", -1),
     )
 
-    window: float = param(
-        default=5e-3,
-        unit="m",
-        minimum=0.0,
-        exclusive=True,
-        display="mm",
-        doc="how far from the reference's place the foot point is sought",
-    )
+    window: float = param(default=5e-3, unit="m", minimum=0.0, exclusive=True, display="mm", doc="search range around the reference")
     iterations: float = param(default=2.0, minimum=1.0, maximum=8.0, whole=True, structural=True, doc="Newton steps per tick")
     start: str = text_param(default="both", choices=("both", "warm"), doc="from where the iteration starts")
 

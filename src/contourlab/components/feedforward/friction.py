@@ -40,9 +40,7 @@ class FrictionFeedforward(Component):
 
     coulomb: float = param(unit="{force}", minimum=0.0, doc="friction at speed, F_c")
     breakaway: float = param(unit="{force}", minimum=0.0, doc="friction near rest, F_s; as F_c for none of Stribeck's effect")
-    stribeck_velocity: float = param(
-        default=1e-3, unit="m/s", minimum=0.0, exclusive=True, display="mm/s", doc="speed at which friction has come down to F_c, v_s"
-    )
+    stribeck_velocity: float = param(default=1e-3, unit="m/s", minimum=0.0, exclusive=True, display="mm/s", doc="of the fall to F_c, v_s")
     viscous: float = param(default=0.0, unit="{force}*s/m", minimum=0.0, doc="rise of friction with speed, c")
     smoothing_velocity: float = param(
         default=1e-4, unit="m/s", minimum=0.0, exclusive=True, display="mm/s", doc="speed over which the command changes its sign, v_e"

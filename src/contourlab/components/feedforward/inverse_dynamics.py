@@ -29,12 +29,8 @@ class InverseDynamics(Component):
     inputs = (Port("reference_velocity"), Port("reference_acceleration"))
     outputs = (Port("command"),)
 
-    velocity_gain: float = param(
-        default=0.0, unit="{command}*s/m", minimum=0.0, display="{command}*s/mm", doc="command per velocity of the reference, k_v"
-    )
-    acceleration_gain: float = param(
-        unit="{command}*s^2/m", minimum=0.0, display="{command}*s^2/mm", doc="command per acceleration of the reference, k_a"
-    )
+    velocity_gain: float = param(default=0.0, unit="{command}*s/m", minimum=0.0, display="{command}*s/mm", doc="per reference speed, k_v")
+    acceleration_gain: float = param(unit="{command}*s^2/m", minimum=0.0, display="{command}*s^2/mm", doc="per reference acceleration, k_a")
 
     @staticmethod
     def step(par: Any, x: Any, inp: Any, clock: Any) -> Any:

@@ -83,9 +83,7 @@ class Rising(Component):
 
     coulomb: float = param(unit="{force}", minimum=0.0, doc="sliding friction at speed, without its viscous part, F_c")
     breakaway: float = param(unit="{force}", minimum=0.0, doc="friction at rest and just above, F_s")
-    rise_velocity: float = param(
-        unit="m/s", minimum=0.0, exclusive=True, display="mm/s", doc="speed of 63 % of the rise from F_s to F_c, v_r"
-    )
+    rise_velocity: float = param(unit="m/s", minimum=0.0, exclusive=True, display="mm/s", doc="speed at 63 % of the rise to F_c, v_r")
     viscous: float = VISCOUS
 
     def derive(self, par: Any, dt: float) -> tuple[Any, ...]:

@@ -16,9 +16,7 @@ from contourlab.errors import ParameterError
 class FilteredLaw(LearningLaw):
     """u <- Q (u + what the law adds), Q a Butterworth low-pass run forwards and backwards."""
 
-    bandwidth: float = param(
-        default=math.inf, unit="rad/s", minimum=0.0, exclusive=True, doc="w_q of the Q-filter, 1/(1 + (w/w_q)^(2 order)); infinite for none"
-    )
+    bandwidth: float = param(default=math.inf, unit="rad/s", minimum=0.0, exclusive=True, doc="w_q of the Q-filter; inf: no filter")
     order: float = param(default=2.0, minimum=1.0, maximum=8.0, whole=True, doc="of the Butterworth filter that is run both ways")
 
     def passed(self, signal: Array, servo_period: float) -> Array:
@@ -35,7 +33,7 @@ class ErrorLaw(FilteredLaw):
         minimum=0.0,
         exclusive=True,
         display="{command}/mm",
-        doc='wanted with target = "reference": the command that a metre of reference stands for; the gains are divided by it',
+        doc='divides the gains with target = "reference": command per metre of reference',
     )
 
     def __init__(self, **values: Any) -> None:

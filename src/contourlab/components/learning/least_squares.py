@@ -133,9 +133,7 @@ class PlantInversion(FilteredLaw):
     reference = "Bristow, Tharayil & Alleyne 2006"
 
     gain: float = param(default=1.0, minimum=0.0, maximum=2.0, exclusive=True, doc="alpha")
-    regularisation: float = param(
-        default=1e-6, minimum=0.0, maximum=1.0, exclusive=True, doc="rho: |G|^2 over its largest value below which the inverse is held back"
-    )
+    regularisation: float = param(default=1e-6, minimum=0.0, maximum=1.0, exclusive=True, doc="rho: relative |G|^2 of the smallest inverse")
 
     def revised(self, table: Array, trial: TrialRecord, problem: LearningProblem) -> Array:
         equation = Equation.of(problem, 1.0, 0.0, 0.0, self.regularisation)

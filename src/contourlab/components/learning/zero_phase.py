@@ -32,12 +32,7 @@ class ZeroPhase(LearningLaw):
 
     gain: float = param(default=0.2, minimum=0.0, maximum=2.0, exclusive=True, doc="gamma", source="Gecer Ulu et al., section 3.1")
     half_width: float = param(
-        default=11.0,
-        minimum=0.0,
-        maximum=1e6,
-        whole=True,
-        doc="M: the average is over 2 M + 1 samples",
-        source="Gecer Ulu et al., section 3.1",
+        default=11.0, minimum=0.0, maximum=1e6, whole=True, doc="M: mean over 2 M + 1 samples", source="Gecer Ulu et al., section 3.1"
     )
     passes: float = param(default=1.0, minimum=1.0, maximum=2.0, whole=True, doc="how often the average is taken")
     lead: float = param(default=0.0, unit="s", minimum=0.0, display="ms", doc="by which the feedback is advanced, in whole servo periods")

@@ -56,12 +56,7 @@ class InertiaChain(Plant):
     }
     without_effect = ("start_in_gap",)  # it is where a run starts
     inertias: tuple[float, ...] = param(
-        vector=True,
-        unit="kg*m^2",
-        minimum=0.0,
-        exclusive=True,
-        display="kg*cm^2",
-        doc="of what turns, motor to load; two or more",
+        vector=True, unit="kg*m^2", minimum=0.0, exclusive=True, display="kg*cm^2", doc="of the rotating parts, motor first"
     )
     mass: float = param(default=0.0, unit="kg", minimum=0.0, doc="of the table, beside the last inertia: it counts (l/2 pi)^2 of it")
     carried_mass: float = param(default=0.0, unit="kg", minimum=0.0, doc="mass that the axis carries besides its own")
@@ -75,19 +70,11 @@ class InertiaChain(Plant):
         default=(0.0,), vector=True, unit="m", minimum=0.0, display="um", doc="free travel of the joints, as lengths at the table"
     )
     backlash_angles: tuple[float, ...] = param(
-        default=(0.0,), vector=True, unit="rad", minimum=0.0, doc="free travel of the joints, as angles of the motor"
+        default=(0.0,), vector=True, unit="rad", minimum=0.0, doc="free travel of the joints at the motor"
     )
-    start_in_gap: float = param(
-        default=0.0,
-        minimum=-1.0,
-        maximum=1.0,
-        doc="where each joint stands in its gap at first, as of two-inertia",
-    )
+    start_in_gap: float = param(default=0.0, minimum=-1.0, maximum=1.0, doc="initial place of each joint in its gap, as of two-inertia")
     contact_model: str = text_param(
-        default="physical",
-        choices=("physical", "dead-zone"),
-        doc="where a damped shaft leaves a flank",
-        source="Nordin, Galic & Gutman 1997",
+        default="physical", choices=("physical", "dead-zone"), doc="how a damped shaft leaves a flank", source="Nordin, Galic & Gutman 1997"
     )
 
     def __init__(self, **values: Any) -> None:
@@ -148,10 +135,6 @@ class InertiaChain(Plant):
         states: dict[str, Any] = {"position": position, "motor_position": float(ahead[0])}
         inner = {"inner_positions": tuple(map(float, ahead[1:]))} if len(ahead) > 1 else {}
         return {**states, **inner}, states
-
-    @staticmethod
-    def moved_mass(par: Any) -> Any:
-        return par.mass + par.carried_mass
 
     def rigid_model(self) -> tuple[float, float]:
         turn = 2.0 * math.pi / self.lead

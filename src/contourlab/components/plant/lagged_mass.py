@@ -43,14 +43,6 @@ class LaggedMass(SingleMass):
         return (m, d, r, g, b, *full, *half)
 
     @staticmethod
-    def mobility(par: Any) -> float:
-        return par.mobility_value  # type: ignore[no-any-return]
-
-    @staticmethod
-    def decay(par: Any) -> float:
-        return par.decay_value  # type: ignore[no-any-return]
-
-    @staticmethod
     def drive_force(par: Any, command: float) -> float:
         """Return the force that a steady command gives at rest."""
         return par.gain_value * command  # type: ignore[no-any-return]

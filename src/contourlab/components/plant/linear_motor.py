@@ -40,21 +40,13 @@ class LinearMotor(LaggedMass):
     resistance: float = param(unit="ohm", minimum=0.0, exclusive=True, doc="of the winding, R", source="Gecer Ulu et al., eq 1")
     inductance: float = param(unit="H", minimum=0.0, exclusive=True, display="mH", doc="of the winding, L", source="Gecer Ulu et al., eq 1")
     back_emf: float = param(unit="V*s/m", minimum=0.0, doc="voltage induced per speed, K_BEMF", source="Gecer Ulu et al., eq 1")
-    force_constant: float = param(
-        unit="N/A", minimum=0.0, exclusive=True, doc="force per current, K_force", source="Gecer Ulu et al., eq 2"
-    )
+    force_constant: float = param(unit="N/A", minimum=0.0, exclusive=True, doc="force per current, K_f", source="Gecer Ulu et al., eq 2")
     mass: float = param(unit="kg", minimum=0.0, exclusive=True, doc="sliding mass of the axis itself, m", source="Gecer Ulu et al., eq 2")
     carried_mass: float = param(default=0.0, unit="kg", minimum=0.0, doc="mass that the axis carries besides its own")
     viscous_friction: float = param(default=0.0, unit="N*s/m", minimum=0.0, doc="of the guide, b", source="Gecer Ulu et al., eq 2")
-    amplifier_gain: float = param(
-        default=1.0, minimum=0.0, exclusive=True, doc="motor voltage per command, K_amp", source="Gecer Ulu et al., eq 1"
-    )
+    amplifier_gain: float = param(default=1.0, minimum=0.0, exclusive=True, doc="volts per command, K_amp", source="Gecer Ulu et al., eq 1")
 
     def rates(self, par: Any) -> tuple[Any, Any, Any, Any, Any]:
         mass, rate = par.mass + par.carried_mass, par.resistance / par.inductance
         gain = par.force_constant * par.amplifier_gain / par.resistance
         return 1.0 / mass, par.viscous_friction / mass, rate, gain, par.force_constant * par.back_emf / par.inductance
-
-    @staticmethod
-    def moved_mass(par: Any) -> Any:
-        return par.mass + par.carried_mass

@@ -29,8 +29,7 @@ class Plant(Component):
     @staticmethod
     def moved_mass(par: Any) -> Any:
         """Return the mass that moves in a straight line [kg], without what only turns: numbers or arrays (n_variant,)."""
-        # Asked only of plants that know it.
-        raise NotImplementedError
+        return par.mass + par.carried_mass
 
     def rigid_model(self) -> tuple[float, float]:
         """Return gain a [m/s^2 per command] and damping b [1/s] of v' = a u - b v, as slow motions see the plant."""

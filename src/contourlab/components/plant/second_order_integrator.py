@@ -41,12 +41,8 @@ class SecondOrderIntegrator(LaggedMass):
         source="Gecer Ulu et al., eq 4",
     )
     damping_ratio: float = param(minimum=0.0, exclusive=True, doc="of the velocity's response, zeta", source="Gecer Ulu et al., eq 4")
-    natural_frequency: float = param(
-        unit="rad/s", minimum=0.0, exclusive=True, doc="of the velocity's response, omega_n", source="Gecer Ulu et al., eq 4"
-    )
-    mass: float = param(
-        default=math.inf, unit="kg", minimum=0.0, exclusive=True, doc="moved mass with which it was identified; inf where it is not known"
-    )
+    natural_frequency: float = param(unit="rad/s", minimum=0.0, exclusive=True, doc="of velocity, omega_n", source="Gecer Ulu et al., eq 4")
+    mass: float = param(default=math.inf, unit="kg", minimum=0.0, exclusive=True, doc="moved mass when identified; inf: not known")
     carried_mass: float = param(default=0.0, unit="kg", minimum=0.0, doc="mass that came onto the axis since; acts beside a known `mass`")
 
     @property

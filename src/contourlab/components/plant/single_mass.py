@@ -14,8 +14,8 @@ from contourlab.engine.step import Port
 class SingleMass(Plant):
     """A mass with viscous damping, pushed by a drive: v' = mobility (drive force + load - friction) - decay v.
 
-    A plant of this family gives three functions of its parameters; the integration, together with a friction, is in
-    `contourlab.components.mechanics.core`. A plant that knows its masses has a parameter `carried_mass`, and gives a fourth: `moved_mass`.
+    A plant of this family derives ``mobility_value`` and ``decay_value``, or overrides `mobility` and `decay`, and gives `drive_force`; one
+    that knows its masses has `mass` and `carried_mass`. `contourlab.components.mechanics.core` integrates it with a friction.
     """
 
     states: ClassVar[tuple[Port, ...]] = (Port("position"), Port("velocity"))
@@ -25,19 +25,16 @@ class SingleMass(Plant):
     @staticmethod
     def mobility(par: Any) -> float:
         """Return the acceleration per force [m/s^2 per force unit]."""
-        # What tells one plant from another.
-        raise NotImplementedError
+        return par.mobility_value  # type: ignore[no-any-return]
 
     @staticmethod
     def decay(par: Any) -> float:
         """Return the rate at which a free motion decays [1/s]."""
-        # What tells one plant from another.
-        raise NotImplementedError
+        return par.decay_value  # type: ignore[no-any-return]
 
     @staticmethod
     def drive_force(par: Any, command: float) -> float:
         """Return the force of the drive."""
-        # What tells one plant from another.
         raise NotImplementedError
 
     def at_rest(self, position: float) -> tuple[dict[str, float], dict[str, float]]:

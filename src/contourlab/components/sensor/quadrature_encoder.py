@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from contourlab.components.contract import Component, param, text_param
+from contourlab.components.contract import NOISE_STREAM, Component, param, text_param
 from contourlab.components.quadrature import (
     DERIVED,
     FURTHEST,
@@ -129,44 +129,26 @@ class QuadratureEncoder(Component):
     tables = TABLES
 
     pitch: float = param(unit="m", minimum=0.0, exclusive=True, display="um", doc="travel of one period of the signals")
-    resolution: float = param(
-        unit="m", minimum=0.0, exclusive=True, display="nm", doc="travel per count; the pitch over four times a whole number"
-    )
+    resolution: float = param(unit="m", minimum=0.0, exclusive=True, display="nm", doc="travel per count; the pitch over 4 n, n whole")
     amplitude: float = param(default=0.5, unit="V", minimum=0.0, exclusive=True, doc="amplitude of the first signal, a")
     offset_1: float = param(default=0.0, unit="V", minimum=-100.0, maximum=100.0, display="mV", doc="offset of the first signal, p")
     offset_2: float = param(default=0.0, unit="V", minimum=-100.0, maximum=100.0, display="mV", doc="offset of the second signal, q")
     amplitude_ratio: float = param(default=1.0, minimum=0.1, maximum=10.0, doc="amplitude of the first signal over the second, r")
-    phase_error: float = param(
-        default=0.0, unit="rad", minimum=-1.0, maximum=1.0, display="deg", doc="by how much the second signal is off quadrature, al"
-    )
+    phase_error: float = param(default=0.0, unit="rad", minimum=-1.0, maximum=1.0, display="deg", doc="of the second signal, al")
     third_harmonic: float = param(default=0.0, minimum=-0.3, maximum=0.3, doc="amplitude of the third harmonic over that of the first")
     noise: float = param(default=0.0, unit="V", minimum=0.0, display="mV", doc="standard deviation of each signal, white")
     bits: float = param(default=0.0, minimum=0.0, maximum=32.0, whole=True, doc="of the analogue-to-digital converter; 0 for none")
-    converter_range: float = param(
-        default=1.0, unit="V", minimum=0.0, exclusive=True, doc="the converter takes signals between plus and minus this"
-    )
+    converter_range: float = param(default=1.0, unit="V", minimum=0.0, exclusive=True, doc="largest signal of the converter, either sign")
     counting: str = text_param(default="hardware", choices=("hardware", "sampled"), doc="where whole periods are counted")
     correction: str = text_param(default="adaptive", choices=("none", "fixed", "adaptive"), doc="what is done about the errors")
-    known_offset_1: float = param(
-        default=0.0, unit="V", minimum=-100.0, maximum=100.0, display="mV", doc="offset of the first signal as far as it is known"
-    )
-    known_offset_2: float = param(
-        default=0.0, unit="V", minimum=-100.0, maximum=100.0, display="mV", doc="offset of the second signal as far as it is known"
-    )
+    known_offset_1: float = param(default=0.0, unit="V", minimum=-100.0, maximum=100.0, display="mV", doc="known part of the first offset")
+    known_offset_2: float = param(default=0.0, unit="V", minimum=-100.0, maximum=100.0, display="mV", doc="known part of the second offset")
     known_ratio: float = param(default=1.0, minimum=0.2, maximum=5.0, doc="amplitude ratio as far as it is known")
-    known_phase_error: float = param(
-        default=0.0, unit="rad", minimum=-1.0, maximum=1.0, display="deg", doc="phase error as far as it is known"
-    )
+    known_phase_error: float = param(default=0.0, unit="rad", minimum=-1.0, maximum=1.0, display="deg", doc="known part of the phase error")
     forgetting: float = param(default=0.998, minimum=0.9, maximum=1.0, doc="lambda: the weight of what is known at each update")
-    initial_covariance: float = param(
-        default=10.0, minimum=0.0, exclusive=True, maximum=1e6, doc="of each coefficient over the squared noise, before anything is learnt"
-    )
-    update_travel: float = param(
-        default=1.0 / 32.0, minimum=1e-4, maximum=10.0, doc="travel from one update of the fit to the next, in pitches"
-    )
-    stream: float = param(
-        default=0.0, minimum=0.0, maximum=2.0**53, whole=True, doc="number of the noise stream; set by the run from its seed"
-    )
+    initial_covariance: float = param(default=10.0, minimum=0.0, exclusive=True, maximum=1e6, doc="of a coefficient over squared noise")
+    update_travel: float = param(default=1.0 / 32.0, minimum=1e-4, maximum=10.0, doc="travel between updates of the fit, in pitches")
+    stream: float = NOISE_STREAM
 
     def __init__(self, **values: Any) -> None:
         super().__init__(**values)

@@ -81,11 +81,7 @@ class Performance(Supervisor):
 
     measure: str = text_param(default="motor-load-difference", choices=tuple(MEASURES), doc="what is monitored")
     thresholds: tuple[float, ...] = param(unit="m", vector=True, minimum=0.0, display="um", doc="of the measure's magnitude, rising")
-    order: str = text_param(
-        default="falling",
-        choices=("falling", "rising"),
-        doc="whether the last controller, or the first, is for measures below all thresholds",
-    )
+    order: str = text_param(default="falling", choices=("falling", "rising"), doc="falling: the last controller has the smallest measure")
     hysteresis: float = param(default=0.0, unit="m", minimum=0.0, display="um", doc="by how much a threshold has to be passed")
     averaging_time: float = param(default=0.0, unit="s", minimum=0.0, display="ms", doc="of a root mean square; 0 for the magnitude itself")
 

@@ -29,13 +29,7 @@ class Supervisor(Component):
     states: ClassVar[tuple[Port, ...]] = (Port("active"), Port("since"))
     outputs = (Port("active"), Port("reason"))
 
-    handover_time: float = param(
-        default=5e-3,
-        unit="s",
-        minimum=0.0,
-        display="ms",
-        doc="time constant with which the jump of the command at a switch decays; 0 lets it jump",
-    )
+    handover_time: float = param(default=5e-3, unit="s", minimum=0.0, display="ms", doc="time constant of a hand-over; 0: a jump")
     dwell_time: float = param(default=0.0, unit="s", minimum=0.0, display="ms", doc="shortest time from one switch to the next")
     without_effect: ClassVar[tuple[str, ...]] = ("handover_time",)  # it acts where commands are handed over
 
