@@ -298,7 +298,13 @@ class Component(Traced):
         """Return every parameter with its value in SI."""
         return {name: getattr(self, name) for name in self.parameters}
 
-    # --- what the engine asks for ------------------------------------------------------------------------------------------------
+    def takes(self, port: str) -> bool:
+        """Tell whether it has this input."""
+        return any(known.name == port for known in self.inputs)
+
+    def gives(self, port: str) -> bool:
+        """Tell whether it has this output."""
+        return any(known.name == port for known in self.outputs)
 
     @classmethod
     @cache

@@ -11,7 +11,7 @@ from numba import njit, types
 from numba.extending import intrinsic
 
 from contourlab.engine.memory import load_ring, load_table, truncate
-from contourlab.native.door import INNER
+from contourlab.native.compile import INNER
 
 # No nnan/ninf: a flag that assumes finite numbers would fold away every check for them.
 FAST = {"contract", "nsz", "arcp"}

@@ -8,7 +8,7 @@ from typing import Any
 
 from contourlab.engine.intrinsics import OPTIONS
 from contourlab.engine.memory import call_step, load, load_word, store
-from contourlab.native.door import compiled
+from contourlab.native.compile import compiled
 
 NODE_FIELDS = ("function", "parameters", "tables", "state", "inputs", "outputs", "every", "phase", "repeat")
 _FIELDS = len(NODE_FIELDS)

@@ -84,7 +84,7 @@ class _Kernels(NamedTuple):
 @cache
 def _kernels() -> _Kernels:
     from contourlab.feed import kernels, looking
-    from contourlab.native.door import kernel  # the compiler is loaded when something is planned
+    from contourlab.native.compile import kernel  # the compiler is loaded when something is planned
 
     f, m, i = "f8[:]", "f8[:,:]", "i8[:]"
     return _Kernels(

@@ -19,11 +19,12 @@ from contourlab.engine.schedule import Node
 from contourlab.errors import ParameterError
 from contourlab.feed import Reference
 from contourlab.geometry.view import PathView, view_of
+from contourlab.loop.builder import Signals
 from contourlab.loop.feeding import Feed, Learned
 from contourlab.loop.judging import counted, effort_figures, effort_node, error_figures, judge_node, sums_of
 from contourlab.loop.machine import Controller, Machine, parameter_names
 from contourlab.loop.simulate import BLOCK, jit_enabled, sampler
-from contourlab.loop.template import Loop, Signals, build
+from contourlab.loop.template import Loop, build
 from contourlab.loop.watch import NAME
 from contourlab.metrics.streaming import SUMS
 

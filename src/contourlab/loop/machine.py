@@ -259,7 +259,7 @@ class AxisController:
             raise ParameterError(
                 "others", f"{len(self.others)} of them", f"{chosen_from - 1}, as the supervisor chooses from {chosen_from}"
             )
-        uses = any(port.name == "velocity" for port in self.controller.inputs) or self.observer is not None
+        uses = self.controller.takes("velocity") or self.observer is not None
         if self.predictor is not None and uses and isinstance(self.velocity, TrueVelocity):
             wanted = (
                 'made from the predicted position, as by "filtered-difference": the true one knows nothing of the commands on their way'

@@ -2,17 +2,15 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from contourlab.components.ideal import IdealSensor, TrueVelocity
 from contourlab.engine.schedule import Late, Node
 from contourlab.engine.step import Port, Step
 from contourlab.errors import ParameterError
+from contourlab.loop.builder import Builder
 from contourlab.loop.machine import SIDES, Axis
 from contourlab.primitives import select
-
-if TYPE_CHECKING:
-    from contourlab.loop.template import Builder
 
 
 class Sensing:
@@ -47,12 +45,8 @@ class Sensing:
             if not isinstance(sensor, IdealSensor):
                 signal = self._signal(side, "position")
                 noisy = self.builder.noisy(sensor, self.name, slot)
-                start = self.at if slot == "sensor" else self.motor_start()
+                start = self.at if slot == "sensor" else self.builder.motor_start(self.name)
                 self.builder.add(f"{self.name}.{slot}", noisy, f"axes.{self.name}.{slot}", {"position": Late(signal)}, start)
-
-    def motor_start(self) -> float:
-        """Return where the motor stands at first [m]."""
-        return float(self.axis.plant.at_rest(self.at)[1].get("motor_position", self.at))
 
     def _signal(self, side: str, what: str) -> str:
         return f"{self.name}.plant.{'motor_' if side == 'motor' and self.axis.plant.two_sided else ''}{what}"
@@ -73,7 +67,7 @@ class Sensing:
             predicted = self.mine.predictor is not None and side == self.mine.velocity_feedback
             node = f"{self.name}.velocity" if side == self.mine.velocity_feedback else f"{self.name}.{side}_velocity"
             wires = {"position": self.position if predicted else self.position_on(side)}
-            start = self.motor_start() if side == "motor" else self.at
+            start = self.builder.motor_start(self.name) if side == "motor" else self.at
             self.builder.add(node, self.mine.velocity, f"controller.axes.{self.name}.velocity", wires, start)
             self._velocities[side] = f"{node}.velocity"
         return self._velocities[side]

@@ -1,8 +1,8 @@
-"""The way from a plain function over numbers and arrays to machine code.
+"""Compile a plain function over numbers and arrays to machine code.
 
-The function is compiled unchanged to a C function, and kept in `store` under a key made of its sources: the next process loads it in a
-moment. A kernel may use numbers, the arrays that it is given, and functions of its own module; it makes no array, list or dict: the
-caller hands it the memory that it needs.
+The function is compiled unchanged to a C function and kept in `store` under a key made of its sources, so that the next process only loads
+it. A kernel may use numbers, its array arguments, and functions of its own module. It must not make an array, list or dict: the caller
+passes the memory.
 """
 
 from __future__ import annotations
@@ -26,7 +26,7 @@ from contourlab.native import store
 
 OPTIONS: dict[str, Any] = {"error_model": "numpy", "boundscheck": False}
 INNER: dict[str, Any] = {"no_cpython_wrapper": True, "no_cfunc_wrapper": True}
-"""Of functions that compiled code alone calls: making doors to them for Python and C is half of a compiler's time."""
+"""For functions that only compiled code calls: wrappers for Python and C are half of the compile time."""
 _KINDS: dict[str, tuple[Any, Any, Any]] = {
     "i8": (types.int64, ctypes.c_int64, np.int64),
     "f8": (types.float64, ctypes.c_double, np.float64),

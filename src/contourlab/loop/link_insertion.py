@@ -7,42 +7,21 @@ signals come late together and are lost together. What the machine does, and wha
 
 from __future__ import annotations
 
-import math
 import re
 from dataclasses import replace
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from contourlab.components.ideal import IdealLink
 from contourlab.engine.schedule import Late, Node
-from contourlab.engine.step import Port, Step
+from contourlab.engine.step import Step, ports
 from contourlab.errors import ParameterError
-from contourlab.loop.division import Division
+from contourlab.loop.builder import Builder
 from contourlab.primitives import select
-
-if TYPE_CHECKING:
-    from contourlab.loop.template import Builder
 
 BASE = "base"
 _IN_AXIS = ("plant", "drive", "sensor", "motor_sensor", "kept", "compensated")
 _STANDING = re.compile(r"(^|_)(position|reference|reference_total|reference_ahead)$")
 """Signals that stand where the axis stands before the first message has come."""
-
-
-def controlled_from_base(link: Division | None) -> bool:
-    """Tell whether commands go down the link."""
-    return link is not None and not link.is_local("controller")
-
-
-def compensated_in_axis(builder: Builder, axis: str) -> bool:
-    """Tell whether an axis takes its observer's estimate off the command that comes down to it."""
-    mine = builder.controller.axes[axis]
-    takes = any(port.name == "disturbance_estimate" for part in mine.controllers.values() for port in part.inputs)
-    return (
-        controlled_from_base(mine.link) and mine.link is not None and mine.link.is_local("observer") and mine.observer is not None and takes
-    )
-
-
-# --- commands that come down -------------------------------------------------------------------------------------------------------------
 
 
 def _subtract(par: Any, x: Any, inp: Any, clock: Any) -> Any:
@@ -51,8 +30,7 @@ def _subtract(par: Any, x: Any, inp: Any, clock: Any) -> Any:
 
 def subtract_node(axis: str, command: str) -> Node:
     """Return the node in the axis that takes the estimate of its observer off the base's command."""
-    ports = (Port("command"), Port("estimate"))
-    step = Step("compensated", _subtract, (), (), "", (), ports, (Port("command"),))
+    step = Step("compensated", _subtract, (), (), "", (), ports("command", "estimate"), ports("command"))
     return Node(f"{axis}.compensated", step, {"command": command, "estimate": f"{axis}.observer.disturbance_estimate"})
 
 
@@ -70,22 +48,9 @@ def _echo(par: Any, x: Any, inp: Any, clock: Any) -> Any:
     return (), (inp.own,)
 
 
-_KEPT = Step(
-    "kept", _keep, (), (), "", (), tuple(map(Port, ("received", "command", "accepted", "estimate"))), (Port("taken"), Port("short"))
-)
-_ECHO = Step("echo", _echo, (), (), "", (), (Port("own"),), (Port("accepted"),))
-_TAKEN = Step("taken", _take, (), (), "", (), tuple(map(Port, ("own", "taken", "short"))), (Port("accepted"),))
-
-
-def taken_wire(axis: str) -> str:
-    """Return the wire of what the base knows of the command that the drive took last."""
-    return f"{axis}.taken.accepted"
-
-
-def _may_cut(builder: Builder, axis: str) -> bool:
-    """Tell whether the drive of an axis may take less than its command, in any of the variants."""
-    drive = builder.machine.axis(axis).drive
-    return getattr(drive, "limit", 0.0) != math.inf or "limit" in builder.changed(f"axes.{axis}.drive")
+_KEPT = Step("kept", _keep, (), (), "", (), ports("received", "command", "accepted", "estimate"), ports("taken", "short"))
+_ECHO = Step("echo", _echo, (), (), "", (), ports("own"), ports("accepted"))
+_TAKEN = Step("taken", _take, (), (), "", (), ports("own", "taken", "short"), ports("accepted"))
 
 
 def add_taken(builder: Builder, axis: str) -> None:
@@ -94,28 +59,25 @@ def add_taken(builder: Builder, axis: str) -> None:
     The axis says what its drive took of the command that had come down, its own estimate added back; the base takes its last command for
     taken until it hears that something was cut off.
     """
-    if not controlled_from_base(builder.controller.axes[axis].link):
+    if not builder.controlled_from_base(axis):
         return
     own = {"own": Late(builder.wanted(axis))}
-    if not _may_cut(builder, axis):
+    if not builder.may_limit(axis):
         builder.nodes.append(Node(f"{axis}.taken", _ECHO, own))
         return
-    estimate = Late(f"{axis}.observer.disturbance_estimate") if compensated_in_axis(builder, axis) else 0.0
+    estimate = Late(f"{axis}.observer.disturbance_estimate") if builder.compensated_in_axis(axis) else 0.0
     wires = {"command": Late(builder.command(axis)), "accepted": builder.drive_accepted(axis), "estimate": estimate}
     builder.nodes.append(Node(f"{axis}.kept", _KEPT, {**wires, "received": Late(builder.wanted(axis))}))
     builder.nodes.append(Node(f"{axis}.taken", _TAKEN, {**own, "taken": f"{axis}.kept.taken", "short": f"{axis}.kept.short"}))
 
 
-# --- the links ---------------------------------------------------------------------------------------------------------------------------
-
-
-def cross(builder: Builder) -> None:
+def insert_links(builder: Builder) -> None:
     """Lead the wires of a builder's nodes that cross a division through the links."""
     if any(builder.controller.axes[name].link is not None for name in builder.names):
-        builder.nodes = _Crossing(builder).nodes()
+        builder.nodes = _LinkInsertion(builder).nodes()
 
 
-class _Crossing:
+class _LinkInsertion:
     def __init__(self, builder: Builder) -> None:
         self.builder = builder
         self.order = {node.name: n for n, node in enumerate(builder.nodes)}
@@ -192,7 +154,7 @@ class _Crossing:
     def at(self, axis: str, label: str) -> float:
         """Return what the other side takes for a signal before the first message has come."""
         if label.endswith("motor_position") or label == "motor_sensor_position":
-            return self.builder.sensing[axis].motor_start()
+            return self.builder.motor_start(axis)
         if label == "arc_length":
             return self.builder.progress
         return float(self.builder.start[self.builder.names.index(axis)]) if _STANDING.search(label) else 0.0

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from functools import cache
 from types import SimpleNamespace
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -14,10 +14,8 @@ from contourlab.components.mechanics.core import MOTOR_FRICTION, friction_prefix
 from contourlab.components.plant.plant import Plant
 from contourlab.engine.schedule import Late, Node
 from contourlab.engine.step import Port, Step
+from contourlab.loop.builder import Builder
 from contourlab.loop.machine import Axis
-
-if TYPE_CHECKING:
-    from contourlab.loop.template import Builder
 
 Array = NDArray[np.float64]
 

@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from collections.abc import Mapping
+from typing import Any
 
 from contourlab.engine.schedule import Late
-from contourlab.loop.mixing import constant_node
-
-if TYPE_CHECKING:
-    from contourlab.loop.template import Builder
+from contourlab.loop.builder import Builder
+from contourlab.loop.sensing import Sensing
+from contourlab.loop.sum_nodes import constant_node
 
 NOTHING = "none.value"
 """Signal of an axis that has not got what others have: zero."""
@@ -23,17 +23,17 @@ _OBSERVED = {
 }
 
 
-def recorded(builder: Builder) -> dict[str, tuple[str, ...]]:
+def signal_map(builder: Builder, sensing: Mapping[str, Sensing]) -> dict[str, tuple[str, ...]]:
     """Return where the signals of a result stand: name -> one signal per axis, or one for the machine."""
 
     def plain(wire: Any) -> str:
         return str(wire.signal if isinstance(wire, Late) else wire)
 
     found = {
-        "position": tuple(plain(builder.sensing[name].measured) for name in builder.names),
+        "position": tuple(plain(sensing[name].measured) for name in builder.names),
         "axis_position": tuple(f"{name}.plant.position" for name in builder.names),
         "axis_velocity": tuple(f"{name}.plant.velocity" for name in builder.names),
-        "velocity": tuple(plain(builder.sensing[name].velocity) for name in builder.names),
+        "velocity": tuple(plain(sensing[name].velocity) for name in builder.names),
         "command": tuple(builder.arrived.get(name, builder.command(name)) for name in builder.names),
         "applied_command": tuple(f"{name}.drive.applied" for name in builder.names),
     }
