@@ -12,21 +12,11 @@ import numpy as np
 
 from contourlab.errors import OutputError, ResultError
 from contourlab.result.atomic import replacing
-from contourlab.result.signals import Result, Signal, Status
+from contourlab.result.signals import Signal, Status
 from contourlab.result.spool import Spool
 
 _CHUNK = 1 << 14
-_FIXED = (
-    "format",
-    "scheme",
-    "axes",
-    "servo_period",
-    "start",
-    "status_ok",
-    "status_sample",
-    "status_axis",
-    "status_reason",
-)
+_FIXED = ("format", "scheme", "axes", "servo_period", "start", "status_ok", "status_sample", "status_axis", "status_reason")
 
 
 class ResultWriter:
@@ -44,6 +34,7 @@ class ResultWriter:
     Examples
     --------
     >>> import tempfile, numpy as np
+    >>> from contourlab.result import Result
     >>> folder = tempfile.TemporaryDirectory()
     >>> result = Result("base", ("x",), 1e-3, {"position": Signal(np.zeros((4, 1)), ("sample", "axis"), "m")})
     >>> with ResultWriter(f"{folder.name}/run.nc", result.header(), result.axes) as writer:
@@ -122,12 +113,7 @@ class ResultWriter:
 
     def finish(self, status: Status) -> None:
         """Note how the run ended."""
-        self.header |= {
-            "status_ok": int(status.ok),
-            "status_sample": status.sample,
-            "status_axis": status.axis,
-            "status_reason": status.reason,
-        }
+        self.header |= status.header()
 
     def __exit__(self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None) -> None:
         if kind is not None:
@@ -156,8 +142,8 @@ def _text_type() -> Any:
     return h5py.string_dtype("utf-8")
 
 
-def read_result(file: str | Path) -> Result:
-    """Read a result; see `Result.load`."""
+def read_netcdf(file: str | Path) -> dict[str, Any]:
+    """Return the arguments of a `Result` from its file; see `Result.load`."""
     import h5netcdf
     import h5py
 
@@ -173,7 +159,7 @@ def read_result(file: str | Path) -> Result:
                     for name, v in data.variables.items()
                     if name not in ("axis", "time")
                 }
-        return _assembled(header, axes, signals)
+        return _arguments(header, axes, signals)
     except (OSError, KeyError, RuntimeError, TypeError, ValueError) as error:
         raise ResultError(f"{file}: cannot be read as a result: {error}") from error
 
@@ -186,15 +172,17 @@ def _check_header(file: str | Path, header: Mapping[str, Any]) -> None:
         raise ResultError(f"{file}: cannot be read as a result: {missing[0]} is missing")
 
 
-def _assembled(header: Mapping[str, Any], axes: tuple[str, ...], signals: Mapping[str, Signal]) -> Result:
-    status = Status(
-        bool(header["status_ok"]),
-        int(header["status_sample"]),
-        str(header["status_axis"]),
-        str(header["status_reason"]),
-    )
-    attributes = {name.removeprefix("attribute_"): value for name, value in header.items() if name not in _FIXED}
-    return Result(str(header["scheme"]), axes, float(header["servo_period"]), signals, status, attributes, int(header["start"]))
+def _arguments(header: Mapping[str, Any], axes: tuple[str, ...], signals: Mapping[str, Signal]) -> dict[str, Any]:
+    ending = (int(header["status_sample"]), str(header["status_axis"]), str(header["status_reason"]))
+    return {
+        "scheme": str(header["scheme"]),
+        "axes": axes,
+        "servo_period": float(header["servo_period"]),
+        "signals": signals,
+        "status": Status(bool(header["status_ok"]), *ending),
+        "attributes": {name.removeprefix("attribute_"): value for name, value in header.items() if name not in _FIXED},
+        "start": int(header["start"]),
+    }
 
 
 def _plain(value: Any) -> Any:
