@@ -19,7 +19,7 @@ from numba.core.errors import NumbaError, UnsupportedBytecodeError
 
 from contourlab import primitives
 from contourlab.engine import intrinsics, memory, tuples
-from contourlab.engine.intrinsics import INLINE, OPTIONS, lane_maths, scalar_maths
+from contourlab.engine.intrinsics import INLINE, OPTIONS, maths
 from contourlab.engine.step import Bank, Port, Step, record, rows
 from contourlab.errors import EngineError
 from contourlab.native import store
@@ -31,7 +31,7 @@ _PLAIN = (int, float, bool, str, tuple, type(None))
 
 @cache
 def _target(width: int) -> dict[str, Callable[..., Any]]:
-    return {**(lane_maths(width) if width > 1 else scalar_maths()), **tuples.VECTOR_OPERATIONS}
+    return {**maths(width), **tuples.VECTOR_OPERATIONS}
 
 
 def _names(function: Any) -> dict[str, Any]:

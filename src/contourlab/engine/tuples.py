@@ -32,22 +32,18 @@ def scale(factor, a): ...  # type: ignore[no-untyped-def]
 def lincomb(p, a, q, b): ...  # type: ignore[no-untyped-def]
 
 
-@overload(dot, jit_options=INLINE)
-def _dot(a, b):  # type: ignore[no-untyped-def]
-    n = _length(a, b)
-    return None if n is None else _written_out("a, b", "a[#] * b[#]", n, True)
+def _overloaded(operation: Any, term: str, total: bool = False) -> None:
+    """Write an operation of two vectors out for each length."""
+
+    @overload(operation, jit_options=INLINE)
+    def written(a, b):  # type: ignore[no-untyped-def]
+        n = _length(a, b)
+        return None if n is None else _written_out("a, b", term, n, total)
 
 
-@overload(add, jit_options=INLINE)
-def _add(a, b):  # type: ignore[no-untyped-def]
-    n = _length(a, b)
-    return None if n is None else _written_out("a, b", "a[#] + b[#]", n, False)
-
-
-@overload(sub, jit_options=INLINE)
-def _sub(a, b):  # type: ignore[no-untyped-def]
-    n = _length(a, b)
-    return None if n is None else _written_out("a, b", "a[#] - b[#]", n, False)
+_overloaded(dot, "a[#] * b[#]", total=True)
+_overloaded(add, "a[#] + b[#]")
+_overloaded(sub, "a[#] - b[#]")
 
 
 @overload(scale, jit_options=INLINE)
@@ -62,10 +58,4 @@ def _lincomb(p, a, q, b):  # type: ignore[no-untyped-def]
     return None if n is None else _written_out("p, a, q, b", "p * a[#] + q * b[#]", n, False)
 
 
-VECTOR_OPERATIONS: dict[str, Callable[..., Any]] = {
-    "dot": dot,
-    "add": add,
-    "sub": sub,
-    "scale": scale,
-    "lincomb": lincomb,
-}
+VECTOR_OPERATIONS: dict[str, Callable[..., Any]] = {"dot": dot, "add": add, "sub": sub, "scale": scale, "lincomb": lincomb}
