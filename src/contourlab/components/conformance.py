@@ -276,10 +276,7 @@ def _check_resume(kind: type[Component], part: Component, scale: float, jit: boo
     group.restore(saved)
     again = group.run(inputs[half:], _outputs(group))
     if not np.array_equal(rest, again):
-        raise _fault(
-            kind,
-            "a run that is saved and restored goes on differently: all it remembers must be in its states or its ring",
-        )
+        raise _fault(kind, "a run that is saved and restored goes on differently: all it remembers must be in its states or its ring")
     if not np.array_equal(np.concatenate([first, rest]), whole):
         raise _fault(kind, "a run in two halves differs from a run in one")
 
@@ -311,9 +308,7 @@ def _check_passive(kind: type[Component], part: Component) -> None:
     par = part.constants()
     for speed in np.geomspace(1e-7, 10.0, 33):
         if not force(par, float(speed)) >= 0.0 or (law == "smooth" and not force(par, -float(speed)) <= 0.0):
-            raise _fault(
-                kind, f"a friction that feeds energy in at {speed:.3g} m/s: its force is counted against the motion, positive forwards"
-            )
+            raise _fault(kind, f"feeds energy in at {speed:.3g} m/s: a friction force is counted against the motion")
 
 
 def _check_effects(kind: type[Component], part: Component) -> None:

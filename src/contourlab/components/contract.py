@@ -197,6 +197,16 @@ NOISE_STREAM: Any = param(default=0.0, minimum=0.0, maximum=2.0**53, whole=True,
 REFERENCE = ports("reference", "reference_velocity", "reference_acceleration")
 """Input ports with the reference of an axis."""
 
+BOTH_SIDES = ports("motor_position", "motor_velocity", "load_position", "load_velocity")
+"""Input ports with what is measured on both sides of a drive."""
+
+
+def require_positive(**values: float) -> None:
+    """Raise ParameterError unless all values are positive and finite."""
+    for name, value in values.items():
+        if not (value > 0.0 and math.isfinite(value)):
+            raise ParameterError(name, f"{value:g}", "> 0 and finite")
+
 
 @dataclass(frozen=True)
 class LinearModel:

@@ -53,9 +53,7 @@ def _add(found: dict[tuple[str, str], type[Component]], kind: type[Component], w
         raise ComponentError(f"{where}: {kind!r} is no component: a class with family and kind is wanted")
     key = (kind.family, kind.kind)
     if key in found and found[key] is not kind:
-        raise ComponentError(
-            f"{where}: there is a {kind.family} named {kind.kind!r} already ({found[key].__module__}); give this one another kind"
-        )
+        raise ComponentError(f"{where}: there is a {kind.family} {kind.kind!r} already, in {found[key].__module__}; choose another kind")
     found[key] = kind
 
 

@@ -57,11 +57,7 @@ def _walk(function: Any, seen: dict[Any, None]) -> None:
 def _code_words(code: python_types.CodeType) -> list[str]:
     """Return what a code object does, without where it stands in its file."""
     constants = [c if not isinstance(c, python_types.CodeType) else _code_words(c) for c in code.co_consts]
-    return [
-        code.co_code.hex(),
-        repr(constants),
-        repr((code.co_names, code.co_varnames, code.co_freevars, code.co_cellvars)),
-    ]
+    return [code.co_code.hex(), repr(constants), repr((code.co_names, code.co_varnames, code.co_freevars, code.co_cellvars))]
 
 
 @cache

@@ -97,11 +97,9 @@ class Group:
 
     def first_bad_node(self) -> str:
         """Return the name of the first node that holds a number that is not finite; empty if there is none."""
-        for node, x in zip(self.schedule.nodes, self.state, strict=True):
-            signals = [
-                self.signals[self.schedule.row(f"{node.name}.{port.name}") + i] for port in node.step.outputs for i in range(port.rows)
-            ]
-            if not (np.isfinite(x).all() and all(np.isfinite(s).all() for s in signals)):
+        for n, (node, x) in enumerate(zip(self.schedule.nodes, self.state, strict=True)):
+            first = self.schedule.first_row[n]
+            if not (np.isfinite(x).all() and np.isfinite(self.signals[first : first + rows(node.step.outputs)]).all()):
                 return node.name
         return ""
 

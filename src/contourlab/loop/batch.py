@@ -228,9 +228,8 @@ def _check_substeps(machine: Machine, columns: Mapping[str, Array]) -> None:
             plant = machine.loaded_plant(axis.name).replace(**dict(zip(changed, row, strict=True)))
             wanted, why = plant.fewest_substeps(machine.servo_period)
             if axis.substeps < wanted:
-                raise ParameterError(
-                    f"axes.{axis.name}.substeps", f"{axis.substeps}", f"at least {wanted} for {why}, in one of the variants"
-                )
+                bound = f"at least {wanted} for {why}, in one of the variants"
+                raise ParameterError(f"axes.{axis.name}.substeps", f"{axis.substeps}", bound)
 
 
 def _signal(loop: Loop, name: str) -> tuple[str, ...]:

@@ -43,19 +43,13 @@ class Builder:
         if missing:
             raise ParameterError("controller.axes", ", ".join(controller.axes) or "none", f"given for axis {missing[0]} too")
         if path.n_axis != len(machine.axes):
-            raise ParameterError(
-                "path",
-                f"{path.n_axis} coordinates",
-                f"one for each axis of {machine.name}: {', '.join(machine.axis_names)}",
-            )
+            bound = f"one for each axis of {machine.name}: {', '.join(machine.axis_names)}"
+            raise ParameterError("path", f"{path.n_axis} coordinates", bound)
         units = [axis.plant.command_unit for axis in machine.axes]
         coupling = controller.coupling
         if len(set(units)) > 1 and coupling is not None and coupling.gives("correction"):
-            raise ParameterError(
-                "controller.coupling",
-                f'"{coupling.kind}"',
-                f"one that acts on the reference, as the axes of {machine.name} take commands in {', '.join(units)}",
-            )
+            bound = f"one that acts on the reference, as the axes take commands in {', '.join(units)}"
+            raise ParameterError("controller.coupling", f'"{coupling.kind}"', bound)
         self.machine, self.controller, self.path = machine, controller, path
         self.start, self.progress, self.overrides = start, progress, overrides
         self.handover_time = handover_time

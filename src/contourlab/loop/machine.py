@@ -87,11 +87,7 @@ class Machine:
             raise ParameterError("axes", ", ".join(names) or "none", "at least one axis, each with a name of its own")
         for axis in self.axes:
             if axis.mounted_on and (axis.mounted_on not in names or axis.name in self.carriers(axis.name)):
-                raise ParameterError(
-                    f"axes.{axis.name}.mounted_on",
-                    axis.mounted_on,
-                    "another axis of the machine, without going in a circle",
-                )
+                raise ParameterError(f"axes.{axis.name}.mounted_on", axis.mounted_on, "another axis of the machine, and not in a circle")
             self._check_masses(axis)
             self._check_motor_side(axis)
             self._check_step(axis)
@@ -125,19 +121,13 @@ class Machine:
         """A plant that is known by its response only cannot be given more mass, nor tell what it moves."""
         carried = self.carried_mass(axis.name)
         if carried and not axis.plant.knows_mass:
-            raise ParameterError(
-                f"axes.{axis.name}.plant",
-                f'"{axis.plant.kind}"',
-                f"a plant that knows its mass, as it carries {carried:g} kg: leave stage_mass out where the response was measured with it",
-            )
+            bound = f"a plant that knows its mass, as it carries {carried:g} kg; or leave stage_mass out"
+            raise ParameterError(f"axes.{axis.name}.plant", f'"{axis.plant.kind}"', bound)
         below = self.axis(axis.mounted_on).plant if axis.mounted_on and axis.alignment else axis.plant
         for plant in (axis.plant, below):
             if axis.alignment and not (plant.knows_mass and plant.force_unit == "N"):
-                raise ParameterError(
-                    f"axes.{axis.name}.alignment",
-                    f"{axis.alignment:g}",
-                    f'0 on a "{plant.kind}" plant, which does not know what mass it moves',
-                )
+                bound = f'0 on a "{plant.kind}" plant, which does not know what mass it moves'
+                raise ParameterError(f"axes.{axis.name}.alignment", f"{axis.alignment:g}", bound)
 
     def _check_step(self, axis: Axis) -> None:
         """The Runge-Kutta step follows a decay by friction of at most 2.78 in a step; what is fast in a plant it knows itself."""
@@ -149,21 +139,16 @@ class Machine:
             steepest = getattr(type(friction), "steepest", None)
             decay = mobility * steepest(friction.constants()) * self.servo_period if steepest is not None else 0.0
             if decay / axis.substeps > 2.78:
-                raise ParameterError(
-                    f"axes.{axis.name}.substeps",
-                    f"{axis.substeps}",
-                    f"at least {math.ceil(decay / 2.5)} for a {friction.kind} friction as steep near rest as this; or take a softer or a "
-                    "sticking one",
-                )
+                bound = f"at least {math.ceil(decay / 2.5)} for so steep a {friction.kind} friction; or take a softer or a sticking one"
+                raise ParameterError(f"axes.{axis.name}.substeps", f"{axis.substeps}", bound)
 
     def _check_motor_side(self, axis: Axis) -> None:
         """A plant without a motor of its own has no motor's side."""
         for slot in ("motor_friction", "motor_sensor"):
             part = getattr(axis, slot)
             if not axis.plant.two_sided and not isinstance(part, NoFriction | IdealSensor):
-                raise ParameterError(
-                    f"axes.{axis.name}.{slot}", f'"{part.kind}"', f"left out: a {axis.plant.kind} is motor and load in one"
-                )
+                bound = f"left out: a {axis.plant.kind} is motor and load in one"
+                raise ParameterError(f"axes.{axis.name}.{slot}", f'"{part.kind}"', bound)
 
     @property
     def axis_names(self) -> tuple[str, ...]:
@@ -202,16 +187,7 @@ class Machine:
 AXIS_SLOTS = ("plant", "friction", "motor_friction", "drive", "sensor", "motor_sensor", "disturbance")
 """What an axis is made of."""
 
-CONTROLLER_SLOTS = (
-    "predictor",
-    "velocity",
-    "observer",
-    "gap_observer",
-    "feedforward",
-    "compensation",
-    "supervisor",
-    "controller",
-)
+CONTROLLER_SLOTS = ("predictor", "velocity", "observer", "gap_observer", "feedforward", "compensation", "supervisor", "controller")
 """What the controller of an axis is made of, in the order of a tick."""
 
 SIDES = ("load", "motor")
@@ -256,14 +232,10 @@ class AxisController:
             raise ParameterError("supervisor", shown, "given where there are several controllers, and only there")
         chosen_from = getattr(self.supervisor, "n_controller", 1)
         if chosen_from != 1 + len(self.others):
-            raise ParameterError(
-                "others", f"{len(self.others)} of them", f"{chosen_from - 1}, as the supervisor chooses from {chosen_from}"
-            )
+            raise ParameterError("others", f"{len(self.others)} of them", f"{chosen_from - 1}: the supervisor chooses from {chosen_from}")
         uses = self.controller.takes("velocity") or self.observer is not None
         if self.predictor is not None and uses and isinstance(self.velocity, TrueVelocity):
-            wanted = (
-                'made from the predicted position, as by "filtered-difference": the true one knows nothing of the commands on their way'
-            )
+            wanted = 'made from the predicted position, as by "filtered-difference"'
             raise ParameterError("velocity", '"true"', wanted)
         if self.link is not None:
             self._check_link(self.link)

@@ -91,16 +91,10 @@ def prepared(
         sample = change.sample(machine.servo_period)
         if found and found[-1].sample == sample:
             raise ParameterError("changes", f"two at {change.time:g} s", "one for each sample")
-        other = [
-            name
-            for name in machine.axis_names
-            if name in change.controller.axes and _link(change.controller, name) != _link(controller, name)
-        ]
-        if other:
+        for name in machine.axis_names:
             # What is on its way in a link could not be taken over.
-            raise ParameterError(
-                "changes", f"another link of axis {other[0]} at {change.time:g} s", "with the link of the first controller"
-            )
+            if name in change.controller.axes and _link(change.controller, name) != _link(controller, name):
+                raise ParameterError("changes", f"another link of axis {name} at {change.time:g} s", "with the link of the first one")
         if sample < reference.n_sample:
             first = reference.block(0, 1).position[0]
             loop = build(machine, change.controller, reference.path, first, handover_time=change.handover_time, **given)

@@ -60,7 +60,7 @@ class Loop:
 EXTERNALS = ("reference", "reference_velocity", "reference_acceleration")
 
 
-class _LoopBuilder(Builder):
+class _Slots(Builder):
     """Fills the slots of the loop, one method for each part of a tick."""
 
     def __init__(self, *given: Any) -> None:
@@ -187,11 +187,8 @@ class _LoopBuilder(Builder):
             terms.append(f"in.{LEARNED_COMMAND}[{j}]")
         for label, controller in self.controller.axes[name].controllers.items() if terms else ():
             if not controller.takes("feedforward"):
-                raise ParameterError(
-                    f"controller.axes.{name}.{label}",
-                    f'"{controller.kind}"',
-                    "one with a port feedforward: cross-coupling, learning, feedforward and compensation add to its command",
-                )
+                bound = "one with a port feedforward: cross-coupling, learning, feedforward and compensation use it"
+                raise ParameterError(f"controller.axes.{name}.{label}", f'"{controller.kind}"', bound)
         return self.sum_of(f"{name}.added", terms) if terms else 0.0
 
     def fed_forward(self, name: str, output: str) -> list[str]:
@@ -249,9 +246,7 @@ def build(
     handover_time : float [s], optional
         The controller takes over at the first tick from another one: the jump of each command decays with this time constant.
     """
-    builder = _LoopBuilder(
-        machine, controller, path, start, progress, overrides or {}, seed, trial, frozenset(fed), velocity, handover_time
-    )
+    builder = _Slots(machine, controller, path, start, progress, overrides or {}, seed, trial, frozenset(fed), velocity, handover_time)
     builder.sense()
     builder.contour(view)
     builder.control()

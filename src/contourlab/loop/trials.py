@@ -210,10 +210,9 @@ class Trials:
             if self._estimate_of(name) in self._column:
                 estimate[:, j] = rows[self._column[self._estimate_of(name)]]
         if not status.ok:
-            unknown = np.full(len(position), np.nan)
-            return Trial(
-                status, position, measured, position, command, np.zeros_like(command), estimate, None, unknown, np.nan, np.nan, np.nan
-            )
+            nan, no_excess = np.nan, np.zeros_like(command)
+            unknown = np.full(len(position), nan)
+            return Trial(status, position, measured, position, command, no_excess, estimate, None, unknown, nan, nan, nan)
         excess = _excess(command, self._limit)
         velocity = signal(self._signals["axis_velocity"]) if self._signals["axis_velocity"][0] in self._column else position
         began = time.perf_counter()

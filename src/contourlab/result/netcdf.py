@@ -131,9 +131,8 @@ class ResultWriter:
         try:
             self._data.attrs[name] = int(value) if isinstance(value, bool) else value
         except (TypeError, ValueError) as error:
-            raise ResultError(
-                f"{name.removeprefix('attribute_')} = {value!r}: text or a number of 64 bits can be kept in a file"
-            ) from error
+            known = name.removeprefix("attribute_")
+            raise ResultError(f"{known} = {value!r}: a file holds text and numbers of 64 bits only") from error
 
 
 def _text_type() -> Any:

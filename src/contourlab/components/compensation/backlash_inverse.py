@@ -47,13 +47,7 @@ class BacklashInverse(Component):
     family = "compensation"
     kind = "backlash-inverse"
     reference = "Tao & Kokotovic 1993, backlash inverse"
-    example = {
-        "backlash_gap": 0.02,
-        "jump_velocity": 0.5,
-        "dead_band": 5e-4,
-        "load_time_constant": 0.3,
-        "initial_direction": -1.0,
-    }
+    example = {"backlash_gap": 0.02, "jump_velocity": 0.5, "dead_band": 5e-4, "load_time_constant": 0.3, "initial_direction": -1.0}
     states = (Port("side"), Port("shift"))
     inputs = (Port("reference_velocity"), Port("reference_acceleration"), Port("gap_estimate"))
     outputs = (Port("reference_shift"),)

@@ -9,7 +9,7 @@ from typing import Any, ClassVar
 
 import numpy as np
 
-from contourlab.components.contract import REFERENCE, Component, LinearModel, param, text_param
+from contourlab.components.contract import REFERENCE, Component, LinearModel, param, require_positive, text_param
 from contourlab.components.controller.anti_windup import ANTI_WINDUP, TRACKING_TIME, integral_rise, recovery_part
 from contourlab.engine.step import Port, ports
 from contourlab.errors import ParameterError
@@ -131,14 +131,11 @@ class Cascade(Component):
         (500.0, 0.01, 40.0, 1.25)
         """
         kv = bandwidth / 5.0 if position_gain is None else position_gain
-        for name, value in (("bandwidth", bandwidth), ("damping", damping), ("model_gain", model_gain), ("position_gain", kv)):
-            if not (value > 0.0 and math.isfinite(value)):
-                raise ParameterError(name, f"{value:g}", "> 0 and finite")
-        if not 0.0 <= model_damping < 2.0 * damping * bandwidth:
-            raise ParameterError(
-                "model_damping", f"{model_damping:g}", f">= 0 and < 2 damping bandwidth = {2.0 * damping * bandwidth:g}", "1/s"
-            )
-        gain = (2.0 * damping * bandwidth - model_damping) / model_gain
+        require_positive(bandwidth=bandwidth, damping=damping, model_gain=model_gain, position_gain=kv)
+        most = 2.0 * damping * bandwidth
+        if not 0.0 <= model_damping < most:
+            raise ParameterError("model_damping", f"{model_damping:g}", f">= 0 and < 2 damping bandwidth = {most:g}", "1/s")
+        gain = (most - model_damping) / model_gain
         return {
             "position_gain": kv,
             "velocity_gain": gain,

@@ -134,12 +134,8 @@ class LeadLag(Component):
         lag = math.pi / 2.0 + math.atan2(crossover, model_damping) + crossover * delay
         turn = phase_margin - math.pi + lag - (cmath.phase(integral) if integral_counted else 0.0)
         if not 0.0 <= turn < math.pi / 2.0:
-            raise ParameterError(
-                "phase_margin",
-                f"{math.degrees(phase_margin):g}",
-                f"such that the lead turns by 0 to 90 degrees, not by {math.degrees(turn):.1f}",
-                "degrees",
-            )
+            turned, asked = math.degrees(turn), math.degrees(phase_margin)
+            raise ParameterError("phase_margin", f"{asked:g}", f"in reach of a lead of 0 to 90 degrees, not {turned:.1f}", "degrees")
         root = math.sqrt((1.0 + math.sin(turn)) / (1.0 - math.sin(turn)))
         lead, below = root / crossover, 1.0 / (root * crossover)
         magnitude = abs(model_gain / (s * (s + model_damping)) * (lead * s + 1.0) / (below * s + 1.0))

@@ -10,7 +10,7 @@ from typing import Any
 
 import numpy as np
 
-from contourlab.components.contract import REFERENCE, Component, LinearModel, param, text_param
+from contourlab.components.contract import REFERENCE, Component, LinearModel, param, require_positive, text_param
 from contourlab.components.controller.anti_windup import ANTI_WINDUP, TRACKING_TIME, integral_rise, recovery_part
 from contourlab.components.mechanics.discretise import low_pass_weight
 from contourlab.engine.step import Port, ports
@@ -146,7 +146,7 @@ class StateFeedback(Component):
         >>> StateFeedback.place_rigid([-30.0 + 40.0j, -30.0 - 40.0j], 2.0, 10.0)["position_gain"]
         1250.0
         """
-        _check_model(model_gain=model_gain)
+        require_positive(model_gain=model_gain)
         c = _coefficients(poles, 2)
         return {
             "velocity_gain": (c[0] - model_damping) / model_gain,
@@ -175,7 +175,7 @@ class StateFeedback(Component):
         ------
         ParameterError
         """
-        _check_model(dc_gain=dc_gain, natural_frequency=natural_frequency)
+        require_positive(dc_gain=dc_gain, natural_frequency=natural_frequency)
         w, c = natural_frequency, _coefficients(poles, 3)
         gain = dc_gain * w * w
         return {
@@ -200,9 +200,3 @@ class StateFeedback(Component):
         through = np.array([[*forward, -k1, -k2 - k3 * w, -1.0, 1.0]])
         names = tuple(port.name for port in self.inputs[:-1])
         return LinearModel(np.diag([0.0, -w]), b, np.array([[1.0, k3 * w * w]]), through, names, ("command",))
-
-
-def _check_model(**values: float) -> None:
-    for name, value in values.items():
-        if not (value > 0.0 and math.isfinite(value)):
-            raise ParameterError(name, f"{value:g}", "> 0 and finite")

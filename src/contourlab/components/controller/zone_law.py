@@ -13,7 +13,7 @@ from typing import Any, ClassVar
 
 import numpy as np
 
-from contourlab.components.contract import REFERENCE, Component, LinearModel, param, text_param
+from contourlab.components.contract import BOTH_SIDES, REFERENCE, Component, LinearModel, param, text_param
 from contourlab.components.controller.anti_windup import ANTI_WINDUP, TRACKING_TIME, integral_rise, recovery_part
 from contourlab.engine.step import Port, ports
 from contourlab.primitives import select
@@ -88,19 +88,7 @@ class ZoneLaw(Component):
     reference = "Shahin, ElMaraghy & ElBeheiry, eqs 10 and 12-16"
     per_inertia: ClassVar[bool] = False
     states = (Port("integral"), Port("flank"), Port("load_velocity"), Port("last_command"))
-    inputs = (
-        *REFERENCE,
-        *ports(
-            "motor_position",
-            "motor_velocity",
-            "load_position",
-            "load_velocity",
-            "gap_estimate",
-            "disturbance_estimate",
-            "feedforward",
-            "accepted",
-        ),
-    )
+    inputs = (*REFERENCE, *BOTH_SIDES, *ports("gap_estimate", "disturbance_estimate", "feedforward", "accepted"))
     outputs = (Port("command"),)
     derived: ClassVar[tuple[str, ...]] = ("turn",)
 
@@ -121,15 +109,7 @@ class ZoneLaw(Component):
             return None
         turn, scale = 2.0 * math.pi / self.lead, self.motor_inertia if self.per_inertia else 1.0
         rate, off = scale * self.rate_gain * turn, scale * self.position_gain * turn  # type: ignore[attr-defined]
-        names = (
-            "reference",
-            "reference_velocity",
-            "reference_acceleration",
-            "motor_position",
-            "motor_velocity",
-            "disturbance_estimate",
-            "feedforward",
-        )
+        names = tuple(port.name for port in (*self.inputs[:5], *self.inputs[8:10]))
         through = np.array([[off, rate, self.motor_inertia * turn, -off, -rate, -1.0, 1.0]])
         n = 1 if hasattr(self, "integral_gain") else 0
         summed = getattr(self, "integral_gain", 0.0) * turn * np.array([[1.0, 0.0, 0.0, -1.0, 0.0, 0.0, 0.0]])[:n]
@@ -146,13 +126,12 @@ def zone_step(
     return _zone_law_step(follows_load, law.per_inertia, law.values().get("reading") == "literal", law.direction, rise, to_flank)
 
 
-def _reading() -> Any:
-    return text_param(
-        default="corrected",
-        choices=("corrected", "literal"),
-        doc="whether the half gap also stands in the rate term, as printed",
-        source="Shahin, ElMaraghy & ElBeheiry, eqs 10, 12, 14 and 15",
-    )
+READING = text_param(
+    default="corrected",
+    choices=("corrected", "literal"),
+    doc="literal: with the half gap in the rate term too",
+    source="Shahin, ElMaraghy & ElBeheiry, eqs 10, 12, 14 and 15",
+)
 
 
 class InertiaGains(ZoneLaw):
@@ -160,7 +139,7 @@ class InertiaGains(ZoneLaw):
 
     per_inertia = True
 
-    reading: str = _reading()
+    reading: str = READING
     rate_gain: float = param(unit="1/s", minimum=0.0, doc="on the motor's rate")
     position_gain: float = param(unit="1/s^2", minimum=0.0, doc="on the motor's angle")
 
@@ -190,7 +169,7 @@ class TorqueGains(ZoneLaw):
 class TypeTwo(TorqueGains):
     """Laws of type II."""
 
-    reading: str = _reading()
+    reading: str = READING
 
 
 class Integral(TorqueGains):

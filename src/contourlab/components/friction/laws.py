@@ -8,9 +8,7 @@ from contourlab.components.contract import Component, param
 from contourlab.engine.step import Port
 from contourlab.primitives import exp, maximum, tanh
 
-STRIBECK_VELOCITY = param(
-    default=1e-3, unit="m/s", minimum=0.0, exclusive=True, display="mm/s", doc="speed of the fall from F_s to F_c, v_s"
-)
+STRIBECK_VELOCITY = param(default=1e-3, unit="m/s", minimum=0.0, exclusive=True, display="mm/s", doc="speed of the fall to F_c, v_s")
 VISCOUS = param(default=0.0, unit="{force}*s/m", minimum=0.0, doc="rise of friction with speed, c")
 
 

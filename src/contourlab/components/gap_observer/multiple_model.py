@@ -83,17 +83,7 @@ class MultipleModel(Component):
     reference = "Alspach & Sorenson 1972; Lagerberg & Egardt 2007"
     inputs = (Port("motor_position"), Port("applied"))
     outputs = ports("gap_state", "gap", "gap_deviation", "confidence", "load_position", "load_velocity")
-    states = (
-        Port("ticks"),
-        Port("last_position"),
-        Port("contact"),
-        Port("sound"),
-        Port("side"),
-        Port("settled"),
-        Port("again"),
-        Port("doubt"),
-        Port("leader", KEPT),
-    )
+    states = (*ports("ticks", "last_position", "contact", "sound", "side", "settled", "again", "doubt"), Port("leader", KEPT))
     derived = (
         "force_value",
         "motor_mobility",

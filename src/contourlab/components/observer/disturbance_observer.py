@@ -42,11 +42,7 @@ class DisturbanceObserver(Component):
 
     def derive(self, par: Any, dt: float) -> tuple[Any, ...]:
         rule = self.discretisation
-        return (
-            low_pass_weight(par.filter_bandwidth, dt, rule),
-            low_pass_weight(par.bandwidth, dt, rule),
-            1.0 / par.model_gain,
-        )
+        return (low_pass_weight(par.filter_bandwidth, dt, rule), low_pass_weight(par.bandwidth, dt, rule), 1.0 / par.model_gain)
 
     @staticmethod
     def step(par: Any, x: Any, inp: Any, clock: Any) -> Any:

@@ -24,7 +24,6 @@ class BallScrew(SingleMass):
     example = {"mass": 20.0, "inertia": 2e-4, "lead": 0.01, "torque_constant": 0.5, "damping": 100.0}
     reference = "Altintas, Manufacturing Automation, feed drives"
     command_unit = "A"
-    force_unit = "N"
     derived = ("mobility_value", "decay_value", "force_constant_value")
 
     mass: float = param(unit="kg", minimum=0.0, exclusive=True, doc="mass of table and what is fixed to it")

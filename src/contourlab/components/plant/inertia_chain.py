@@ -38,7 +38,6 @@ class InertiaChain(Plant):
     kind = "inertia-chain"
     reference = "Altintas et al., CIRP Annals 60 (2011); Nordin, Galic & Gutman 1997"
     command_unit = "N*m"
-    force_unit = "N"
     two_sided = True
     rest_depends = ("start_in_gap", "lead")
     inputs, outputs = TwoInertia.inputs, TwoInertia.outputs
@@ -84,9 +83,7 @@ class InertiaChain(Plant):
             raise ParameterError("inertias", "one of them", "two or more: a motor and a load")
         for name in JOINT_LISTS:
             if len(getattr(self, name)) not in (1, n - 1):
-                raise ParameterError(
-                    name, f"{len(getattr(self, name))} values", f"{n - 1}, one for each joint of {n} inertias, or one for all"
-                )
+                raise ParameterError(name, f"{len(getattr(self, name))} values", f"{n - 1}, one for each joint, or one for all")
         inner = (Port("inner_positions", n - 2), Port("inner_velocities", n - 2)) if n > 2 else ()
         ends = (Port("motor_position"), Port("motor_velocity"), Port("position"), Port("velocity"))
         object.__setattr__(self, "states", (*ends, *inner, Port("sides", n - 1), Port("twists", n - 1)))

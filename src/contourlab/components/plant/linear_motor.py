@@ -35,7 +35,6 @@ class LinearMotor(LaggedMass):
         "amplifier_gain": 3.0,
     }
     command_unit = "V"
-    force_unit = "N"
 
     resistance: float = param(unit="ohm", minimum=0.0, exclusive=True, doc="of the winding, R", source="Gecer Ulu et al., eq 1")
     inductance: float = param(unit="H", minimum=0.0, exclusive=True, display="mH", doc="of the winding, L", source="Gecer Ulu et al., eq 1")

@@ -20,7 +20,6 @@ class MassDamper(SingleMass):
     example = {"mass": 20.0, "damping": 100.0, "force_constant": 60.0}
     reference = "Newton's second law"
     command_unit = "A"
-    force_unit = "N"
     derived = ("mobility_value", "decay_value")
 
     mass: float = param(unit="kg", minimum=0.0, exclusive=True, doc="moved mass of the axis; rotating parts as J (2 pi / lead)^2")

@@ -43,7 +43,6 @@ class TwoInertia(Plant):
     kind = "two-inertia"
     reference = "Shahin, ElMaraghy & ElBeheiry, eqs 1-4; Nordin, Galic & Gutman 1997"
     command_unit = "N*m"
-    force_unit = "N"
     two_sided = True
     rest_depends = ("backlash_gap", "backlash_angle", "start_in_gap", "lead")
     states = ports("motor_position", "motor_velocity", "position", "velocity", "side", "twist")
