@@ -1,4 +1,4 @@
-"""What the primitives become in compiled code: LLVM instructions, libm calls, and branch-free polynomials for lanes."""
+"""The primitives in compiled code: LLVM instructions, libm calls, branch-free polynomials for lanes, vectors written out."""
 
 from __future__ import annotations
 
@@ -8,6 +8,7 @@ from typing import Any
 
 from llvmlite import ir
 from numba import njit, types
+from numba.extending import overload
 
 from contourlab.engine.memory import NUMBER, instruction, load_ring, load_table, truncate
 from contourlab.native.compile import INNER
@@ -252,3 +253,53 @@ def maths(width: int) -> dict[str, Callable[..., Any]]:
     rounding = {"sqrt": sqrt, "fabs": fabs, "floor": floor, "rint": rint, "copysign": copysign}
     choosing = {"minimum": minimum, "maximum": maximum, "clip": clip, "select": select}
     return {**made, **rounding, **choosing, "lookup": lookup, "delayed": make_delayed(width)}
+
+
+def _written_out(arguments: str, term: str, count: int, total: bool) -> Any:
+    terms = [term.replace("#", str(i)) for i in range(count)]
+    body = " + ".join(terms) if total else f"({', '.join(terms)},)"
+    scope: dict[str, Any] = {}
+    exec(f"def implementation({arguments}):\n    return {body}\n", scope)
+    return scope["implementation"]
+
+
+def _length(*vectors: Any) -> int | None:
+    if all(isinstance(v, types.BaseTuple) for v in vectors) and len({v.count for v in vectors}) == 1:
+        return int(vectors[0].count)
+    return None
+
+
+def dot(a, b): ...  # type: ignore[no-untyped-def]
+def add(a, b): ...  # type: ignore[no-untyped-def]
+def sub(a, b): ...  # type: ignore[no-untyped-def]
+def scale(factor, a): ...  # type: ignore[no-untyped-def]
+def lincomb(p, a, q, b): ...  # type: ignore[no-untyped-def]
+
+
+def _overloaded(operation: Any, term: str, total: bool = False) -> None:
+    """Write an operation of two vectors out for each length."""
+
+    @overload(operation, jit_options=INLINE)
+    def written(a, b):  # type: ignore[no-untyped-def]
+        n = _length(a, b)
+        return None if n is None else _written_out("a, b", term, n, total)
+
+
+_overloaded(dot, "a[#] * b[#]", total=True)
+_overloaded(add, "a[#] + b[#]")
+_overloaded(sub, "a[#] - b[#]")
+
+
+@overload(scale, jit_options=INLINE)
+def _scale(factor, a):  # type: ignore[no-untyped-def]
+    n = _length(a)
+    return None if n is None else _written_out("factor, a", "factor * a[#]", n, False)
+
+
+@overload(lincomb, jit_options=INLINE)
+def _lincomb(p, a, q, b):  # type: ignore[no-untyped-def]
+    n = _length(a, b)
+    return None if n is None else _written_out("p, a, q, b", "p * a[#] + q * b[#]", n, False)
+
+
+VECTOR_OPERATIONS: dict[str, Callable[..., Any]] = {"dot": dot, "add": add, "sub": sub, "scale": scale, "lincomb": lincomb}

@@ -22,7 +22,7 @@ from contourlab.components.link.network import Network
 from contourlab.components.observer.disturbance_observer import DisturbanceObserver
 from contourlab.components.plant.rigid_axis import RigidAxis
 from contourlab.components.sensor.encoder import Encoder
-from contourlab.components.supervisor.estimator_based import EstimatorBased
+from contourlab.components.supervisor.switching import EstimatorBased
 from contourlab.components.velocity.filtered_difference import FilteredDifference
 from contourlab.engine.step import Port, Step
 from contourlab.loop import Division

@@ -13,8 +13,7 @@ from scipy.signal import lfilter
 import contourlab as cl
 from contourlab.components.controller.cascade import Cascade
 from contourlab.components.controller.pid import PID
-from contourlab.components.feedforward.friction import FrictionFeedforward
-from contourlab.components.feedforward.inverse_dynamics import InverseDynamics
+from contourlab.components.feedforward.inverse_dynamics import FrictionFeedforward, InverseDynamics
 from contourlab.components.feedforward.zpetc import ZPETC
 from contourlab.errors import ParameterError
 from contourlab.papers.ghaffari.axis_response import axis_response

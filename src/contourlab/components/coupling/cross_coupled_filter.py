@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 
 from contourlab.components.contract import Component, LinearModel, param
-from contourlab.components.coupling.transport import carried, turning
+from contourlab.components.coupling.cross_coupled import carried, turning
 from contourlab.engine.step import Port, Step
 from contourlab.errors import ParameterError
 from contourlab.primitives import add, lincomb, scale

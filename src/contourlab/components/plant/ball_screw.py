@@ -6,7 +6,7 @@ import math
 from typing import Any
 
 from contourlab.components.contract import param
-from contourlab.components.plant.single_mass import SingleMass
+from contourlab.components.plant.plant import SingleMass
 
 
 class BallScrew(SingleMass):

@@ -9,7 +9,7 @@ import numpy as np
 
 from contourlab.components.contract import LinearModel
 from contourlab.components.mechanics.propagator import NAMES, STIFFEST, doublings_for, propagator
-from contourlab.components.plant.single_mass import SingleMass
+from contourlab.components.plant.plant import SingleMass
 from contourlab.engine.step import Port
 
 

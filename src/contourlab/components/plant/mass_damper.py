@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 from contourlab.components.contract import param
-from contourlab.components.plant.single_mass import SingleMass
+from contourlab.components.plant.plant import SingleMass
 
 
 class MassDamper(SingleMass):
