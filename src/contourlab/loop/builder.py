@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping
+from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
@@ -22,44 +23,42 @@ Signals = Mapping[str, tuple[str, ...]]
 """Where the signals of a result are: name -> one for each axis, or one for the machine."""
 
 
+@dataclass(eq=False)
 class Builder:
     """Collect the nodes of a machine and its controller, in the order of a tick; arguments as of `contourlab.loop.template.build`."""
 
-    def __init__(
-        self,
-        machine: Machine,
-        controller: Controller,
-        path: Path,
-        start: Array,
-        progress: float,
-        overrides: Overrides,
-        seed: int,
-        trial: int,
-        fed: frozenset[str],
-        velocity: Array | None = None,
-        handover_time: float | None = None,
-    ) -> None:
-        missing = [name for name in machine.axis_names if name not in controller.axes]
+    machine: Machine
+    controller: Controller
+    path: Path
+    start: Array
+    progress: float
+    overrides: Overrides
+    seed: int
+    trial: int
+    fed: frozenset[str]
+    velocity: Array | None = None
+    handover_time: float | None = None
+
+    def __post_init__(self) -> None:
+        self.names, self.period = self.machine.axis_names, self.machine.servo_period
+        self._check()
+        self.speed = np.zeros(len(self.names)) if self.velocity is None else self.velocity
+        self.nodes: list[Node] = []
+        # Where commands come down a link: the signal of what has arrived.
+        self.arrived: dict[str, str] = {}
+
+    def _check(self) -> None:
+        given, coupling = self.controller.axes, self.controller.coupling
+        missing = [name for name in self.names if name not in given]
         if missing:
-            raise ParameterError("controller.axes", ", ".join(controller.axes) or "none", f"given for axis {missing[0]} too")
-        if path.n_axis != len(machine.axes):
-            bound = f"one for each axis of {machine.name}: {', '.join(machine.axis_names)}"
-            raise ParameterError("path", f"{path.n_axis} coordinates", bound)
-        units = [axis.plant.command_unit for axis in machine.axes]
-        coupling = controller.coupling
+            raise ParameterError("controller.axes", ", ".join(given) or "none", f"given for axis {missing[0]} too")
+        if self.path.n_axis != len(self.names):
+            bound = f"one for each axis of {self.machine.name}: {', '.join(self.names)}"
+            raise ParameterError("path", f"{self.path.n_axis} coordinates", bound)
+        units = [axis.plant.command_unit for axis in self.machine.axes]
         if len(set(units)) > 1 and coupling is not None and coupling.gives("correction"):
             bound = f"one that acts on the reference, as the axes take commands in {', '.join(units)}"
             raise ParameterError("controller.coupling", f'"{coupling.kind}"', bound)
-        self.machine, self.controller, self.path = machine, controller, path
-        self.start, self.progress, self.overrides = start, progress, overrides
-        self.handover_time = handover_time
-        self.speed = np.zeros(len(machine.axes)) if velocity is None else velocity
-        self.seed, self.trial, self.fed = seed, trial, fed
-        self.period = machine.servo_period
-        self.nodes: list[Node] = []
-        self.names = machine.axis_names
-        # Where commands come down a link: the signal of what has arrived.
-        self.arrived: dict[str, str] = {}
 
     def changed(self, prefix: str) -> dict[str, Array]:
         """Return the overrides of one component: parameter -> values over the variants."""

@@ -63,8 +63,8 @@ EXTERNALS = ("reference", "reference_velocity", "reference_acceleration")
 class _Slots(Builder):
     """Fills the slots of the loop, one method for each part of a tick."""
 
-    def __init__(self, *given: Any) -> None:
-        super().__init__(*given)
+    def __post_init__(self) -> None:
+        super().__post_init__()
         self.sensing: dict[str, Sensing] = {}
 
     def sense(self) -> None:

@@ -53,6 +53,7 @@ class Cascade(Component):
 
     family = "controller"
     kind = "cascade"
+    over_load: ClassVar[bool] = False
     calibrated: ClassVar[tuple[str, ...]] = ("velocity_gain", "integral_time", "position_gain")
     calibrated_ahead = ("velocity_feedforward", "acceleration_feedforward")
     reference = "Pritschow, CIRP Annals 47(2), 1998"
@@ -85,7 +86,7 @@ class Cascade(Component):
         return par.velocity_gain / par.integral_time, recovery_part(par.tracking_time, dt)
 
     def step_function(self) -> Any:
-        return cascade_step(self.anti_windup)
+        return cascade_step(self.anti_windup, self.over_load)
 
     wishes = {
         "bandwidth": param(unit="rad/s", minimum=0.0, exclusive=True, doc="of the velocity loop"),
@@ -146,11 +147,20 @@ class Cascade(Component):
 
     def linearize(self) -> LinearModel:
         """Return the model away from the limits."""
-        kv, k, w = self.position_gain, self.velocity_gain, self.velocity_feedforward
-        asked = np.array([kv, w, 0.0, -kv, -1.0, 0.0, 0.0])
-        through = k * asked + np.array([0.0, 0.0, self.acceleration_feedforward, 0.0, 0.0, -1.0, 1.0])
+        place, speed = ("load_position", "motor_velocity") if self.over_load else ("position", "velocity")
+        asked_by = {
+            "reference": self.position_gain,
+            "reference_velocity": self.velocity_feedforward,
+            place: -self.position_gain,
+            speed: -1.0,
+        }
+        direct = {"reference_acceleration": self.acceleration_feedforward, "disturbance_estimate": -1.0, "feedforward": 1.0}
+        if self.over_load:
+            direct |= {"motor_velocity": -self.values()["damping_gain"], "load_velocity": self.values()["damping_gain"]}
         names = tuple(port.name for port in self.inputs[:-1])
-        rate = k / self.integral_time
+        asked = np.array([asked_by.get(name, 0.0) for name in names])
+        through = self.velocity_gain * asked + np.array([direct.get(name, 0.0) for name in names])
+        rate = self.velocity_gain / self.integral_time
         return LinearModel(np.zeros((1, 1)), rate * asked[None, :], np.ones((1, 1)), through[None, :], names, ("command",))
 
 
@@ -168,6 +178,7 @@ class LoadSideCascade(Cascade):
     """
 
     kind = "load-side-cascade"
+    over_load = True
     calibrated = ("velocity_gain", "integral_time", "damping_gain", "position_gain")
     calibrated_ahead = ("velocity_feedforward", "acceleration_feedforward")
     reference = "Nordin & Gutman 2002, section 4"
@@ -177,15 +188,3 @@ class LoadSideCascade(Cascade):
     damping_gain: float = param(
         default=0.0, unit="{command}*s/m", minimum=0.0, display="{command}*s/mm", doc="on the velocity of the motor against the load, k_d"
     )
-
-    def step_function(self) -> Any:
-        return cascade_step(self.anti_windup, over_load=True)
-
-    def linearize(self) -> LinearModel:
-        """Return the model away from the limits."""
-        kv, k, w, kd = self.position_gain, self.velocity_gain, self.velocity_feedforward, self.damping_gain
-        asked = np.array([kv, w, 0.0, -kv, -1.0, 0.0, 0.0, 0.0])
-        through = k * asked + np.array([0.0, 0.0, self.acceleration_feedforward, 0.0, -kd, kd, -1.0, 1.0])
-        names = tuple(port.name for port in self.inputs[:-1])
-        rate = k / self.integral_time
-        return LinearModel(np.zeros((1, 1)), rate * asked[None, :], np.ones((1, 1)), through[None, :], names, ("command",))

@@ -8,10 +8,10 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from contourlab.components.contract import LinearModel, param, text_param
+from contourlab.components.contract import LinearModel, param
 from contourlab.components.mechanics.chain_mechanics import JOINT, chain_step
 from contourlab.components.plant.plant import Plant
-from contourlab.components.plant.two_inertia import COARSEST, TwoInertia
+from contourlab.components.plant.two_inertia import COARSEST, CONTACT_MODEL, TwoInertia
 from contourlab.engine.step import Port
 from contourlab.errors import ComponentError, ParameterError
 
@@ -72,9 +72,7 @@ class InertiaChain(Plant):
         default=(0.0,), vector=True, unit="rad", minimum=0.0, doc="free travel of the joints at the motor"
     )
     start_in_gap: float = param(default=0.0, minimum=-1.0, maximum=1.0, doc="initial place of each joint in its gap, as of two-inertia")
-    contact_model: str = text_param(
-        default="physical", choices=("physical", "dead-zone"), doc="how a damped shaft leaves a flank", source="Nordin, Galic & Gutman 1997"
-    )
+    contact_model: str = CONTACT_MODEL
 
     def __init__(self, **values: Any) -> None:
         super().__init__(**values)

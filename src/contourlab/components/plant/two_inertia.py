@@ -21,6 +21,10 @@ Array = NDArray[np.float64]
 COARSEST = 0.5
 """Radians of the shaft's oscillation in a sub-step: fourth order damps it by 1e-4 in each at that."""
 
+CONTACT_MODEL = text_param(
+    default="physical", choices=("physical", "dead-zone"), doc="how a damped shaft leaves a flank", source="Nordin, Galic & Gutman 1997"
+)
+
 
 class TwoInertia(Plant):
     """Two-inertia feed drive: J_m w_m' + c_m w_m = g u - T, J_l w_l' + c_l w_l = T; the table moves by the lead in a turn.
@@ -94,9 +98,7 @@ class TwoInertia(Plant):
     backlash_gap: float = param(default=0.0, unit="m", minimum=0.0, display="um", doc="free travel in all, as a length at the table")
     backlash_angle: float = param(default=0.0, unit="rad", minimum=0.0, doc="free travel of the coupling, as an angle of the motor")
     start_in_gap: float = param(default=0.0, minimum=-1.0, maximum=1.0, doc="initial place in the gap; 1: the flank that drives forwards")
-    contact_model: str = text_param(
-        default="physical", choices=("physical", "dead-zone"), doc="how a damped shaft leaves a flank", source="Nordin, Galic & Gutman 1997"
-    )
+    contact_model: str = CONTACT_MODEL
     gap_profile: tuple[float, ...] = param(
         default=(1.0,), vector=True, minimum=0.0, doc="relative free travel at even places; (1,): constant"
     )

@@ -9,22 +9,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from contourlab.components import quadrature
 from contourlab.components.contract import NOISE_STREAM, Component, param, text_param
-from contourlab.components.quadrature import (
-    DERIVED,
-    FURTHEST,
-    IDENTITY,
-    LEAST,
-    LEAST_COVARIANCE,
-    STATES,
-    TABLES,
-    arctangents,
-    constants,
-    corrected,
-    ellipse,
-    followed,
-    in_turns,
-)
+from contourlab.components.quadrature import IDENTITY, constants, corrected, followed, in_turns
 from contourlab.engine.step import Port
 from contourlab.errors import ParameterError
 from contourlab.primitives import clip, cos, floor, normal, rint, select, sin
@@ -122,11 +109,11 @@ class QuadratureEncoder(Component):
         "known_phase_error": 0.03,
         "stream": 7.0,
     }
-    states = STATES
+    states = quadrature.STATES
     inputs = (Port("position"),)
     outputs = (Port("position"), Port("missed_periods"))
-    derived = ("phase_sine", "phase_cosine", "step_of_converter", "counts_per_pitch", *DERIVED)
-    tables = TABLES
+    derived = ("phase_sine", "phase_cosine", "step_of_converter", "counts_per_pitch", *quadrature.DERIVED)
+    tables = quadrature.TABLES
 
     pitch: float = param(unit="m", minimum=0.0, exclusive=True, display="um", doc="travel of one period of the signals")
     resolution: float = param(unit="m", minimum=0.0, exclusive=True, display="nm", doc="travel per count; the pitch over 4 n, n whole")
@@ -156,12 +143,12 @@ class QuadratureEncoder(Component):
         if not 0.75 <= order <= MOST_COUNTS or abs(order - round(order)) > 1e-6:
             shown = f"{self.resolution:g}"
             raise ParameterError("resolution", shown, f"the pitch, {self.pitch:g} m, over four times a whole number")
-        least = LEAST_COVARIANCE * (1.0 - self.forgetting)
+        least = quadrature.LEAST_COVARIANCE * (1.0 - self.forgetting)
         if self.correction == "adaptive" and self.initial_covariance < least:
             raise ParameterError("initial_covariance", f"{self.initial_covariance:g}", f">= {least:g} with this forgetting")
-        inside = max(abs(self.known_offset_1), abs(self.known_offset_2)) <= FURTHEST * self.amplitude
+        inside = max(abs(self.known_offset_1), abs(self.known_offset_2)) <= quadrature.FURTHEST * self.amplitude
         start = self.block(1.0) if inside else {}
-        if not (inside and all(LEAST <= start[name] <= 1.0 / LEAST for name in DERIVED[:2])):
+        if not (inside and all(quadrature.LEAST <= start[name] <= 1.0 / quadrature.LEAST for name in quadrature.DERIVED[:2])):
             shown = f"{self.known_offset_1:g} and {self.known_offset_2:g}"
             raise ParameterError("known offsets", shown, "well inside the amplitudes of the signals", "V")
 
@@ -169,11 +156,11 @@ class QuadratureEncoder(Component):
         return _make(self.correction, self.counting == "hardware")
 
     def derive(self, par: Any, dt: float) -> tuple[Any, ...]:
-        start = ellipse(
+        start = quadrature.ellipse(
             par.known_offset_1 / par.amplitude, par.known_offset_2 / par.amplitude, par.known_ratio, np.sin(par.known_phase_error), 1.0
         )
         lsb = par.converter_range * 2.0 ** (1.0 - np.asarray(par.bits, dtype=float))
         return np.sin(par.phase_error), np.cos(par.phase_error), lsb, np.rint(par.pitch / par.resolution), *start
 
     def table_values(self) -> dict[str, NDArray[np.float64]]:
-        return {"arctangent": arctangents()}
+        return {"arctangent": quadrature.arctangents()}
