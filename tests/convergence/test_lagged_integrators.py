@@ -18,7 +18,7 @@ from contourlab.components.contract import Component
 from contourlab.components.friction.laws import Coulomb, LuGre, NoFriction, SmoothCoulomb
 from contourlab.components.mechanics.core import link
 from contourlab.components.mechanics.propagator import STIFFEST, propagator
-from contourlab.components.plant.linear_motor import LinearMotor
+from contourlab.components.plant.lagged_mass import LinearMotor
 from contourlab.engine.step import record
 from contourlab.primitives import Clock
 

@@ -12,8 +12,8 @@ from contourlab.components.controller.position import PositionController
 from contourlab.components.controller.speed_pid import SpeedPID
 from contourlab.components.drive.saturation import DelayedSaturation, Saturation
 from contourlab.components.estimator.local import Tangent
+from contourlab.components.plant.lagged_mass import SecondOrderIntegrator
 from contourlab.components.plant.rigid_axis import RigidAxis
-from contourlab.components.plant.second_order_integrator import SecondOrderIntegrator
 from contourlab.loop.machine import Axis, AxisController, Controller, Machine
 
 PERIOD = 1e-3

@@ -40,9 +40,8 @@ def add_plants(builder: Builder) -> None:
         on_motor = axis.motor_friction.block(builder.period, builder.changed(f"{prefix}.motor_friction"))
         values |= {f"{MOTOR_FRICTION}{row}": value for row, value in on_motor.items()}
         initial, start = _resting(axis.plant, float(at), builder.changed(f"{prefix}.plant"))
-        initial, start = (
-            {**part, **_speeds(ports, float(speed))} for part, ports in ((initial, axis.plant.states), (start, axis.plant.outputs))
-        )
+        initial = {**initial, **_speeds(axis.plant.states, float(speed))}
+        start = {**start, **_speeds(axis.plant.outputs, float(speed))}
         pushed: dict[str, Any] = {"command": f"{name}.drive.applied", "load": load}
         step, tables = link(axis.plant, axis.friction, axis.motor_friction), axis.plant.table_values()
         builder.nodes.append(Node(f"{name}.plant", step, pushed, values, tables, initial, start, repeat=axis.substeps))

@@ -93,7 +93,7 @@ def prepared(
             raise ParameterError("changes", f"two at {change.time:g} s", "one for each sample")
         for name in machine.axis_names:
             # What is on its way in a link could not be taken over.
-            if name in change.controller.axes and _link(change.controller, name) != _link(controller, name):
+            if name in change.controller.axes and change.controller.axes[name].link != controller.axes[name].link:
                 raise ParameterError("changes", f"another link of axis {name} at {change.time:g} s", "with the link of the first one")
         if sample < reference.n_sample:
             first = reference.block(0, 1).position[0]
@@ -101,10 +101,6 @@ def prepared(
             make_group(loop.schedule, 1, slice(0, 1), compiled)
             found.append(Prepared(change, sample, loop))
     return found
-
-
-def _link(controller: Controller, axis: str) -> Any:
-    return controller.axes[axis].link
 
 
 def taken_over(
@@ -127,14 +123,10 @@ def taken_over(
             rows = sum(port.rows for port in node.step.outputs)
             to, off = loop.schedule.first_row[i], running.schedule.first_row[j]
             group.signals[to : to + rows] = running.signals[off : off + rows]
-        if _is_controller(node) and not _same(before, node):
+        if node.step.name.startswith("controller/") and not _same(before, node):
             _carry(before, running.state[j], node, group.state[i], _accepted(running, node.name))
     group.tick = running.tick
     return loop, group
-
-
-def _is_controller(node: Node) -> bool:
-    return node.step.name.startswith("controller/")
 
 
 def _same(before: Node, node: Node) -> bool:

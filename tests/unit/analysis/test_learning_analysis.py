@@ -17,10 +17,9 @@ from contourlab.analysis.learning.learning_lifted import TrialOperator, lifted_l
 from contourlab.analysis.learning.learning_rules import design_zero_phase, first_zero, largest_gain, quarter_turn, worst_zero_phase
 from contourlab.analysis.linear.coupled_loop import coupled_loop
 from contourlab.components.coupling.cross_coupled import CrossCoupled
-from contourlab.components.learning.error_law import CrossCoupledLearning, PType
+from contourlab.components.learning.error_law import CrossCoupledLearning, PType, ZeroPhase
 from contourlab.components.learning.law import LearningLaw, TrialRecord
 from contourlab.components.learning.least_squares import NormOptimal, PlantInversion
-from contourlab.components.learning.zero_phase import ZeroPhase
 from contourlab.errors import ComponentError
 from contourlab.feed import uniform
 from contourlab.geometry import contour

@@ -21,8 +21,8 @@ from contourlab.components.controller.state_feedback import StateFeedback
 from contourlab.components.drive.saturation import DelayedSaturation, Saturation
 from contourlab.components.ideal import TrueVelocity
 from contourlab.components.observer.disturbance_observer import DisturbanceObserver
+from contourlab.components.plant.lagged_mass import SecondOrderIntegrator
 from contourlab.components.plant.rigid_axis import RigidAxis
-from contourlab.components.plant.second_order_integrator import SecondOrderIntegrator
 from contourlab.components.velocity.filtered_difference import FilteredDifference
 from contourlab.errors import ComponentError, ParameterError
 

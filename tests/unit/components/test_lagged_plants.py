@@ -16,9 +16,8 @@ from numpy.typing import NDArray
 from contourlab.components.controller.position import PositionController
 from contourlab.components.friction.laws import Coulomb, SmoothCoulomb
 from contourlab.components.plant.ball_screw import BallScrew
-from contourlab.components.plant.linear_motor import LinearMotor
+from contourlab.components.plant.lagged_mass import LinearMotor, SecondOrderIntegrator
 from contourlab.components.plant.rigid_axis import RigidAxis
-from contourlab.components.plant.second_order_integrator import SecondOrderIntegrator
 from contourlab.errors import ParameterError
 from contourlab.geometry import Line, Path
 from contourlab.loop import Axis, AxisController, Controller, Machine

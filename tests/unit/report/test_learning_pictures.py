@@ -13,7 +13,7 @@ from contourlab.analysis.linear.contour_transfer import contour_transfer
 from contourlab.components.controller.position import PositionController
 from contourlab.components.coupling.cross_coupled import CrossCoupled
 from contourlab.components.estimator.local import Tangent
-from contourlab.components.learning.zero_phase import ZeroPhase
+from contourlab.components.learning.error_law import ZeroPhase
 from contourlab.components.plant.rigid_axis import RigidAxis
 from contourlab.features.analyse.picture import contour_transfer_charts
 from contourlab.loop.machine import Axis, AxisController, Controller, Machine

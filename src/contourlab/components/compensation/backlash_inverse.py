@@ -14,12 +14,8 @@ from contourlab.primitives import clip, fabs, maximum, minimum, select
 
 JUMP_VELOCITY = param(default=0.01, unit="m/s", minimum=0.0, exclusive=True, display="mm/s", doc="of the shift over the gap")
 DEAD_BAND = param(default=1e-6, unit="m/s", minimum=0.0, display="mm/s", doc="speed below which the side pushed is held")
-LOAD_TIME_CONSTANT = param(
-    default=0.0, unit="s", minimum=0.0, display="ms", doc="mass of the load over its viscous friction; 0 where friction rules"
-)
-INITIAL_DIRECTION = param(
-    default=0.0, minimum=-1.0, maximum=1.0, whole=True, doc="side pushed at first: 1 forwards, -1 backwards, 0 not known"
-)
+LOAD_TIME_CONSTANT = param(default=0.0, unit="s", minimum=0.0, display="ms", doc="load mass over viscous friction; 0: friction rules")
+INITIAL_DIRECTION = param(default=0.0, minimum=-1.0, maximum=1.0, whole=True, doc="first side pushed: 1 forwards, -1 backwards, 0 unknown")
 
 
 class BacklashInverse(Component):

@@ -148,12 +148,8 @@ class Cascade(Component):
     def linearize(self) -> LinearModel:
         """Return the model away from the limits."""
         place, speed = ("load_position", "motor_velocity") if self.over_load else ("position", "velocity")
-        asked_by = {
-            "reference": self.position_gain,
-            "reference_velocity": self.velocity_feedforward,
-            place: -self.position_gain,
-            speed: -1.0,
-        }
+        kv, w = self.position_gain, self.velocity_feedforward
+        asked_by = {"reference": kv, "reference_velocity": w, place: -kv, speed: -1.0}
         direct = {"reference_acceleration": self.acceleration_feedforward, "disturbance_estimate": -1.0, "feedforward": 1.0}
         if self.over_load:
             direct |= {"motor_velocity": -self.values()["damping_gain"], "load_velocity": self.values()["damping_gain"]}

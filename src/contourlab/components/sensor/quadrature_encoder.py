@@ -156,9 +156,8 @@ class QuadratureEncoder(Component):
         return _make(self.correction, self.counting == "hardware")
 
     def derive(self, par: Any, dt: float) -> tuple[Any, ...]:
-        start = quadrature.ellipse(
-            par.known_offset_1 / par.amplitude, par.known_offset_2 / par.amplitude, par.known_ratio, np.sin(par.known_phase_error), 1.0
-        )
+        offsets = par.known_offset_1 / par.amplitude, par.known_offset_2 / par.amplitude
+        start = quadrature.ellipse(*offsets, par.known_ratio, np.sin(par.known_phase_error), 1.0)
         lsb = par.converter_range * 2.0 ** (1.0 - np.asarray(par.bits, dtype=float))
         return np.sin(par.phase_error), np.cos(par.phase_error), lsb, np.rint(par.pitch / par.resolution), *start
 
