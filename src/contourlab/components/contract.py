@@ -1,4 +1,4 @@
-"""The one place where families of components meet: what a component is, and how it is declared.
+"""What a component is, and how it is declared.
 
 A component is one frozen class in one file::
 
@@ -10,8 +10,8 @@ A component is one frozen class in one file::
         viscous: float = param(default=0.0, unit="N*s/m", minimum=0.0, doc="viscous coefficient")
         ...
 
-Its numbers are validated, in SI, and never change. Its `step` is a pure function over tuples of floats, written with the names of
-`contourlab.primitives`: the engine compiles it, plain Python runs it as it stands.
+Its parameters are validated, in SI, and constant. Its `step` is a pure function over tuples of floats, written with the names of
+`contourlab.primitives`: the engine compiles it, plain Python runs it unchanged.
 """
 
 from __future__ import annotations
@@ -57,32 +57,32 @@ FAMILIES = (
 
 @dataclass(frozen=True, slots=True)
 class Parameter:
-    """What is known of one parameter.
+    """Declaration of one parameter.
 
     Attributes
     ----------
     name : str
         Name in Python and in files.
     unit : str
-        SI unit; empty for a bare number. ``{command}`` and ``{force}`` stand for the units of the plant it works with.
+        SI unit; empty for a plain number. ``{command}`` and ``{force}`` stand for the units of the plant.
     default : float, str, tuple of float or None
-        None where a value has to be given.
+        None if a value is required.
     minimum, maximum : float
         Bounds in SI.
     exclusive : bool
-        Whether the minimum itself is out of range.
+        Whether the minimum itself is excluded.
     choices : tuple of str
-        For a parameter that is a word.
+        Allowed words, for a text parameter.
     whole : bool
-        Whether only whole numbers are in range.
+        Whether only whole numbers are allowed.
     structural : bool
-        Whether it decides the structure of the step, so that it cannot differ between lanes.
+        Whether it changes the structure of the step; then it cannot differ between lanes.
     vector : bool
-        Whether it is a list of numbers, each in range; such a parameter is structural.
+        Whether it is a list of numbers, each in range; then it is structural.
     display : str
-        Unit in which people write it.
+        Unit for people.
     doc, source : str
-        Meaning, and where it comes from.
+        Meaning, and where the value comes from.
     """
 
     name: str
@@ -105,7 +105,7 @@ class Parameter:
 
         def filled(text: str) -> str:
             for word, unit in units.items():
-                # A product below a line goes into brackets.
+                # A product in a denominator needs brackets.
                 text = text.replace(f"/{{{word}}}", f"/({unit})" if "*" in unit else f"/{unit}")
             return text.format(**units)
 
@@ -114,7 +114,7 @@ class Parameter:
     def check(self, value: Any) -> Any:
         """Return the value if it is in range: a float, a word, or a tuple of floats for a vector.
 
-        Infinity is for parameters whose default it is, where it says that there is no limit.
+        Infinity is allowed only where it is the default, for no limit.
 
         Raises
         ------
@@ -134,7 +134,7 @@ class Parameter:
             raise ParameterError(self.name, repr(value), "a number", self._unit_in_words)
         try:
             number = float(value)
-        except OverflowError:  # a whole number that no float can hold
+        except OverflowError:  # an int beyond any float
             number = math.inf if value > 0 else -math.inf
         if not math.isfinite(number) and number != self.default:
             raise ParameterError(self.name, f"{number:g}", " and ".join(filter(None, ("finite", self.bound))), self._unit_in_words)
@@ -145,17 +145,17 @@ class Parameter:
 
     @property
     def _unit_in_words(self) -> str:
-        """The unit where the plant is not known."""
+        """The unit without a plant."""
         return self.unit.format(command="command", force="force")
 
     @property
     def needed(self) -> str:
-        """What is to be given, in words, where nothing was."""
+        """The bound for a message about a missing value."""
         return f"given{', ' if self.bound else ''}{self.bound}{' ' if self._unit_in_words else ''}{self._unit_in_words}"
 
     @property
     def bound(self) -> str:
-        """The range in words."""
+        """The range, as text."""
         if self.choices:
             return "one of " + ", ".join(self.choices)
         words = []
@@ -182,12 +182,12 @@ def param(
     doc: str,
     source: str = "",
 ) -> Any:
-    """Declare a number; see `Parameter` for the arguments. Bounds and default are in `unit`, which is SI."""
+    """Declare a number or a list of numbers; see `Parameter`. Bounds and default are in `unit`, which is SI."""
     return Parameter("", unit, default, minimum, maximum, exclusive, (), whole, structural or vector, vector, display or unit, doc, source)
 
 
 def text_param(default: str | None, choices: tuple[str, ...], *, doc: str, source: str = "") -> Any:
-    """Declare a word out of a few; it decides the structure of the step."""
+    """Declare a choice of words; it changes the structure of the step."""
     return Parameter("", "", default, -math.inf, math.inf, False, choices, False, True, False, "", doc, source)
 
 
@@ -229,27 +229,27 @@ class Component(Traced):
     family, kind : str
         Its slot, and its name in files.
     states, inputs, outputs : tuple of Port
-        By name; a family fixes the inputs and outputs that its slot offers.
+        The family fixes which inputs and outputs are possible.
     derived : tuple of str
-        Constants worked out once by `derive`, seen in `par` behind the parameters.
+        Constants from `derive`, in `par` after the parameters.
     tables : tuple of str
-        Read-only tables, given as arrays by `table_values`.
+        Read-only tables from `table_values`.
     ring : str
-        Input port whose past is kept.
+        Input port whose past values are kept.
     reference : str
         Paper and equation, for people.
     example : dict
-        Values with which every parameter has an effect, for `check_component` and the documentation.
+        Values for `check_component` and the documentation; every parameter must have an effect.
     unbounded : tuple of str
-        Parameters that may be any finite number, said on purpose.
+        Parameters that may be any finite number.
     without_effect : tuple of str
-        Parameters that act outside the step, said on purpose.
+        Parameters without an effect on the step in the example.
     calibrated : tuple of str
-        Gains that are calibrated in the closed loop, innermost loop first.
+        Gains to calibrate in the closed loop, innermost loop first.
     calibrated_ahead : tuple of str
-        Numbers of its feedforward, calibrated when all loops are.
+        Feedforward parameters, calibrated after all loops.
     wishes : dict of str to Parameter
-        What its gains can be worked out from, by `designed`: ``gains = {...}`` in files.
+        Arguments of `designed`, which computes gains: ``gains = {...}`` in files.
     """
 
     family: ClassVar[str] = ""
@@ -329,7 +329,7 @@ class Component(Traced):
     @staticmethod
     def step(par: Any, x: Any, inp: Any, clock: Any) -> tuple[tuple[Any, ...], tuple[Any, ...]]:
         """Advance one tick: ``(x_next, out)``, tuples in the order of `states` and `outputs`."""
-        # A kind without a step of its own is a family, which is never run.
+        # A base class without a step never runs.
         raise NotImplementedError
 
     def derive(self, par: Any, dt: float) -> tuple[Any, ...]:
@@ -344,11 +344,11 @@ class Component(Traced):
         return {}
 
     def ring_length(self, dt: float) -> int:
-        """Return how many ticks of the ring port are kept."""
+        """Return how many past ticks of the ring port to keep."""
         return 1
 
     def ahead(self, dt: float) -> int:
-        """Return how many ticks its port ``reference_ahead`` runs before the reference."""
+        """Return how many ticks the port ``reference_ahead`` leads the reference."""
         return 0
 
     @staticmethod
@@ -358,15 +358,15 @@ class Component(Traced):
         raise NotImplementedError
 
     def at_rest(self, position: float) -> tuple[dict[str, float], dict[str, float]]:
-        """Return the states, and the outputs before the first tick, of an axis that stands at `position` [m]; zero where not given."""
+        """Return states, and outputs before the first tick, of an axis at rest at `position` [m]; missing ones are zero."""
         return {}, {}
 
     def linear(self) -> Any:
-        """Return the component without what is not linear in it, as the analysis of the loop takes it."""
+        """Return the component without its nonlinear parts, for the analysis of the loop."""
         return self
 
     def linearize(self) -> LinearModel | None:
-        """Return the linear model around rest, or None where one makes no sense."""
+        """Return the linear model around rest, or None if there is none."""
         return None
 
     @classmethod

@@ -204,12 +204,12 @@ def _check_together(known: Mapping[str, tuple[Component, str]], columns: Mapping
     """Refuse variants whose parameters do not go together, as the part itself refuses them."""
     heads = {name.rpartition(".")[0] for name in columns}
     for head in sorted(heads):
-        mine = {name: values for name, values in columns.items() if name.rpartition(".")[0] == head}
-        part = known[next(iter(mine))][0]
+        of_part = {name: values for name, values in columns.items() if name.rpartition(".")[0] == head}
+        part = known[next(iter(of_part))][0]
         if type(part).__init__ is Component.__init__:
             continue
-        names = [known[name][1] for name in mine]
-        for row in np.unique(np.column_stack(list(mine.values())), axis=0).tolist():
+        names = [known[name][1] for name in of_part]
+        for row in np.unique(np.column_stack(list(of_part.values())), axis=0).tolist():
             try:
                 part.replace(**dict(zip(names, row, strict=True)))
             except ParameterError as error:

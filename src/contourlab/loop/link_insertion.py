@@ -1,8 +1,8 @@
-"""Puts a link into every wire between the base and the axes.
+"""Put a link into every wire between the base and the axes.
 
-The loop is built as if it were one; then each node has a side, and a wire that ends on the other one is cut and led through a node of the
-link of that axis and direction. All that crosses at a tick is one message: the nodes of a direction share their stream, so that their
-signals come late together and are lost together. What the machine does, and what judges and records it, has no side.
+The loop is first built without links. Then each node gets a side, and a wire that crosses to the other side goes through a node of the link
+of that axis and direction. All signals that cross at a tick are one message: the nodes of a direction share their noise stream, so that
+their signals arrive late or are lost together. The machine, the judge and the recorder have no side.
 """
 
 from __future__ import annotations
@@ -98,16 +98,16 @@ class _LinkInsertion:
     def side(self, node: str) -> str:
         """Return the axis in which a node stands, or `BASE`."""
         axis, _, part = node.partition(".")
-        mine = self.builder.controller.axes.get(axis)
-        if not part or mine is None or mine.link is None or axis not in self.builder.names:
+        parts = self.builder.controller.axes.get(axis)
+        if not part or parts is None or parts.link is None or axis not in self.builder.names:
             return BASE
         if part == "observer":
-            local = mine.link.is_local("observer")
+            local = parts.link.is_local("observer")
         elif part.endswith("velocity"):
             # Behind a predictor it is made where that stands.
-            local = mine.link.is_local("velocity" if mine.predictor is None or part != "velocity" else "predictor")
+            local = parts.link.is_local("velocity" if parts.predictor is None or part != "velocity" else "predictor")
         else:
-            local = part in _IN_AXIS or mine.link.is_local("controller")
+            local = part in _IN_AXIS or parts.link.is_local("controller")
         return axis if local else BASE
 
     def led(self, wire: Any, side: str, n: int) -> Any:

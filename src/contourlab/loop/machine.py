@@ -255,8 +255,8 @@ class AxisController:
         if self.local or self.link is None:
             return self.local
         parts = {slot: getattr(self, slot) for slot in CONTROLLER_SLOTS} | {f"others.{label}": part for label, part in self.others}
-        mine = {slot: part for slot, part in parts.items() if part is not None and self.link.is_local(slot)}
-        return tuple(f"{slot}.{name}" for slot, part in mine.items() for name in part.numeric())
+        local = {slot: part for slot, part in parts.items() if part is not None and self.link.is_local(slot)}
+        return tuple(f"{slot}.{name}" for slot, part in local.items() for name in part.numeric())
 
 
 @dataclass(frozen=True)
@@ -279,7 +279,7 @@ class Controller:
     def __post_init__(self) -> None:
         if self.coupling is not None and self.estimator is None:
             raise ParameterError("controller.coupling", self.coupling.kind, "given with an estimator, whose foot point it uses")
-        blind = [name for name, mine in self.axes.items() if mine.link is not None and mine.link.up is None]
+        blind = [name for name, axis in self.axes.items() if axis.link is not None and axis.link.up is None]
         if self.estimator is not None and blind:
             wanted = f"left out, as axis {blind[0]} sends the base no position: its link goes one way"
             raise ParameterError("controller.estimator", f'"{self.estimator.kind}"', wanted)
@@ -299,13 +299,13 @@ def parameter_names(machine: Machine, controller: Controller) -> dict[str, Any]:
     for axis in machine.axes:
         for slot in AXIS_SLOTS:
             collect(f"axes.{axis.name}.{slot}", getattr(axis, slot))
-        mine = controller.axes[axis.name]
+        parts = controller.axes[axis.name]
         for slot in CONTROLLER_SLOTS:
-            collect(f"controller.axes.{axis.name}.{slot}", getattr(mine, slot))
-        for label, part in mine.others:
+            collect(f"controller.axes.{axis.name}.{slot}", getattr(parts, slot))
+        for label, part in parts.others:
             collect(f"controller.axes.{axis.name}.others.{label}", part)
-        for direction in ("down", "up") if mine.link is not None else ():
-            collect(f"controller.axes.{axis.name}.link.{direction}", getattr(mine.link, direction))
+        for direction in ("down", "up") if parts.link is not None else ():
+            collect(f"controller.axes.{axis.name}.link.{direction}", getattr(parts.link, direction))
     collect("controller.estimator", controller.estimator)
     collect("controller.coupling", controller.coupling)
     return found

@@ -43,7 +43,7 @@ from contourlab.loop.plant_nodes import add_plants
 from contourlab.loop.sensing import Sensing
 from contourlab.loop.signal_map import signal_map
 from contourlab.loop.sum_nodes import sum_step
-from contourlab.loop.supervision import TOLD, conditioned, handover_parameters, handover_step
+from contourlab.loop.supervision import ACCEPTED, conditioned, handover_parameters, handover_step
 from contourlab.loop.watch import watch_node
 
 Array = NDArray[np.float64]
@@ -91,24 +91,24 @@ class _Slots(Builder):
 
     def control(self) -> None:
         for j, (axis, at) in enumerate(zip(self.machine.axes, self.start, strict=True)):
-            name, mine, prefix = axis.name, self.controller.axes[axis.name], f"controller.axes.{axis.name}"
+            name, parts, prefix = axis.name, self.controller.axes[axis.name], f"controller.axes.{axis.name}"
             applied, seen = Late(f"{name}.drive.applied"), self.sensing[name]
-            if mine.observer is not None:
+            if parts.observer is not None:
                 # A predicted velocity is that of the commands ahead of their delay.
-                wires = {"velocity": seen.velocity, "applied": applied if mine.predictor is None else self.accepted(name)}
-                self.add(f"{name}.observer", mine.observer, f"{prefix}.observer", wires)
+                wires = {"velocity": seen.velocity, "applied": applied if parts.predictor is None else self.accepted(name)}
+                self.add(f"{name}.observer", parts.observer, f"{prefix}.observer", wires)
             offered: dict[str, Any] = {signal: f"in.{signal}[{j}]" for signal in EXTERNALS}
             offered |= {AHEAD: f"in.{AHEAD}[{j}]", "arc_length": "in.arc_length", "applied": applied, "accepted": self.accepted(name)}
             offered[SOURCE_LINE] = f"in.{SOURCE_LINE}[{j}]"
-            if mine.gap_observer is not None and not axis.plant.two_sided:
+            if parts.gap_observer is not None and not axis.plant.two_sided:
                 bound = "left out: this axis' drive is rigid, and has no gap"
-                raise ParameterError(f"controller.axes.{name}.gap_observer", repr(mine.gap_observer.kind), bound)
+                raise ParameterError(f"controller.axes.{name}.gap_observer", repr(parts.gap_observer.kind), bound)
             for slot in ("gap_observer", "feedforward", "compensation"):
-                part = getattr(mine, slot)
+                part = getattr(parts, slot)
                 if part is not None:
                     self.add(f"{name}.{slot}", part, f"{prefix}.{slot}", self.wires_of(part, name, offered), float(at))
             here = self.compensated_in_axis(name)
-            subtracted = mine.observer is not None and not here
+            subtracted = parts.observer is not None and not here
             offered |= {
                 "reference": self.followed(name, j),
                 "position": seen.position,
@@ -136,35 +136,35 @@ class _Slots(Builder):
 
     def decide(self, name: str, at: float, offered: Mapping[str, Any]) -> None:
         """Add the controllers of an axis and, where there are several, their supervisor and the hand-over."""
-        mine, prefix = self.controller.axes[name], f"controller.axes.{name}"
-        if mine.supervisor is not None:
-            self.add(f"{name}.supervisor", mine.supervisor, f"{prefix}.supervisor", self.wires_of(mine.supervisor, name, offered), at)
+        parts, prefix = self.controller.axes[name], f"controller.axes.{name}"
+        if parts.supervisor is not None:
+            self.add(f"{name}.supervisor", parts.supervisor, f"{prefix}.supervisor", self.wires_of(parts.supervisor, name, offered), at)
         handed = self.wanted(name) == f"{name}.handover.command"
-        for number, (label, part) in enumerate(mine.controllers.items()):
+        for number, (label, part) in enumerate(parts.controllers.items()):
             node, key = (f"{name}.other_{label}", f"others.{label}") if number else (f"{name}.controller", "controller")
             if handed:
-                offered = {**offered, "accepted": self.told(name, node, number)}
-            made = conditioned(part) if mine.others else part
+                offered = {**offered, "accepted": self.accepted_of(name, node, number)}
+            made = conditioned(part) if parts.others else part
             self.add(node, made, f"{prefix}.{key}", self.wires_of(made, name, offered), at)
         if handed:
             self.hand_over(name)
 
-    def told(self, name: str, node: str, number: int) -> str:
-        """Add what tells a controller how much of its command was accepted; return the wire."""
+    def accepted_of(self, name: str, node: str, number: int) -> str:
+        """Add the node that gives a controller the accepted part of its command; return its wire."""
         late: dict[str, Any] = {port: Late(f"{name}.handover.{port}") for port in ("active", "offset")}
-        self.nodes.append(Node(f"{node}_told", TOLD, {**late, "accepted": self.accepted(name), "number": float(number)}))
+        self.nodes.append(Node(f"{node}_told", ACCEPTED, {**late, "accepted": self.accepted(name), "number": float(number)}))
         return f"{node}_told.accepted"
 
     def hand_over(self, name: str) -> None:
         """Add the node that passes on the command of the active controller."""
-        mine = self.controller.axes[name]
-        commands = (f"{name}.controller.command", *(f"{name}.other_{label}.command" for label, _ in mine.others))
+        parts = self.controller.axes[name]
+        commands = (f"{name}.controller.command", *(f"{name}.other_{label}.command" for label, _ in parts.others))
         active: Any = 0.0
         time: Any = self.handover_time
-        if mine.supervisor is not None:
+        if parts.supervisor is not None:
             active = f"{name}.supervisor.active"
             changed = self.changed(f"controller.axes.{name}.supervisor")
-            time = changed.get("handover_time", mine.supervisor.values()["handover_time"])
+            time = changed.get("handover_time", parts.supervisor.values()["handover_time"])
         wires = {"commands": commands, "active": active, "accepted": self.accepted(name)}
         # One that takes over from another loop finds a controller active that is none of its own.
         before = {} if self.handover_time is None else {"active": -1.0}
@@ -192,9 +192,9 @@ class _Slots(Builder):
         return self.sum_of(f"{name}.added", terms) if terms else 0.0
 
     def fed_forward(self, name: str, output: str) -> list[str]:
-        mine = self.controller.axes[name]
-        parts = {"feedforward": mine.feedforward, "compensation": mine.compensation}
-        return [f"{name}.{slot}.{output}" for slot, part in parts.items() if part is not None and part.gives(output)]
+        axis = self.controller.axes[name]
+        sources = {"feedforward": axis.feedforward, "compensation": axis.compensation}
+        return [f"{name}.{slot}.{output}" for slot, part in sources.items() if part is not None and part.gives(output)]
 
     def sum_of(self, node: str, terms: list[str]) -> str:
         """Return the wire of a sum; of a single term it is that term's own."""
@@ -236,7 +236,7 @@ def build(
     view : PathView, optional
         Another view of the path than the default.
     extra : tuple of Node, or of what makes one
-        Nodes that run at the end of the controllers, before the record point: the judge of a batch. What makes one is told `Signals`.
+        Nodes that run at the end of the controllers, before the record point: the judge of a batch. A callable takes `Signals`.
     seed, trial : int
         Of all noise: each trial has its own.
     fed : tuple of str

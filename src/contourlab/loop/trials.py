@@ -250,10 +250,10 @@ def _excess(command: Array, limit: Array) -> Array:
     return np.where(held, np.copysign(np.maximum(beyond, np.finfo(float).tiny), command), 0.0)
 
 
-def _undisturbed(mine: AxisController) -> AxisController:
+def _undisturbed(parts: AxisController) -> AxisController:
     """Return an axis' controller without what answers to errors besides its own law."""
     bare: dict[str, Any] = dict.fromkeys(("observer", "predictor", "gap_observer", "compensation", "supervisor", "link"))
-    return replace(mine, controller=mine.controller.linear(), others=(), **bare)
+    return replace(parts, controller=parts.controller.linear(), others=(), **bare)
 
 
 def _followed(wire: Any, names: tuple[str, ...]) -> Any:
