@@ -21,18 +21,18 @@ INITIAL_DIRECTION = param(default=0.0, minimum=-1.0, maximum=1.0, whole=True, do
 class BacklashInverse(Component):
     """Shift of the reference by half the gap in the direction of motion: +b/2 forwards, -b/2 backwards, b the total gap.
 
-    It is for an axis whose motor side is positioned: the load stands half the gap behind the motor on the side that is pushed, so that
-    r + b/2 or r - b/2 asked of the motor puts the load at r. Fed back from the load side it would be counted twice.
+    Use it on an axis whose motor side is positioned: the load is half the gap behind the motor on the side pushed, so that r + b/2 or
+    r - b/2 at the motor puts the load at r. With feedback from the load side the gap would count twice.
 
-    The shift keeps its sign at standstill. At a reversal it goes to the other side with `jump_velocity`, because no motor follows a jump:
-    it takes b/jump_velocity, in which the load stays where it turned. It is nil at the first tick, and comes in over the same ramp when the
-    axis first moves, or at once where `initial_direction` says on which side the load lies.
+    The shift keeps its sign at standstill. At a reversal it moves to the other side with `jump_velocity`, because no motor follows a jump:
+    this takes b/jump_velocity, and the load waits where it turned. The shift is zero at the first tick and ramps up when the axis first
+    moves, or at once if `initial_direction` gives the side of the load.
 
-    Which side is pushed is told by the reference: the speed v + T a, T = `load_time_constant`, has the sign of the force which a load of
-    mass m and viscous friction c asks for, c v + m a, with T = m/c. T = 0, the default, is for friction that outweighs inertia: there the
-    direction of motion decides. Within `dead_band` the side is held, so that noise at standstill does nothing.
+    The reference decides which side is pushed: the speed v + T a, T = `load_time_constant`, has the sign of the force c v + m a on a load
+    of mass m and viscous friction c, with T = m/c. The default T = 0 is for friction that outweighs inertia. Within `dead_band` the side
+    is held, so that noise at standstill has no effect.
 
-    A gap observed while running takes the place of `backlash_gap` as soon as it is above zero.
+    An observed gap replaces `backlash_gap` as soon as it is above zero.
 
     References
     ----------
@@ -86,8 +86,8 @@ class AdaptiveBacklashInverse(Component):
     speed: the gap, and twice the force on the load over the stiffness behind the motor. With T above the time of a stroke that is the mean
     force, the friction; with less the braking at its end counts most.
 
-    The side pushed is told as in `backlash-inverse`: for a load with more inertia than friction `load_time_constant` has to be given, or it
-    learns where the load runs ahead of the motor.
+    The side pushed is that of `backlash-inverse`: give `load_time_constant` for a load with more inertia than friction, or it learns while
+    the load runs ahead of the motor.
 
     References
     ----------

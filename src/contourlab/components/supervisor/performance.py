@@ -50,13 +50,13 @@ def _make(measure: str, thresholds: tuple[float, ...], falling: bool, averaged: 
 
 
 class Performance(Supervisor):
-    """The active controller is told by how large a measured error is: each threshold that it passes is a step to the next controller.
+    """The size of a measured error chooses the active controller: each threshold that it passes switches to the next one.
 
-    ``measure = "motor-load-difference"`` is the paper's: with half of the free travel as its one threshold and ``order = "falling"``, the
-    axis' ``controller`` is active in contact and the first of ``others`` in the gap. "tracking-error" and "load-error" are reference minus
-    the position that the controller sees, or the load's. With `averaging_time` the measure is a root mean square over about that time. A
-    threshold is passed upwards where the measure is above it by `hysteresis`, and downwards where it is as much below; after a switch the
-    next one waits for `dwell_time`.
+    ``measure = "motor-load-difference"`` is the one of the paper: with half of the free travel as the only threshold and
+    ``order = "falling"``, the axis' ``controller`` is active in contact and the first of ``others`` in the gap. "tracking-error" and
+    "load-error" are the reference minus the position that the controller sees, or minus the load's. With `averaging_time` the measure is a
+    root mean square over about that time. `hysteresis` widens each threshold in both directions; after a switch the next one waits for
+    `dwell_time`.
 
     References
     ----------
