@@ -144,7 +144,7 @@ def test_a_lag_beyond_what_a_step_follows_names_substeps() -> None:
 
 def test_a_steep_friction_names_substeps_on_a_lagged_plant_too() -> None:
     steep = SmoothCoulomb(coulomb=10.0, breakaway=10.0, smoothing_velocity=1e-4)
-    with pytest.raises(ParameterError, match="substeps = 1: must be at least 20 .*smooth-coulomb"):
+    with pytest.raises(ParameterError, match="substeps = 1: must be at least 20"):
         Machine("m", (Axis("x", MOTOR, friction=steep),), PERIOD)
 
 
