@@ -139,7 +139,7 @@ class Machine:
             steepest = getattr(type(friction), "steepest", None)
             decay = mobility * steepest(friction.constants()) * self.servo_period if steepest is not None else 0.0
             if decay / axis.substeps > 2.78:
-                bound = f"at least {math.ceil(decay / 2.5)} for a {friction.kind} friction this steep; or soften it, or take one that sticks"
+                bound = f"at least {math.ceil(decay / 2.5)} for a {friction.kind} friction this steep; or soften it, or let it stick"
                 raise ParameterError(f"axes.{axis.name}.substeps", f"{axis.substeps}", bound)
 
     def _check_motor_side(self, axis: Axis) -> None:
