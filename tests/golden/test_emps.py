@@ -8,9 +8,9 @@ from typing import Any
 
 import numpy as np
 import pytest
+from contourlab.papers.emps.engine import simulate_in_engine
 
 from contourlab.cli.main import main
-from contourlab.papers.emps.engine import simulate_in_engine
 from contourlab.papers.emps.simulation import axis_of, simulate_emps
 from contourlab.papers.emps.study import identified, reproduce
 

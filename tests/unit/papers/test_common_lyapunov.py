@@ -8,6 +8,7 @@ from fractions import Fraction
 import numpy as np
 import pytest
 from backlash_loops import PAPER, SCHEME_III, paper_loop
+from contourlab.papers.shahin.exact_arithmetic import characteristic, is_hurwitz, is_positive_definite, kernel, rational
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from numpy.typing import NDArray
@@ -15,7 +16,6 @@ from scipy.linalg import expm
 
 from contourlab.errors import ParameterError
 from contourlab.papers.shahin.common_lyapunov import CommonLyapunov, common_quadratic
-from contourlab.papers.shahin.exact_arithmetic import characteristic, is_hurwitz, is_positive_definite, kernel, rational
 from contourlab.papers.shahin.two_inertia_loop import two_inertia_loop
 
 Array = NDArray[np.float64]

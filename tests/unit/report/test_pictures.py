@@ -13,7 +13,8 @@ from contourlab.feed import uniform
 from contourlab.geometry import Line, Path, contour
 from contourlab.report.axis_pictures import axis_charts, bode_charts
 from contourlab.report.comparison import compare
-from contourlab.report.error_pictures import circle_tables, error_charts, polar_charts
+from contourlab.report.error_pictures import error_charts, polar_charts
+from contourlab.report.page_tables import circle_tables
 from contourlab.report.path_picture import path_charts
 from contourlab.result import Status
 

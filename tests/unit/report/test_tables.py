@@ -10,8 +10,8 @@ import synthetic
 
 from contourlab.feed import AxisLimits, plan, route_from_path
 from contourlab.geometry import Line, Path
-from contourlab.report import comparison_markdown, comparison_text, print_comparison
 from contourlab.report.comparison import compare
+from contourlab.report.tables import comparison_markdown, comparison_text, print_comparison
 from contourlab.result import Status
 
 
