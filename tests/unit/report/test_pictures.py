@@ -196,5 +196,5 @@ def test_a_run_without_extras_has_fewer_pictures(square):
 def test_a_run_that_was_not_judged_is_refused(single):
     result = single.schemes[0].result
     bare = replace(result, signals={k: v for k, v in result.signals.items() if k != "contour_error"})
-    with pytest.raises(ResultError, match="no signal 'contour_error' to report, judge it first"):
+    with pytest.raises(ResultError, match="contour_error"):
         error_charts(synthetic.with_result(single, bare), POINTS)

@@ -191,9 +191,9 @@ def test_no_reversal_no_table(circle: ReportData) -> None:
 
 
 def test_spikes_are_ringed_on_the_polar_picture(circle: ReportData) -> None:
-    run = circle.schemes[0].runs[0]
+    run = circle.schemes[0].circles[0]
     top = int(np.argmax(run.deviation))
-    data = replace(circle, schemes=(replace(circle.schemes[0], circles=(replace(run, spikes=(top,)),)), circle.schemes[1]))
+    data = replace(circle, schemes=(replace(circle.schemes[0], circle_spikes=((top,),)), circle.schemes[1]))
     (chart,) = polar_charts(data, 100)
     (mark,) = chart.marks
     assert mark.y[0] == pytest.approx(run.deviation.max() * 1e6) and mark.x[0] == pytest.approx(math.degrees(run.angle[top]))
