@@ -1,8 +1,8 @@
 """Common quadratic Lyapunov functions of switched linear systems: found and proved, or refuted with a certificate.
 
-P > 0 with A_i' P + P A_i < 0 for all i exists if and only if there are no Z_i >= 0, not all zero, with sum(A_i Z_i + Z_i A_i') >= 0
-(theorem of alternatives). A solver proposes P or the Z_i. Rational arithmetic on the given floats then proves or rejects the proposal, so
-that no verdict depends on a solver's status or on rounding.
+P > 0 with A_i' P + P A_i < 0 for all i exists only if there are no Z_i >= 0, not all zero, with sum(A_i Z_i + Z_i A_i') >= 0. A vector v
+with A_i v = 0 gives such a certificate, Z_i = v v'. Otherwise a solver proposes P. Rational arithmetic on the given floats proves or
+rejects it, so that no verdict depends on a solver's status or on rounding.
 """
 
 from __future__ import annotations
@@ -64,20 +64,22 @@ def common_quadratic(matrices: Sequence[Array], names: Sequence[str] = (), state
     Returns
     -------
     CommonLyapunov
-        "undecided" if neither answer could be proved: close to the border between the two.
+        "undecided" if neither answer could be proved.
     """
     given = list(matrices)
     labels = tuple(names) or tuple(f"matrix {i + 1}" for i in range(len(given)))
     exact = [rational(a) for a in given]
     for i, (name, matrix) in enumerate(zip(labels, exact, strict=True)):
-        if not is_hurwitz(matrix):
-            return _not_hurwitz(given, i, name, matrix, states)
+        resting = kernel(matrix)
+        if resting:
+            return _with_zero(given, i, name, np.array([float(x) for x in resting[0]]), states)
     scaled, scale = lyapunov_lmi.balanced(given)
     for candidate in lyapunov_lmi.candidates(scaled):
         p = candidate / scale[:, None] / scale
         if _proves(exact, p):
             return _feasible(given, exact, scaled, scale, p, labels)
-    return _refuted(exact, lyapunov_lmi.alternatives(scaled), scale, labels)
+    text = f"no common P could be proved for {_joined(labels)}"
+    return CommonLyapunov("undecided", None, math.nan, math.nan, (), text)
 
 
 def _proves(exact: list[Rational], p: Array) -> bool:
@@ -131,28 +133,13 @@ def _rate(given: list[Array], p: Array, scale: Array) -> float:
     return max(worst, 0.0)
 
 
-def _not_hurwitz(given: list[Array], i: int, name: str, exact: Rational, states: Sequence[str]) -> CommonLyapunov:
-    """Return the certificate Z = Re(v v*) for a matrix that does not decay by itself."""
-    zero = np.zeros_like(given[i])
-    resting = kernel(exact)
-    if resting:
-        v = np.array([float(x) for x in resting[0]])
-        words = _named(v, states)
-        text = (
-            f"the {name} matrix maps {words} to zero exactly (eigenvalue 0): nothing moves along it, so x'Px cannot fall there for any P. "
-            "No strict common quadratic Lyapunov function exists"
-        )
-        z = np.outer(v, v)
-    else:
-        values, vectors = np.linalg.eig(given[i])
-        at = int(np.argmax(values.real))
-        vector, value = vectors[:, at], complex(values[at])
-        z = np.outer(vector, vector.conj()).real
-        text = (
-            f"the {name} matrix is not Hurwitz (Routh's table in rational arithmetic; eigenvalue {value.real:.4g} {value.imag:+.4g}j): "
-            "motion along that eigenvector does not decay, so x'Px cannot fall there. No strict common quadratic Lyapunov function exists"
-        )
-    certificate = tuple(z if j == i else zero for j in range(len(given)))
+def _with_zero(given: list[Array], i: int, name: str, v: Array, states: Sequence[str]) -> CommonLyapunov:
+    """Return the certificate Z = v v' of a matrix that maps v to zero."""
+    text = (
+        f"the {name} matrix maps {_named(v, states)} to zero exactly (eigenvalue 0): nothing moves along it, so x'Px cannot fall there for "
+        "any P. No strict common quadratic Lyapunov function exists"
+    )
+    certificate = tuple(np.outer(v, v) if j == i else np.zeros_like(a) for j, a in enumerate(given))
     return CommonLyapunov("infeasible", None, math.nan, math.nan, certificate, text)
 
 
@@ -160,33 +147,6 @@ def _named(v: Array, states: Sequence[str]) -> str:
     names = tuple(states) or tuple(f"state {i + 1}" for i in range(v.size))
     parts = [f"{value:g} {name}" for value, name in zip(v / np.abs(v).max(), names, strict=True) if value != 0.0]
     return "(" + ", ".join(parts) + ")"
-
-
-def _refuted(exact: list[Rational], proposed: list[Array], scale: Array, labels: tuple[str, ...]) -> CommonLyapunov:
-    """Return "infeasible" if the solver's certificate is proved, "undecided" if not."""
-    certificate = tuple(0.5 * (z + z.T) for z in (z * scale[:, None] * scale for z in proposed))
-    if certificate and _refutes(exact, certificate):
-        text = (
-            f"there are Z_i > 0 with sum(A_i Z_i + Z_i A_i') > 0 over {_joined(labels)} (proved in rational arithmetic): for any P > 0 the "
-            "traces of (A_i'P + PA_i) Z_i sum to more than 0, so they cannot all be negative. No common quadratic Lyapunov function "
-            "exists, though each matrix decays by itself"
-        )
-        return CommonLyapunov("infeasible", None, math.nan, math.nan, certificate, text)
-    text = f"neither a common P nor a certificate against one could be proved for {_joined(labels)}: too close to the border"
-    return CommonLyapunov("undecided", None, math.nan, math.nan, (), text)
-
-
-def _refutes(exact: list[Rational], certificate: tuple[Array, ...]) -> bool:
-    """Whether all Z_i > 0 and sum(A_i Z_i + Z_i A_i') > 0, in rational arithmetic."""
-    if not all(np.isfinite(z).all() for z in certificate):
-        return False
-    fractions = [rational(z) for z in certificate]
-    if not all(is_positive_definite(z) for z in fractions):
-        return False
-    total = lyapunov(transpose(exact[0]), fractions[0])
-    for a, z in zip(exact[1:], fractions[1:], strict=True):
-        total = add(total, lyapunov(transpose(a), z))
-    return is_positive_definite(total)
 
 
 def _joined(labels: tuple[str, ...]) -> str:
@@ -209,15 +169,10 @@ def transpose(matrix: Rational) -> Rational:
     return tuple(zip(*matrix, strict=True))
 
 
-def add(left: Rational, right: Rational) -> Rational:
-    """Return the sum."""
-    return tuple(tuple(x + y for x, y in zip(*rows, strict=True)) for rows in zip(left, right, strict=True))
-
-
 def lyapunov(a: Rational, p: Rational) -> Rational:
     """Return a' p + p a for a symmetric p."""
     half = product(p, a)
-    return add(half, transpose(half))
+    return tuple(tuple(x + y for x, y in zip(*rows, strict=True)) for rows in zip(half, transpose(half), strict=True))
 
 
 def is_positive_definite(matrix: Rational) -> bool:
@@ -240,19 +195,14 @@ def is_positive_definite(matrix: Rational) -> bool:
     return True
 
 
-def is_hurwitz(matrix: Rational) -> bool:
-    """Whether all eigenvalues have negative real parts, by Routh's criterion on the exact characteristic polynomial.
+def has_hurwitz_roots(polynomial: tuple[Fraction, ...]) -> bool:
+    """Whether all roots of a monic polynomial, highest power first, have negative real parts, by Routh's table.
 
-    >>> is_hurwitz(rational(np.array([[0.0, 1.0], [-1.0, -1e-300]])))
+    >>> has_hurwitz_roots(characteristic(rational(np.array([[0.0, 1.0], [-1.0, -1e-300]]))))
     True
-    >>> is_hurwitz(rational(np.array([[0.0, 1.0], [-1.0, 0.0]])))
+    >>> has_hurwitz_roots(characteristic(rational(np.array([[0.0, 1.0], [-1.0, 0.0]]))))
     False
     """
-    return has_hurwitz_roots(characteristic(matrix))
-
-
-def has_hurwitz_roots(polynomial: tuple[Fraction, ...]) -> bool:
-    """Whether all roots of a polynomial, highest power first and 1, have negative real parts: Routh's table."""
     upper, lower = polynomial[0::2], polynomial[1::2]
     if any(value <= 0 for value in polynomial):
         return False

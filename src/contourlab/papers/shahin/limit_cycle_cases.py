@@ -1,4 +1,4 @@
-"""Limit cycles of stated cases three ways: describing function, exact periodic orbit, and the motion that a simulation settles on.
+"""Limit cycles of stated cases two ways: describing function and exact periodic orbit.
 
 The drive of Table 1 (half gap 4.91 mrad: 12.5 um on a 16 mm screw) under P-PI cascades. Six cases have a limit cycle, from 1.1 to 24
 half-gaps. Three have none, though the describing function predicts one for two of them.
@@ -9,24 +9,13 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass, replace
 
-import numpy as np
-from numpy.typing import NDArray
-
-from contourlab.analysis.backlash.exact_simulation import ExactRun, simulate_exact
-from contourlab.analysis.backlash.limit_cycle_prediction import LimitCycle, Prediction, predict_limit_cycles
+from contourlab.analysis.backlash.limit_cycle_prediction import LimitCycle, predict_limit_cycles
 from contourlab.analysis.backlash.lure import BacklashLoop
 from contourlab.analysis.backlash.orbit_search import find_orbits
 from contourlab.analysis.backlash.periodic_orbit import PeriodicOrbit
 from contourlab.papers.shahin.two_inertia_loop import Feedback, TwoInertias, motor_pid, p_pi_cascade, two_inertia_loop
 
-Array = NDArray[np.float64]
-
 DRIVE = TwoInertias(motor_inertia=5.2e-3, load_inertia=4.4e-3, stiffness=950.0, half_gap=2.0 * math.pi * 12.5e-6 / 0.016)
-STAGE, STAGES = 100, 60
-"""Periods in a stage of simulation, and number of stages."""
-SETTLED = 1e-4
-"""Relative change of the amplitude over a stage below which a motion has settled, or below which it is at rest in the gap."""
-MEASURED = 20
 
 
 @dataclass(frozen=True)
@@ -39,7 +28,7 @@ class LimitCycleCase:
     drive : TwoInertias
     feedback : Feedback
     kick : float
-        Start of the simulation: motor-load difference in half-gaps.
+        Start of the search: motor-load difference in half-gaps.
     """
 
     name: str
@@ -73,7 +62,7 @@ CASES_WITHOUT = (
 
 @dataclass(frozen=True, eq=False)
 class Comparison:
-    """One case, three ways.
+    """One case, two ways.
 
     Attributes
     ----------
@@ -82,15 +71,11 @@ class Comparison:
         Stable limit cycle of the describing function.
     orbit : PeriodicOrbit or None
         Stable periodic orbit.
-    simulated_ratio, simulated_frequency : float
-        Amplitude over half of the gap and frequency [rad/s] of the settled motion; 0 and nan at rest.
     """
 
     case: LimitCycleCase
     predicted: LimitCycle | None
     orbit: PeriodicOrbit | None
-    simulated_ratio: float
-    simulated_frequency: float
 
     @property
     def frequency_error(self) -> float:
@@ -104,37 +89,9 @@ class Comparison:
 
 
 def compare(case: LimitCycleCase) -> Comparison:
-    """Find the limit cycle of a case by describing function, by shooting, and by simulation until the motion has settled."""
+    """Find the limit cycle of a case by describing function and by shooting."""
     loop = case.loop
     prediction = predict_limit_cycles(loop)
     orbits = find_orbits(loop, prediction=prediction, kicks=(case.kick,)).stable
-    ratio, frequency = _settled(loop, case, prediction)
     predicted = next((cycle for cycle in prediction.cycles if cycle.stable), None)
-    return Comparison(case, predicted, orbits[0] if orbits else None, ratio, frequency)
-
-
-def _settled(loop: BacklashLoop, case: LimitCycleCase, prediction: Prediction) -> tuple[float, float]:
-    """Return amplitude over half of the gap and frequency of the motion after a kick, simulated until its amplitude is constant."""
-    slowest = min((cycle.frequency for cycle in prediction.cycles), default=math.sqrt(case.drive.stiffness / case.drive.load_inertia))
-    state, twist, before = np.zeros(loop.n), None, math.inf
-    state[2] = -case.kick * loop.half_gap
-    for _ in range(STAGES):
-        run = simulate_exact(loop, state, STAGE * 2.0 * math.pi / slowest, twist=twist)
-        ratio, frequency = _last_periods(run)
-        if ratio < 1.0 + SETTLED:
-            return 0.0, math.nan
-        if abs(ratio - before) <= SETTLED * ratio:
-            return ratio, frequency
-        end, before = run.spans[-1].end, ratio
-        state, twist = end[: loop.n], float(end[loop.n]) if run.flow.twisted else None
-    return before, frequency
-
-
-def _last_periods(run: ExactRun) -> tuple[float, float]:
-    """Return amplitude over half of the gap, and frequency, of the last periods; zero if contact ends before the run."""
-    begins = run.times[run.modes == 1]
-    if begins.size <= MEASURED or begins[-1] < 0.5 * run.duration:
-        return 0.0, math.nan
-    difference = run.difference(np.linspace(begins[-1 - MEASURED], begins[-1], 200 * MEASURED))
-    period = float(begins[-1] - begins[-1 - MEASURED]) / MEASURED
-    return 0.5 * float(np.ptp(difference)) / run.loop.half_gap, 2.0 * math.pi / period
+    return Comparison(case, predicted, orbits[0] if orbits else None)
