@@ -21,6 +21,7 @@ from contourlab.cli.commands.check import check
 from contourlab.cli.commands.compare import compare
 from contourlab.cli.commands.components import components
 from contourlab.cli.commands.demo import demo
+from contourlab.cli.commands.explain import explain
 from contourlab.cli.commands.identify import identify
 from contourlab.cli.commands.interpolate import interpolate
 from contourlab.cli.commands.learn import learn
@@ -63,6 +64,7 @@ app.command("check")(check)
 app.command("canon")(canon)
 app.command("interpolate")(interpolate)
 app.add_typer(reproduce, name="reproduce")
+app.command("explain")(explain)
 app.command("components")(components)
 app.command("machines")(machines)
 app.add_typer(new, name="new")

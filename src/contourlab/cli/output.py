@@ -7,7 +7,7 @@ import os
 import sys
 from typing import TYPE_CHECKING, Any
 
-from contourlab.app.plain import plain
+from contourlab.app.json_values import json_values
 
 if TYPE_CHECKING:
     from rich.console import RenderableType
@@ -44,7 +44,7 @@ def say(text: str) -> None:
 
 def emit_json(value: Any) -> None:
     """Print one JSON document, strict: readers without an extension for nan can read it."""
-    say(json.dumps(plain(value), indent=2, allow_nan=False))
+    say(json.dumps(json_values(value), indent=2, allow_nan=False))
 
 
 def conclude(outcome: RunOutcome, as_json: bool) -> int:

@@ -9,7 +9,7 @@ from pathlib import Path
 import pytest
 
 from contourlab import __version__
-from contourlab.app.plain import plain
+from contourlab.app.json_values import json_values
 from contourlab.cli.main import main
 from contourlab.components import registry
 from contourlab.errors import DivergenceError, OutputError, ParameterError
@@ -151,8 +151,8 @@ def test_a_terminal_without_greek_letters_is_no_error():
 def test_what_json_cannot_hold_becomes_null_or_is_refused():
     np = pytest.importorskip("numpy")
     given = {"a": float("nan"), "b": np.array([1.0, np.inf]), "c": (np.float64(2.0), np.int64(3), True), "d": Path("x"), "e": None}
-    clean = plain(given)
+    clean = json_values(given)
     assert clean == {"a": None, "b": [1.0, None], "c": [2.0, 3, True], "d": "x", "e": None}
     assert json.loads(json.dumps(clean, allow_nan=False)) == clean
     with pytest.raises(TypeError, match="object"):
-        plain({"f": object()})
+        json_values({"f": object()})

@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import Any
 
 from contourlab.app.folder import check_file, staged
-from contourlab.app.plain import plain
+from contourlab.app.json_values import json_values
 from contourlab.components.origin import Origin
 from contourlab.features.identify.finding import Figure, Finding, Picture
 from contourlab.features.identify.requests.register import study_of
@@ -75,7 +75,7 @@ def identify_log(
         why = "the figures cannot be used as they stand" if not found.usable else f"there is nothing for an axis file (model {found.model})"
         text += f"\n{out} is not written: {why}"
     summary = {**_summary(found), "notes": request.notes, "axis_file": str(out) if written else None}
-    return Identification(found.usable and (written or out is None), plain(summary), text)
+    return Identification(found.usable and (written or out is None), json_values(summary), text)
 
 
 def axis_file(found: Finding) -> str:

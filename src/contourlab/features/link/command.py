@@ -11,7 +11,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from contourlab.app.folder import staged
-from contourlab.app.plain import plain
+from contourlab.app.json_values import json_values
 from contourlab.app.stages import Stages, shown
 from contourlab.errors import DivergenceError, ParameterError, UnitError
 from contourlab.features.link.text import SHOWN, Costs, link_lines, link_summary
@@ -133,7 +133,7 @@ def link_scenario(
                 texts.append("\n".join(link_lines(costs)))
                 found["schemes"][case.name] = link_summary(costs)
                 charts += _charts(case.name if len(scenario.cases()) > 1 else "", costs)
-        write_text_atomic(stage / "summary.json", json.dumps(plain(found), indent=2, allow_nan=False) + "\n")
+        write_text_atomic(stage / "summary.json", json.dumps(json_values(found), indent=2, allow_nan=False) + "\n")
         if plots:
             from contourlab.report.plots import write_charts
 

@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 
 from contourlab import __version__
 from contourlab.app.folder import staged
-from contourlab.app.plain import plain
+from contourlab.app.json_values import json_values
 from contourlab.errors import LogError, ParameterError, ResultError, UnitError
 from contourlab.features.measure.gap_words import gap_words
 from contourlab.features.measure.log_choice import LogChoice, is_program, open_log, positive, program_path, reference_columns, told_apart
@@ -180,7 +180,7 @@ def _summary(runs: Sequence[_Judged], title: str, limit: float | None, command: 
         "passed": None if limit is None else all(run.found.metrics.contour_error.max <= limit for run in runs),
         "schemes": {run.name: _scheme(run) for run in runs},
     }
-    told: dict[str, Any] = plain(whole)
+    told: dict[str, Any] = json_values(whole)
     return told
 
 

@@ -164,7 +164,7 @@ class Outcome:
     def warnings(self) -> tuple[str, ...]:
         """What analysis warns of: an unstable coupling, and learning that grows."""
         asked = remarks(self.case.machine, self.case.controller, self.reference, self.case.changes)
-        return (*filter(None, (self.unstable,)), *asked, *(() if self.foretold is None else self.foretold.warnings))
+        return (*filter(None, (self.unstable,)), *(one.text for one in asked), *(() if self.foretold is None else self.foretold.warnings))
 
 
 def run_case(

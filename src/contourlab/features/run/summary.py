@@ -7,7 +7,7 @@ from dataclasses import asdict
 from typing import Any
 
 from contourlab import __version__
-from contourlab.app.plain import plain
+from contourlab.app.json_values import json_values
 from contourlab.errors import DivergenceError
 from contourlab.features.learn import LearningRun
 from contourlab.features.run.compare import Outcome
@@ -50,7 +50,7 @@ def summary_of(
         "schemes": {outcome.name: _scheme(outcome) for outcome in outcomes}
         | {name: {"status": {"ok": False, "sample": e.sample, "axis": e.axis, "reason": str(e)}} for name, e in lost.items()},
     }
-    told: dict[str, Any] = plain(found)
+    told: dict[str, Any] = json_values(found)
     return told
 
 

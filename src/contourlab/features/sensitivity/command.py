@@ -11,8 +11,8 @@ from typing import TYPE_CHECKING, Any
 
 from contourlab.app.component_sources import plugin_digests
 from contourlab.app.folder import staged
+from contourlab.app.json_values import json_values
 from contourlab.app.kept_notes import kept_notes, taken_up_again
-from contourlab.app.plain import plain
 from contourlab.app.program_version import DECIDES_RUNS, program_version
 from contourlab.app.stages import Stages, shown
 from contourlab.errors import ParameterError
@@ -125,7 +125,7 @@ def sensitivity_of(
             study, runs = _studied(case, request, Path(out) / KEPT, stages)
         notes += _kept_notes(runs)
         command = _command(file, request, plugins)
-        summary = plain(summary_of(study, runs, case, notes, command))
+        summary = json_values(summary_of(study, runs, case, notes, command))
         write_text_atomic(stage / "summary.json", json.dumps(summary, indent=2, allow_nan=False) + "\n")
         if plots:
             from contourlab.features.sensitivity.charts import charts_of

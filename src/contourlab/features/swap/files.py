@@ -7,7 +7,7 @@ from collections.abc import Iterator, Sequence
 from pathlib import Path
 from typing import Any
 
-from contourlab.app.plain import plain
+from contourlab.app.json_values import json_values
 from contourlab.features.run.command import RunOutcome, file_names
 from contourlab.features.swap.numbers import divided_controller
 from contourlab.features.swap.picture import write_matrices
@@ -26,7 +26,7 @@ def written(report: SwapReport, folder: Path, out: Path, plots: Sequence[str]) -
     (folder / "controllers").mkdir()
     lines += list(_controllers(study, folder / "controllers", out / "controllers"))
     summary = summary_of(report)
-    write_text_atomic(folder / "swap.json", json.dumps(plain(summary), indent=2, allow_nan=False) + "\n")
+    write_text_atomic(folder / "swap.json", json.dumps(json_values(summary), indent=2, allow_nan=False) + "\n")
     return RunOutcome(report.passed, summary, "\n".join(lines))
 
 

@@ -1,0 +1,142 @@
+"""Tables in print: one renderer for all commands, which fits the width of the terminal."""
+
+from __future__ import annotations
+
+import shutil
+import sys
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import dataclass, field
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from rich.table import Table as RichTable
+
+PIPE_WIDTH = 100
+"""Columns of output that goes to a file or a pipe."""
+_GAP = 2
+_PROSE = 20
+"""Least width of a column of prose."""
+
+
+@dataclass(frozen=True)
+class Column:
+    """A column: its head, and how its cells are set.
+
+    Attributes
+    ----------
+    head : str
+        With the unit in brackets: ``contour rms [um]``.
+    left : bool
+        Whether cells start at the left, as names do; figures end at the right.
+    prose : bool
+        Whether cells may be broken into lines at spaces. Names and figures stay whole.
+    """
+
+    head: str
+    left: bool = False
+    prose: bool = False
+
+
+@dataclass
+class Table:
+    """Rows of text under heads. The first column names the rows; it is repeated where a table is wider than the page.
+
+    >>> table = Table([Column("axis", left=True), Column("rms [um]")])
+    >>> table.add("x", "12.3")
+    >>> print(table.text(40))
+           rms
+    axis  [um]
+    ----  ----
+    x     12.3
+    """
+
+    columns: Sequence[Column]
+    title: str = ""
+    rows: list[tuple[str, ...]] = field(default_factory=list)
+
+    def add(self, *cells: str) -> None:
+        """Add a row."""
+        if len(cells) != len(self.columns):
+            raise ValueError(f"{len(cells)} cells for {len(self.columns)} columns")
+        self.rows.append(cells)
+
+    def text(self, width: int | None = None) -> str:
+        """Return the table as lines of at most `width` characters, by default those of the page.
+
+        A table that is wider is cut into panels, one under the other, each with the first column. Only a name that is wider than the page
+        itself goes beyond it.
+        """
+        width = page_width() if width is None else width
+        panels = [self._panel(which, width) for which in self._panels(width)]
+        return "\n".join(filter(None, [self.title, "\n\n".join(panels)]))
+
+    def _least(self, column: int) -> int:
+        """Return the least width of a column."""
+        texts = [*_head_lines(self.columns[column].head), *(row[column] for row in self.rows)]
+        if self.columns[column].prose:
+            return min(max(_widest(text) for text in texts), _PROSE)
+        return max(map(len, texts))
+
+    def _panels(self, width: int) -> Iterator[list[int]]:
+        """Yield the columns of each panel."""
+        first = self._least(0)
+        panel, taken = [0], first
+        for column in range(1, len(self.columns)):
+            least = self._least(column) + _GAP
+            if taken + least > width and len(panel) > 1:
+                yield panel
+                panel, taken = [0], first
+            panel.append(column)
+            taken += least
+        yield panel
+
+    def _panel(self, which: Sequence[int], width: int) -> str:
+        from rich.console import Console
+
+        least = sum(self._least(column) + _GAP for column in which) - _GAP
+        console = Console(width=max(width, least), color_system=None, force_terminal=False, legacy_windows=False)
+        with console.capture() as captured:
+            console.print(self._rich(which))
+        return "\n".join(line.rstrip() for line in captured.get().rstrip().splitlines())
+
+    def _rich(self, which: Sequence[int]) -> RichTable:
+        from rich.table import Table as RichTable
+        from rich.text import Text
+
+        table = RichTable(box=None, padding=(0, _GAP, 0, 0), pad_edge=False, show_header=False)
+        for number in which:
+            column = self.columns[number]
+            justify = "left" if column.left or column.prose else "right"
+            table.add_column(justify=justify, no_wrap=not column.prose, min_width=self._least(number), overflow="fold")  # type: ignore[arg-type]
+        for row in self._with_heads(which):
+            table.add_row(*(Text(row[number]) for number in range(len(which))))
+        return table
+
+    def _with_heads(self, which: Sequence[int]) -> Iterator[list[str]]:
+        heads = [_head_lines(self.columns[number].head) for number in which]
+        deepest = max(map(len, heads))
+        yield ["\n".join([*[""] * (deepest - len(head)), *head]) for head in heads]
+        yield ["-" * max(map(len, head)) for head in heads]
+        yield from ([row[number] for number in which] for row in self.rows)
+
+
+def page_width() -> int:
+    """Return how many characters fit on a line: those of the terminal, or `PIPE_WIDTH` where there is none."""
+    return shutil.get_terminal_size().columns if sys.stdout.isatty() else PIPE_WIDTH
+
+
+def paragraphs(texts: Iterable[str], width: int | None = None, indent: str = "  ") -> str:
+    """Return texts as paragraphs that fit the page; lines after the first of each are indented."""
+    from textwrap import fill
+
+    width = page_width() if width is None else width
+    return "\n".join(fill(text, width, subsequent_indent=indent, break_long_words=False, break_on_hyphens=False) for text in texts)
+
+
+def _head_lines(head: str) -> list[str]:
+    """Return a head with its unit on a line of its own."""
+    return head.replace(" [", "\n[").split("\n")
+
+
+def _widest(text: str) -> int:
+    return max(map(len, text.split()), default=0)

@@ -1,0 +1,69 @@
+"""The catalogue of findings, and the code that uses it."""
+
+from __future__ import annotations
+
+import ast
+import re
+import string
+from pathlib import Path
+
+import pytest
+
+import contourlab
+from contourlab.app.json_values import json_values
+from contourlab.figures import display_units
+from contourlab.findings import SEVERITIES, catalogue, finding
+
+SOURCE = Path(contourlab.__file__).parent
+FIELDS = {code: {name: spec for _, name, spec, _ in string.Formatter().parse(entry.text) if name} for code, entry in catalogue().items()}
+
+
+def made() -> list[tuple[str, str, set[str]]]:
+    """Return where each finding is made: file and line, code, names of its values (those that are written out)."""
+    calls = []
+    for file in sorted(SOURCE.rglob("*.py")):
+        for node in ast.walk(ast.parse(file.read_text(encoding="utf-8"))):
+            if isinstance(node, ast.Call) and isinstance(node.func, ast.Name) and node.func.id == "finding" and node.args:
+                code = node.args[0]
+                names = {word.arg for word in node.keywords if word.arg not in (None, "place")}
+                starred = any(word.arg is None for word in node.keywords)
+                if isinstance(code, ast.Constant):
+                    calls.append((f"{file.relative_to(SOURCE)}:{node.lineno}", str(code.value), {"*"} if starred else names))
+    return calls
+
+
+@pytest.mark.parametrize("code", catalogue())
+def test_an_entry_is_complete(code: str):
+    entry = catalogue()[code]
+    assert re.fullmatch(r"CL[1-9]\d\d", code)
+    assert re.fullmatch(r"[a-z0-9]+(-[a-z0-9]+)*", entry.name)
+    assert entry.severity in SEVERITIES
+    assert entry.meaning
+    assert entry.remedy
+    assert set(FIELDS[code].values()) <= display_units()
+
+
+def test_names_are_unique():
+    names = [entry.name for entry in catalogue().values()]
+    assert len(set(names)) == len(names)
+
+
+def test_every_finding_that_is_made_has_its_entry_and_its_values():
+    wrong = []
+    for where, code, names in made():
+        if code not in FIELDS or (names != {"*"} and names < set(FIELDS[code])):
+            wrong.append((where, code, names))
+    assert not wrong
+
+
+def test_every_entry_is_made_somewhere():
+    text = "\n".join(file.read_text(encoding="utf-8") for file in SOURCE.rglob("*.py"))
+    assert [code for code in catalogue() if f'"{code}"' not in text] == []
+
+
+def test_a_finding_in_print_and_in_json():
+    late = finding("CL104", place="scheme a", time=2.0, end=0.5)
+    assert json_values(late)["values"] == {"time": 2.0, "end": 0.5}
+    assert json_values(late)["code"] == "CL104"
+    assert "0.5 s" in late.text
+    assert late.text.startswith("scheme a: ")
