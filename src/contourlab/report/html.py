@@ -20,7 +20,6 @@ from contourlab.report.page_tables import circle_tables, interval_rows, limit_ta
 from contourlab.report.path_picture import path_charts
 from contourlab.report.plotly_view import figure_of
 from contourlab.report.samples import share
-from contourlab.report.style import scheme_style
 from contourlab.report.switching import strip_charts, switch_tables
 from contourlab.report.text import nominal, number, quantity
 from contourlab.result.atomic import write_text_atomic
@@ -84,7 +83,6 @@ def render_html(data: ReportData) -> str:
             reversals=reversal_table(data),
             switch_tables=switch_tables(data),
             trust={"tables": origin_tables(data), "rows": interval_rows(data), "lines": trust_lines(data)},
-            verdicts=[_verdict(scheme, index, len(data.schemes)) for index, scheme in enumerate(data.schemes)],
             program=_program(data),
             scenario=_clipped(data.provenance.scenario),
             facts=_facts(data, points),
@@ -133,41 +131,6 @@ def _inert(value: Any) -> str:
     """Return JSON for a script element: no text in it can end the element or start another."""
     text = json.dumps(value, allow_nan=False, separators=(",", ":"), ensure_ascii=True)
     return text.replace("&", "\\u0026").replace("<", "\\u003c").replace(">", "\\u003e")
-
-
-def _verdict(scheme: Any, index: int, count: int) -> dict[str, Any] | None:
-    """Return a verdict in print form, or None."""
-    verdict = scheme.verdict
-    if verdict is None:
-        return None
-    worst = verdict.worst
-    axes = scheme.result.axes
-    place = ", ".join(f"{axis} {number(p * 1e3, 6)} mm" for axis, p in zip(axes, worst.position, strict=False))
-    return {
-        "name": scheme.name,
-        "colour": scheme_style(index, count)[0],
-        "passed": bool(verdict.passed),
-        "tolerance": nominal(verdict.tolerance, "µm", 1e6),
-        "value": quantity(worst.value, "µm", 1e6),
-        "line": worst.line,
-        "text": worst.text,
-        "place": place,
-        "time": quantity(worst.time, "s", digits=5),
-        "sample": worst.sample,
-        "causes": [
-            {
-                "name": cause.name,
-                # Rounded to a nanometre.
-                "value": quantity(round(cause.contribution, 9), "µm", 1e6),
-                "percent": f"{100.0 * cause.share:.0f} %",
-                "width": f"{min(max(100.0 * cause.share, 0.0), 100.0):.1f}",
-            }
-            for cause in verdict.causes
-        ],
-        "left_out": f"{verdict.left_out * 1e3:.3g} mm" if verdict.left_out else "",
-        "untold": ", ".join(verdict.untold),
-        "advice": verdict.advice[:1].upper() + verdict.advice[1:],
-    }
 
 
 def _program(data: ReportData) -> dict[str, Any] | None:
@@ -247,4 +210,6 @@ def _template() -> Any:
 
     loader = FileSystemLoader(TEMPLATES)
     options: dict[str, Any] = {"undefined": StrictUndefined, "trim_blocks": True, "lstrip_blocks": True}
-    return Environment(loader=loader, autoescape=True, **options).get_template("report.html.j2")
+    environment = Environment(loader=loader, autoescape=True, **options)
+    environment.filters |= {"number": number, "quantity": quantity, "nominal": nominal}
+    return environment.get_template("report.html.j2")

@@ -3,45 +3,21 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from pathlib import Path
 from textwrap import fill
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from contourlab.report.charts import Bars, Chart, Magnified, Matrix, Multiples, Panel, PathChart, PolarChart, Tile
-from contourlab.report.style import BAND, GRID, INK, LIMIT, MUTED
+from contourlab.report.style import BAND, INK, LIMIT, MUTED
 from contourlab.report.text import nominal
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
-LOOKS: dict[str, Any] = {
-    "font.family": "sans-serif",
-    "font.sans-serif": ["DejaVu Sans"],
-    "font.size": 8.5,
-    "axes.edgecolor": "#8a949e",
-    "axes.labelcolor": INK,
-    "axes.linewidth": 0.7,
-    "axes.grid": True,
-    "axes.axisbelow": True,
-    "axes.spines.top": False,
-    "axes.spines.right": False,
-    "axes.titlesize": 9.5,
-    "axes.titleweight": "bold",
-    "axes.titlelocation": "left",
-    "grid.color": GRID,
-    "grid.linewidth": 0.6,
-    "xtick.color": MUTED,
-    "ytick.color": MUTED,
-    "text.color": INK,
-    "legend.frameon": False,
-    "legend.fontsize": 8,
-    "savefig.dpi": 200,
-    "svg.hashsalt": "contourlab",
-    "svg.fonttype": "none",
-    "pdf.fonttype": 42,
-}
+LOOKS = Path(__file__).parent / "templates" / "print.mplstyle"
 WIDTH = 7.2
 """Width of two columns of a journal [in]."""
 TILES = 3

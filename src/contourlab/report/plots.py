@@ -89,7 +89,7 @@ def _written(drawings: Iterable[tuple[str, Figure]], folder: str | Path, formats
     for name in formats:
         if name not in FORMATS:
             raise ParameterError("formats", name, f"of {', '.join(FORMATS)}")
-    with matplotlib.rc_context(rc=LOOKS):  # type: ignore[arg-type]
+    with matplotlib.rc_context(fname=LOOKS):
         return tuple(_write(figure, Path(folder) / f"{key}.{name}", name) for key, figure in drawings for name in formats)
 
 

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from contourlab.papers.shahin import setup
-from contourlab.papers.shahin.runs import trace
+from contourlab.papers.shahin.runs import third_lap
 from contourlab.papers.shahin.setup import Setting
 from contourlab.report.charts import Chart, Curve, PolarChart, ring_spacing, traces_chart
 from contourlab.report.plots import write_charts
@@ -22,34 +22,36 @@ def draw(folder: str | Path, formats: Sequence[str]) -> tuple[Path, ...]:
     """Write the figures into a folder; return the files."""
     gap, none = Setting(), Setting(gap=0.0)
     baselines = {
-        "on the motors, no backlash": trace("PI", none),
-        "on the motors, 25 µm": trace("PI", gap),
-        "closed over the loads, 25 µm": trace("PI on the load", gap),
+        "on the motors, no backlash": third_lap("PI", none),
+        "on the motors, 25 µm": third_lap("PI", gap),
+        "closed over the loads, 25 µm": third_lap("PI on the load", gap),
     }
-    deviations = {name: (run.angle, run.radial) for name, run in baselines.items()}
-    charts: list[Chart | PolarChart] = [_circle("fig-7-8", "Figs 7, 8: PI on the circle at 8000 mm/min", deviations)]
-    schemes = {name: trace(name, gap) for name in setup.SCHEMES}
-    feeds = {f"scheme {name}": (run.time, run.axis_feed_error[:, 0] * 60.0) for name, run in schemes.items()}
+    charts: list[Chart | PolarChart] = [_circle("fig-7-8", "Figs 7, 8: PI on the circle at 8000 mm/min", baselines)]
+    schemes = {name: third_lap(name, gap) for name in setup.SCHEMES}
+    feeds = {
+        f"scheme {name}": (run["time"], (run["reference_velocity"] - run["axis_velocity"])[:, 0] * 60.0) for name, run in schemes.items()
+    }
     charts.append(traces_chart("fig-9", "Fig 9: feedrate error of x", ("time [s]", "feedrate error [m/min]"), feeds))
     errors = {
-        f"scheme {name}, {axis}": (schemes[name].time, schemes[name].axis_error[:, j] * 1e6)
-        for name in ("II", "III")
+        f"scheme {name}, {axis}": (run["time"], (run["reference"] - run["axis_position"])[:, j] * 1e6)
+        for name, run in list(schemes.items())[1:]
         for j, axis in enumerate(setup.AXES)
     }
     charts.append(traces_chart("fig-10", "Fig 10: axis errors of schemes II and III", ("time [s]", "axis error [µm]"), errors))
     for number, (name, run) in zip((11, 12, 13), schemes.items(), strict=True):
-        rate = {f"scheme {name}": (run.time, run.feedrate * 60.0)}
+        rate = {f"scheme {name}": (run["time"], np.hypot(*run["axis_velocity"].T) * 60.0)}
         title = f"Fig {number}: overall feedrate, scheme {name}"
         charts.append(traces_chart(f"fig-{number}", title, ("time [s]", "feedrate [m/min]"), rate, level=8.0))
     return write_charts(charts, folder, formats)
 
 
-def _circle(key: str, title: str, runs: Mapping[str, tuple[Array, Array]]) -> PolarChart:
-    """Return radial deviations [m] over the angle [rad] round the circle."""
-    division, span = ring_spacing(1e6 * max(float(np.abs(deviation).max()) for _, deviation in runs.values()))
-    curves = tuple(
-        Curve(np.degrees(np.unwrap(angle)), deviation * 1e6, name, *scheme_style(i, len(runs)))
-        for i, (name, (angle, deviation)) in enumerate(runs.items())
-    )
+def _circle(key: str, title: str, runs: Mapping[str, Mapping[str, Array]]) -> PolarChart:
+    """Return the radial deviations around the circle."""
+    curves = []
+    for i, (name, run) in enumerate(runs.items()):
+        x, y = run["axis_position"].T
+        deviation = (np.hypot(x, y) - setup.RADIUS) * 1e6
+        curves.append(Curve(np.degrees(np.unwrap(np.arctan2(y, x))), deviation, name, *scheme_style(i, len(runs))))
+    division, span = ring_spacing(max(float(np.abs(curve.y).max()) for curve in curves))
     caption = f"One ring is {division:g} µm of radial deviation."
-    return PolarChart(key, title, caption, curves, division, (-2.0 * span, span), setup.RADIUS)
+    return PolarChart(key, title, caption, tuple(curves), division, (-2.0 * span, span), setup.RADIUS)

@@ -112,47 +112,13 @@ def circular(name: str, setting: Setting, feed: float = setup.FEED, until: float
     return measured(setup.machine(setting, period), controller_of(name, setting), setup.circle(laps, period, feed), feed, until)
 
 
-@dataclass(frozen=True, eq=False)
-class Trace:
-    """The third lap of a circular test.
-
-    Attributes
-    ----------
-    time : ndarray (n,) [s]
-    angle : ndarray (n,) [rad]
-        Of the loads around the centre, in [0, 2 pi).
-    radial : ndarray (n,) [m]
-        Deviation from the radius.
-    axis_error, axis_feed_error : ndarray (n, 2) [m], [m/s]
-        Reference less load: position and velocity.
-    feedrate : ndarray (n,) [m/s]
-        Along the path.
-    """
-
-    time: Array
-    angle: Array
-    radial: Array
-    axis_error: Array
-    axis_feed_error: Array
-    feedrate: Array
-
-
-def trace(name: str, setting: Setting) -> Trace:
-    """Return the third lap of a circular test; `name` as in `controller_of`."""
+def third_lap(name: str, setting: Setting) -> dict[str, Array]:
+    """Return `SIGNALS` and the time [s] of the third lap of a circular test, for pictures; `name` as in `controller_of`."""
     period = setup.servo_period()
     reference = setup.circle(3, period)
     run = simulate(setup.machine(setting, period), controller_of(name, setting), reference, signals=SIGNALS, moving=True)
     start, stop = reference.laps[-1]
-    part = {name: run[name][start:stop:STRIDE] for name in SIGNALS}
-    x, y = part["axis_position"].T
-    return Trace(
-        time=period * np.arange(start, stop, STRIDE, dtype=np.float64),
-        angle=np.mod(np.arctan2(y, x), 2.0 * np.pi),
-        radial=np.hypot(x, y) - setup.RADIUS,
-        axis_error=part["reference"] - part["axis_position"],
-        axis_feed_error=part["reference_velocity"] - part["axis_velocity"],
-        feedrate=np.hypot(*part["axis_velocity"].T),
-    )
+    return {"time": period * np.arange(start, stop, STRIDE)} | {name: run[name][start:stop:STRIDE] for name in SIGNALS}
 
 
 @cache
