@@ -16,7 +16,7 @@ from contourlab.report.comparison import compare
 from contourlab.report.data import ReportData
 from contourlab.report.error_pictures import error_charts, polar_charts
 from contourlab.report.learning_pictures import trial_charts
-from contourlab.report.page_tables import circle_tables, interval_rows, limit_tables, origin_tables, reversal_table, trust_lines
+from contourlab.report.page_tables import circle_tables, limit_tables, origin_tables, reversal_table, trust_lines
 from contourlab.report.path_picture import path_charts
 from contourlab.report.plotly_view import figure_of
 from contourlab.report.samples import share
@@ -82,7 +82,7 @@ def render_html(data: ReportData) -> str:
             limit_tables=limit_tables(data),
             reversals=reversal_table(data),
             switch_tables=switch_tables(data),
-            trust={"tables": origin_tables(data), "rows": interval_rows(data), "lines": trust_lines(data)},
+            trust={"tables": origin_tables(data), "lines": trust_lines(data)},
             program=_program(data),
             scenario=_clipped(data.provenance.scenario),
             facts=_facts(data, points),

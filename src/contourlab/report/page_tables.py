@@ -210,27 +210,6 @@ def _signs(unit: str) -> str:
     return "µm" if unit == "um" else unit
 
 
-def interval_rows(data: ReportData) -> tuple[tuple[str, ...], ...]:
-    """Return for each scheme: name; run, median and interval of rms and maximum [um]; failed, beyond tolerance, main contribution."""
-    rows = []
-    for scheme in data.schemes:
-        if scheme.trust is None or scheme.trust.interval is None:
-            continue
-        found, error = scheme.trust.interval, scheme.metrics.contour_error
-        cells = [cell for value, spread in ((error.rms, found.rms), (error.max, found.max)) for cell in (_um(value), *_spread(spread))]
-        beyond = NONE if found.beyond is None else f"{found.beyond} of {found.n}"
-        rows.append((scheme.name, *cells, f"{found.failed} of {found.n}", beyond, found.main or "none stands out"))
-    return tuple(rows)
-
-
-def _um(value: float) -> str:
-    return number(value * 1e6)
-
-
-def _spread(spread: tuple[float, float, float]) -> tuple[str, str]:
-    return _um(spread[0]), f"{_um(spread[1])} to {_um(spread[2])}"
-
-
 def trust_lines(data: ReportData) -> list[str]:
     """Describe the interval of each scheme's contour error; once if the same reason holds for all."""
     schemes = [(scheme.name, scheme.trust) for scheme in data.schemes if scheme.trust is not None]

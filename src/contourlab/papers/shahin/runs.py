@@ -118,7 +118,7 @@ def third_lap(name: str, setting: Setting) -> dict[str, Array]:
     reference = setup.circle(3, period)
     run = simulate(setup.machine(setting, period), controller_of(name, setting), reference, signals=SIGNALS, moving=True)
     start, stop = reference.laps[-1]
-    return {"time": period * np.arange(start, stop, STRIDE)} | {name: run[name][start:stop:STRIDE] for name in SIGNALS}
+    return {"time": period * np.arange(start, stop, STRIDE, dtype=np.float64)} | {name: run[name][start:stop:STRIDE] for name in SIGNALS}
 
 
 @cache
