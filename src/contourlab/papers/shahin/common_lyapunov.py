@@ -8,17 +8,19 @@ rejects it, so that no verdict depends on a solver's status or on rounding.
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from contourlab.analysis.backlash import lyapunov_lmi
+from contourlab.analysis.linear.modular_design import solved
 
 Array = NDArray[np.float64]
 Rational = tuple[tuple[Fraction, ...], ...]
+SOLVERS = ("CLARABEL", "SCS")
 
 
 @dataclass(frozen=True, eq=False)
@@ -73,8 +75,8 @@ def common_quadratic(matrices: Sequence[Array], names: Sequence[str] = (), state
         resting = kernel(matrix)
         if resting:
             return _with_zero(given, i, name, np.array([float(x) for x in resting[0]]), states)
-    scaled, scale = lyapunov_lmi.balanced(given)
-    for candidate in lyapunov_lmi.candidates(scaled):
+    scaled, scale = _balanced(given)
+    for candidate in _candidates(scaled):
         p = candidate / scale[:, None] / scale
         if _proves(exact, p):
             return _feasible(given, exact, scaled, scale, p, labels)
@@ -100,7 +102,7 @@ def _feasible(
     given: list[Array], exact: list[Rational], scaled: list[Array], scale: Array, p: Array, labels: tuple[str, ...]
 ) -> CommonLyapunov:
     """Return the proved P with the fastest rate found, and the constants of eq (17)."""
-    for candidate in lyapunov_lmi.faster(scaled):
+    for candidate in _faster(scaled):
         tried = candidate / scale[:, None] / scale
         if _proves(exact, tried) and _rate(given, tried, scale) > _rate(given, p, scale):
             p = tried
@@ -151,6 +153,85 @@ def _named(v: Array, states: Sequence[str]) -> str:
 
 def _joined(labels: tuple[str, ...]) -> str:
     return labels[0] if len(labels) == 1 else ", ".join(labels[:-1]) + " and " + labels[-1]
+
+
+def _balanced(matrices: list[Array]) -> tuple[list[Array], Array]:
+    """Return the matrices over states divided by powers of 2 (n,) that balance rows and columns, and those powers."""
+    from scipy.linalg import matrix_balance
+
+    sizes = np.sum([np.abs(a) / max(float(np.abs(a).max()), 1e-300) for a in matrices], axis=0)
+    _, (scale, _) = matrix_balance(sizes, permute=False, separate=True)
+    return [a * scale / scale[:, None] for a in matrices], np.asarray(scale, dtype=float)
+
+
+def _candidates(matrices: list[Array]) -> Iterator[Array]:
+    """Yield proposals for P: closed forms first, then the solver's in the coordinates of each."""
+    coordinates = list(_frames(matrices))
+    for frame in coordinates:
+        yield frame.T @ frame
+    for frame in coordinates:
+        inverse = np.linalg.inv(frame)
+        moved = [_unit(frame @ a @ inverse) for a in matrices]
+        for solver in SOLVERS:
+            p = _margin(moved, solver)
+            if p is not None:
+                yield frame.T @ p @ frame
+
+
+def _faster(matrices: list[Array]) -> Iterator[Array]:
+    """Yield proposals for P with increasing rates, up to that of the slowest eigenvalue."""
+    bound = min(float(-np.linalg.eigvals(a).real.max()) for a in matrices)
+    for share in (0.1, 0.5, 0.75, 0.9, 0.97):
+        shifted = [a + share * bound * np.eye(len(a)) for a in matrices]
+        for frame in _frames(shifted):
+            yield frame.T @ frame
+            inverse = np.linalg.inv(frame)
+            p = _margin([_unit(frame @ a @ inverse) for a in shifted], SOLVERS[0])
+            if p is not None:
+                yield frame.T @ p @ frame
+                break
+
+
+def _unit(matrix: Array) -> Array:
+    """Return a matrix over its largest entry, which does not change the inequalities."""
+    return np.asarray(matrix / max(float(np.abs(matrix).max()), 1e-300))
+
+
+def _frames(matrices: list[Array]) -> Iterator[Array]:
+    """Yield coordinates in which a matrix, or the mean, contracts: factors of solutions of its Lyapunov equation."""
+    from scipy.linalg import LinAlgError, solve_continuous_lyapunov
+
+    units = [_unit(a) for a in matrices]
+    yield np.eye(len(units[0]))
+    for a in (np.sum(units, axis=0), np.sum(matrices, axis=0), *units):
+        values, vectors = np.linalg.eig(a)
+        if values.real.max() >= 0.0:
+            continue
+        rights = [np.eye(len(a))]
+        if np.linalg.cond(vectors) < 1e12:
+            # Weighted by each mode's rate, so that slow and fast modes count equally.
+            weights = np.linalg.inv(vectors)
+            rights.insert(0, ((weights.conj().T * np.abs(values.real)) @ weights).real)
+        for q in rights:
+            try:
+                p = solve_continuous_lyapunov(a.T, -q)
+                yield np.asarray(np.linalg.cholesky(0.5 * (p + p.T)).T, dtype=np.float64)
+            except (LinAlgError, np.linalg.LinAlgError):
+                continue
+
+
+def _margin(matrices: list[Array], solver: str) -> Array | None:
+    """Return the P between 0 and 1 with the largest margin of contraction."""
+    import cvxpy
+
+    n = len(matrices[0])
+    p: Any = cvxpy.Variable((n, n), symmetric=True)
+    margin: Any = cvxpy.Variable()
+    floor = margin * np.eye(n)
+    rules = [p >> floor, p << np.eye(n)] + [a.T @ p + p @ a << -floor for a in matrices]
+    if not solved(cvxpy.Problem(cvxpy.Maximize(margin), rules), solver):
+        return None
+    return np.asarray(p.value, dtype=float) if float(margin.value) > 0.0 else None
 
 
 def rational(matrix: Array) -> Rational:

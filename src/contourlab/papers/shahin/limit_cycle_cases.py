@@ -11,8 +11,7 @@ from dataclasses import dataclass, replace
 
 from contourlab.analysis.backlash.limit_cycle_prediction import LimitCycle, predict_limit_cycles
 from contourlab.analysis.backlash.lure import BacklashLoop
-from contourlab.analysis.backlash.orbit_search import find_orbits
-from contourlab.analysis.backlash.periodic_orbit import PeriodicOrbit
+from contourlab.analysis.backlash.periodic_orbit import PeriodicOrbit, find_orbits
 from contourlab.papers.shahin.two_inertia_loop import Feedback, TwoInertias, motor_pid, p_pi_cascade, two_inertia_loop
 
 DRIVE = TwoInertias(motor_inertia=5.2e-3, load_inertia=4.4e-3, stiffness=950.0, half_gap=2.0 * math.pi * 12.5e-6 / 0.016)
