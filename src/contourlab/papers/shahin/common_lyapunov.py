@@ -17,6 +17,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from contourlab.analysis.linear.modular_design import solved
+from contourlab.extras import extra_module
 
 Array = NDArray[np.float64]
 Rational = tuple[tuple[Fraction, ...], ...]
@@ -222,7 +223,7 @@ def _frames(matrices: list[Array]) -> Iterator[Array]:
 
 def _margin(matrices: list[Array], solver: str) -> Array | None:
     """Return the P between 0 and 1 with the largest margin of contraction."""
-    import cvxpy
+    cvxpy = extra_module("cvxpy")
 
     n = len(matrices[0])
     p: Any = cvxpy.Variable((n, n), symmetric=True)
