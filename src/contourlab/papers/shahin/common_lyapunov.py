@@ -21,7 +21,6 @@ from contourlab.extras import extra_module
 
 Array = NDArray[np.float64]
 Rational = tuple[tuple[Fraction, ...], ...]
-SOLVERS = ("CLARABEL", "SCS")
 
 
 @dataclass(frozen=True, eq=False)
@@ -172,11 +171,9 @@ def _candidates(matrices: list[Array]) -> Iterator[Array]:
         yield frame.T @ frame
     for frame in coordinates:
         inverse = np.linalg.inv(frame)
-        moved = [_unit(frame @ a @ inverse) for a in matrices]
-        for solver in SOLVERS:
-            p = _margin(moved, solver)
-            if p is not None:
-                yield frame.T @ p @ frame
+        p = _margin([_unit(frame @ a @ inverse) for a in matrices])
+        if p is not None:
+            yield frame.T @ p @ frame
 
 
 def _faster(matrices: list[Array]) -> Iterator[Array]:
@@ -187,7 +184,7 @@ def _faster(matrices: list[Array]) -> Iterator[Array]:
         for frame in _frames(shifted):
             yield frame.T @ frame
             inverse = np.linalg.inv(frame)
-            p = _margin([_unit(frame @ a @ inverse) for a in shifted], SOLVERS[0])
+            p = _margin([_unit(frame @ a @ inverse) for a in shifted])
             if p is not None:
                 yield frame.T @ p @ frame
                 break
@@ -221,7 +218,7 @@ def _frames(matrices: list[Array]) -> Iterator[Array]:
                 continue
 
 
-def _margin(matrices: list[Array], solver: str) -> Array | None:
+def _margin(matrices: list[Array]) -> Array | None:
     """Return the P between 0 and 1 with the largest margin of contraction."""
     cvxpy = extra_module("cvxpy")
 
@@ -230,7 +227,7 @@ def _margin(matrices: list[Array], solver: str) -> Array | None:
     margin: Any = cvxpy.Variable()
     floor = margin * np.eye(n)
     rules = [p >> floor, p << np.eye(n)] + [a.T @ p + p @ a << -floor for a in matrices]
-    if not solved(cvxpy.Problem(cvxpy.Maximize(margin), rules), solver):
+    if not solved(cvxpy.Problem(cvxpy.Maximize(margin), rules)):
         return None
     return np.asarray(p.value, dtype=float) if float(margin.value) > 0.0 else None
 
