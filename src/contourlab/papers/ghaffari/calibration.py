@@ -18,7 +18,12 @@ from functools import cache
 
 from contourlab.analysis.linear.margins import Margins
 from contourlab.design import Evaluator, Space
-from contourlab.features.tune import Bounds, Checked, Goal, Guards, LineRule, Objective, Path, checked, sequential, tune, with_values
+from contourlab.design.bounds import Bounds
+from contourlab.design.guards import Guards
+from contourlab.design.values import with_values
+from contourlab.features.tune.line_search import LineRule, SearchPath, sequential
+from contourlab.features.tune.objective import Evaluation, Goal, Objective, evaluate
+from contourlab.features.tune.study import tune
 from contourlab.feed import uniform
 from contourlab.geometry import contour
 from contourlab.loop import Controller
@@ -53,9 +58,9 @@ class Calibrated:
 
     gains: dict[int, Gains]
     controller: Controller
-    before: Checked
-    after: Checked
-    path: Path
+    before: Evaluation
+    after: Evaluation
+    path: SearchPath
 
 
 @cache
@@ -75,7 +80,7 @@ def calibrate(first: int) -> Calibrated:
     guards, evaluator = Guards([(stage, start)], bounds), Evaluator(stage, start, reference)
     path = sequential(Objective([evaluator], Goal(), values), guards, space, values, LineRule(plateau="best"))
     found = with_values(stage, start, path.values)[1]
-    before, after = (checked(stage, one, reference, guards) for one in (made, found))
+    before, after = (evaluate(stage, one, reference, guards) for one in (made, found))
     return Calibrated({n: _gains(found, n) for n in (first, 3)}, found, before, after, path)
 
 
