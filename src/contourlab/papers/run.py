@@ -55,12 +55,12 @@ def write_ghaffari(folder: str | Path, formats: Sequence[str]) -> tuple[Path, ..
         tiles = {}
         for name in names:
             members = {axis: curves[name] for axis, curves in found.items()}
-            number = members["axis 1"].number
+            number = members["axis 1"].variable
             drawn = {
                 axis: (
                     np.array([number.shown(value) for value in curve.values]),
                     curve.figures * 1e6,
-                    curve.number.shown(curve.number.value),
+                    curve.variable.shown(curve.variable.value),
                     None if curve.minimum is None else (number.shown(curve.minimum.value), curve.minimum.figure * 1e6),
                 )
                 for axis, curve in members.items()

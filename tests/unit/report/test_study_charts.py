@@ -7,7 +7,9 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from contourlab.features.sensitivity.pictures import DrawnCurve, curves_chart, indices_chart, interactions_chart
+from contourlab.design import Number
+from contourlab.features.sensitivity.curves import Curve, Interval, Minimum
+from contourlab.features.sensitivity.pictures import curve_tile, curves_chart, indices_chart, interactions_chart
 from contourlab.report.matplotlib_view import line_drawing
 from contourlab.report.plotly_view import line_figure
 from contourlab.report.plots import write_charts
@@ -16,7 +18,8 @@ from contourlab.report.study_view import bars_drawing, matrix_drawing, multiples
 
 X = np.geomspace(1.0, 4.0, 9)
 Y = np.where(X > 3.0, np.nan, 1.0 + (X - 2.0) ** 2)
-CURVE = DrawnCurve("x.gain", "1/s", X, Y, 2.5, (2.0, 1.0), ((3.1, 4.0),), True)
+NUMBER = Number("controller.axes.x.controller.gain", 2.5, 1.0, 4.0, "1/s", "1/s")
+CURVE = curve_tile(Curve(NUMBER, X, 1e-6 * Y, Minimum(2.0, 1e-6, 0.1, ""), None, (Interval(3.1, 4.0, False, True),)))
 NAMES = ("a", "b_", "$c")
 
 

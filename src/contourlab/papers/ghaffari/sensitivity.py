@@ -13,7 +13,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from contourlab.design import Evaluator, Space
-from contourlab.features.sensitivity import Curve, Runs, Slope, curves, figure_called, local
+from contourlab.features.sensitivity.curves import Curve, curves
+from contourlab.features.sensitivity.local import Slope, local
+from contourlab.features.sensitivity.runs import FIGURES, Runs
 from contourlab.feed import uniform
 from contourlab.geometry import contour
 from contourlab.papers.ghaffari.setup import TABLE_3, Gains, Reading, controller, machine
@@ -37,7 +39,7 @@ WITH = {1: 1, 2: 2, 3: 2}
 AGREES = 0.05
 """Part of the printed figure that counts as agreement, as for the integrals of Fig 9."""
 _MICRO = 1e6
-FIGURE = figure_called("integral")
+FIGURE = FIGURES["integral"]
 
 
 def sensitivity_rows() -> list[Row]:
@@ -83,7 +85,7 @@ def _moved(number: int, name: str) -> dict[str, float]:
     """Return the line of Table III with one parameter at its minimum."""
     curve = axis_curves(number)[name]
     assert curve.minimum is not None
-    return _gains(number) | {name: curve.number.shown(curve.minimum.value)}
+    return _gains(number) | {name: curve.variable.shown(curve.minimum.value)}
 
 
 def _minima() -> list[Row]:
@@ -94,7 +96,7 @@ def _minima() -> list[Row]:
             curve, paper = axis_curves(number)[name], _gains(number)[name]
             assert curve.minimum is not None
             here, lowest = _moved(number, name)[name], _MICRO * curve.minimum.figure
-            at_paper = _MICRO * float(np.interp(curve.number.value, curve.values, curve.figures))
+            at_paper = _MICRO * float(np.interp(curve.variable.value, curve.values, curve.figures))
             case = f"axis {number} in A3-A{WITH[number]}, the others as in Table III"
             note = f"integral {lowest:.3g} um s there, {at_paper:.3g} at Table III"
             reason = (
@@ -102,7 +104,7 @@ def _minima() -> list[Row]:
                 f"Table III, {_ratio(_moved(number, name)):.3f} at this minimum. Between the two lies a radius error, of one sign all "
                 "round, that Table III leaves in the model; on the stage it may have been another, and its values are round"
             )
-            unit = curve.number.display
+            unit = curve.variable.display
             found.append(printed(f"minimum over {name}", case, paper, here, unit, AGREES * paper, note, reason=reason))
     return found
 
@@ -136,7 +138,8 @@ def _slopes() -> list[Row]:
     found = []
     for number in TABLE_3:
         for name, slope in _axis_slopes(number).items():
-            note = slope.remark or f"percent of the integral for one percent of the parameter; step {100.0 * slope.step:.2g} %"
+            step = f"percent of the integral for one percent of the parameter; step {100.0 * slope.step:.2g} %"
+            note = slope.doubt.text if slope.doubt else step
             found.append(ours("local sensitivity at Table III", f"axis {number}, {name}", slope.sensitivity, "%/%", note))
     return found
 
@@ -148,11 +151,11 @@ def _flat() -> list[Row]:
         for name in ("K_V", "K_P", "K_I"):
             curve = axis_curves(number)[name]
             if curve.flat is not None:
-                low, high = (curve.number.shown(value) for value in (curve.flat.low, curve.flat.high))
+                low, high = (curve.variable.shown(value) for value in (curve.flat.low, curve.flat.high))
                 beyond = "" if curve.flat.last else ", beyond which the error grows"
                 note = f"up to {high:.3g}{beyond}; the longest stretch of the curve"
                 case = f"axis {number}, {name}"
-                found.append(ours("integral changes by less than 5 % from", case, low, curve.number.display, note))
+                found.append(ours("integral changes by less than 5 % from", case, low, curve.variable.display, note))
     return found
 
 
