@@ -113,7 +113,7 @@ def test_one_scheme_is_studied_and_the_period_may_be_another(circle: Path, capsy
     assert main(["sensitivity", str(circle), *TWO, "--parts", "local", *words]) == 0
     found = json.loads(capsys.readouterr().out)
     assert (found["scheme"], found["servo_period"]) == ("all of it", 5e-4)
-    assert "--scheme 'all of it'" in found["command"] and "--parts local" in found["command"]
+    assert found["request"]["servo_period"] == "0.5 ms" and found["request"]["plan"]["parts"] == ["local"]
 
 
 def test_a_scenario_that_runs_away_says_where(circle: Path, capsys: pytest.CaptureFixture[str]) -> None:

@@ -3,11 +3,10 @@
 from __future__ import annotations
 
 import json
-import shlex
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, field, fields, replace
+from dataclasses import dataclass, field, replace
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from contourlab.app.component_sources import plugin_digests
 from contourlab.app.folder import staged
@@ -82,8 +81,9 @@ class Sensitivity:
 
     Attributes
     ----------
-    command : str
-        To repeat the study, options at their defaults left out.
+    scenario : str
+        As given.
+    request : Request
     scheme, machine : str
     servo_period : float [s]
     runs_made, runs_reused : int
@@ -92,7 +92,8 @@ class Sensitivity:
     findings : tuple of Finding
     """
 
-    command: str
+    scenario: str
+    request: Request
     scheme: str
     machine: str
     servo_period: float
@@ -152,8 +153,8 @@ def sensitivity_of(
         with shown(progress) as stages:
             study, runs = _studied(case, request, Path(out) / KEPT, stages)
         findings = (*_on_case(case, left_out), *_on_runs(runs), *verdict(study))
-        machine, typed = case.machine, _command(file, request, plugins)
-        result = Sensitivity(typed, case.name, machine.name, machine.servo_period, runs.made, runs.reused, study, ranking(study), findings)
+        name, period = case.machine.name, case.machine.servo_period
+        result = Sensitivity(str(file), request, case.name, name, period, runs.made, runs.reused, study, ranking(study), findings)
         write_text_atomic(stage / "summary.json", json.dumps(json_values(result), indent=2, allow_nan=False) + "\n")
         if plots:
             from contourlab.features.sensitivity.pictures import charts_of
@@ -217,21 +218,3 @@ def _on_runs(runs: Runs) -> Iterator[Finding]:
         yield finding("CL654", folder=str(runs.kept.folder))
     if runs.kept.damaged:
         yield finding("CL655", count=runs.kept.damaged)
-
-
-def _command(file: str | Path, request: Request, plugins: Sequence[str | Path]) -> str:
-    """Return the command with the options that differ from their defaults."""
-    words = ["contourlab", "sensitivity", str(file)]
-    for part in (request, request.plan):
-        for option in fields(part):
-            value: Any = getattr(part, option.name)
-            if option.name in ("plan", "threads") or value == getattr(type(part)(), option.name):
-                continue
-            if option.name in ("parameters", "deviations"):
-                words += [word for text in value for word in (f"--{option.name[:-1]}", text)]
-            elif option.name == "second":
-                words.append("--second-order")
-            else:
-                text = ",".join(value) if option.name == "parts" else str(value)
-                words += [f"--{option.name.replace('_', '-')}", text]
-    return shlex.join([*words, *(word for plugin in plugins for word in ("--plugin", str(plugin)))])

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 import numpy as np
 
@@ -12,6 +12,7 @@ from contourlab.design import Space
 from contourlab.errors import ParameterError
 from contourlab.features.sensitivity.curves import Curve, curves
 from contourlab.features.sensitivity.indices import (
+    HIDDEN,
     Distribution,
     MorrisIndices,
     Sample,
@@ -108,7 +109,7 @@ class Study:
     morris_sample, sobol_sample : Sample or None
     """
 
-    plan: Plan
+    plan: Plan = field(metadata=HIDDEN)
     space: Space
     distributions: tuple[Distribution, ...]
     present: float

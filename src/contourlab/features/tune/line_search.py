@@ -19,6 +19,8 @@ Array = NDArray[np.float64]
 PLATEAUS = ("robust", "best", "largest")
 SETTLED = 1e-3
 """The sequential procedure ends after a pass that lowers the objective by less than this share."""
+REFINEMENTS = 2
+"""Finer lines, each between the neighbours of the best value so far."""
 REPAIR_VALUES = 64
 HIDDEN = {"json": False}
 
@@ -31,8 +33,6 @@ class LineRule:
     ----------
     lanes : int, 8 to 1024
         Values of a line; 32 fill the lanes of one thread.
-    refinements : int, 0 to 8
-        Finer lines, each between the neighbours of the best value so far.
     plateau : str
         Which of the values within `within` of the best is taken: "robust" the one whose loop stays farthest from -1, "largest" the largest
         ("as large as feasible"), "best" the best.
@@ -41,7 +41,6 @@ class LineRule:
     """
 
     lanes: int = 32
-    refinements: int = 2
     plateau: str = "robust"
     within: float = 0.01
 
@@ -50,8 +49,6 @@ class LineRule:
             raise ParameterError("plateau", repr(self.plateau), f"one of {', '.join(PLATEAUS)}")
         if not 8 <= self.lanes <= 1024:
             raise ParameterError("lanes", f"{self.lanes}", "8 to 1024")
-        if not 0 <= self.refinements <= 8:
-            raise ParameterError("refinements", f"{self.refinements}", "0 to 8")
         if not 0.0 <= self.within < 1.0:
             raise ParameterError("within", f"{self.within:g}", ">= 0 and < 1")
 
@@ -149,7 +146,7 @@ def line_search(
     """
     line = _Line(objective, guards, variable, values)
     line.add(np.append(np.linspace(0.0, 1.0, rule.lanes - 1), variable.place(line.own)), keep_present=True)
-    for _ in range(rule.refinements):
+    for _ in range(REFINEMENTS):
         low, high = line.neighbours(line.best())
         if not high > low:
             break

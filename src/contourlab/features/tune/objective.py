@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from dataclasses import dataclass, field
 
 import numpy as np
@@ -103,7 +103,7 @@ class Goal:
 
 @dataclass(frozen=True, eq=False)
 class ObjectiveValues:
-    """The objective of n runs; of several machines the worst.
+    """The objective of n runs.
 
     Attributes
     ----------
@@ -113,14 +113,14 @@ class ObjectiveValues:
         Share of the time at a drive's limit.
     largest : ndarray (n,)
         Largest command, relative to the drive's limit.
-    figures : tuple of mapping
-        All figures, for each machine.
+    figures : mapping of str to ndarray (n,)
+        All figures.
     """
 
     value: Array
     limited: Array
     largest: Array
-    figures: tuple[Mapping[str, Array], ...]
+    figures: Mapping[str, Array]
 
     def violations(self, values: Mapping[str, float], guards: Guards) -> tuple[str, ...]:
         """Return the bounds that the first run breaks, whose parameters have these values [SI]."""
@@ -129,49 +129,42 @@ class ObjectiveValues:
 
 @dataclass(eq=False)
 class Objective:
-    """A goal on one machine, or on the worst of several.
+    """A goal as a function of parameter values.
 
     Attributes
     ----------
-    evaluators : sequence of Evaluator
-        Machines with the same parameter names.
+    evaluator : Evaluator
     goal : Goal
     start : mapping of str to float [SI]
         Parameters at which the figures of a sum are scaled to 1.
     """
 
-    evaluators: Sequence[Evaluator]
+    evaluator: Evaluator
     goal: Goal
     start: Mapping[str, float]
-    _scales: tuple[dict[str, float], ...] = field(init=False, repr=False)
+    _scales: dict[str, float] = field(default_factory=dict, init=False, repr=False)
 
     def __post_init__(self) -> None:
-        self._scales = ()
         if self.goal.figure is None:
-            keys = [GOALS[name] for name, _ in self.goal.weights]
-            scales = tuple({key: float(figures[key][0]) for key in keys} for figures in self.at(self.start).figures)
-            if not all(math.isfinite(value) and value > 0.0 for scale in scales for value in scale.values()):
+            figures = self.at(self.start).figures
+            scales = {GOALS[name]: float(figures[GOALS[name]][0]) for name, _ in self.goal.weights}
+            if not all(math.isfinite(scale) and scale > 0.0 for scale in scales.values()):
                 raise ParameterError("objective", self.goal.label, "a single figure: the run at the start fails, so a sum has no scale")
             self._scales = scales
 
     def __call__(self, columns: Mapping[str, Array]) -> ObjectiveValues:
         """Run with parameter values [SI], each (n,)."""
-        figures = tuple(evaluator(columns) for evaluator in self.evaluators)
-        values = np.max([self._value(one, i) for i, one in enumerate(figures)], axis=0)
-        limited, largest = (np.max([one[key] for one in figures], axis=0) for key in ("limited_share", "command_largest"))
-        failed = np.any([one["failed_at"] >= 0.0 for one in figures], axis=0) | ~np.isfinite(values)
-        return ObjectiveValues(np.where(failed, np.inf, values), limited, largest, figures)
+        figures = self.evaluator(columns)
+        values = figures[GOALS[self.goal.weights[0][0]]]
+        if self._scales:
+            parts = [weight * figures[GOALS[name]] / self._scales[GOALS[name]] for name, weight in self.goal.weights]
+            values = np.asarray(np.sum(parts, axis=0))
+        failed = (figures["failed_at"] >= 0.0) | ~np.isfinite(values)
+        return ObjectiveValues(np.where(failed, np.inf, values), figures["limited_share"], figures["command_largest"], figures)
 
     def at(self, values: Mapping[str, float]) -> ObjectiveValues:
         """Run once with parameter values [SI]."""
         return self({name: np.array([value]) for name, value in values.items()})
-
-    def _value(self, figures: Mapping[str, Array], machine: int) -> Array:
-        if not self._scales:
-            return figures[GOALS[self.goal.weights[0][0]]]
-        scale = self._scales[machine]
-        parts = [weight * figures[GOALS[name]] / scale[GOALS[name]] for name, weight in self.goal.weights]
-        return np.asarray(np.sum(parts, axis=0))
 
 
 @dataclass(frozen=True, eq=False)

@@ -56,7 +56,7 @@ def placed_start(evaluator: Evaluator, goal: Goal, bounds: Bounds) -> Controller
             if np.isfinite(values).all():
                 columns[name] = values
     last = {name: float(values[-1]) for name, values in columns.items()}
-    runs = Objective([replace(evaluator, controller=candidates[-1])], Goal(goal.weights[:1]), last)(columns)
+    runs = Objective(replace(evaluator, controller=candidates[-1]), Goal(goal.weights[:1]), last)(columns)
     good = (runs.limited <= bounds.limited) & (runs.largest <= bounds.command)
     ranked = np.where(good, runs.value, np.inf)
     if not np.isfinite(ranked).any():

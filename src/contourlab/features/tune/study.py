@@ -173,7 +173,7 @@ def tune(
     start = evaluator.controller
     space = Space.chosen(machine, start, settings.parameters, settings.width)
     values = {variable.name: variable.nearest for variable in space.numbers}
-    search = _Search(Objective([evaluator], settings.goal, values), Guards([(machine, start)], settings.bounds), space, settings)
+    search = _Search(Objective(evaluator, settings.goal, values), Guards([(machine, start)], settings.bounds), space, settings)
     start_objective = float(search.objective.at(values).value[0])
     path, global_result, candidates = search.candidates(values, begin, progress)
     method, best, rejected = search.chosen(values, candidates)

@@ -78,7 +78,7 @@ def calibrate(first: int) -> Calibrated:
     values = {number.name: number.value for number in space.numbers}
     bounds = Bounds(gain_margin=0.0, phase_margin=0.0)
     guards, evaluator = Guards([(stage, start)], bounds), Evaluator(stage, start, reference)
-    path = sequential(Objective([evaluator], Goal(), values), guards, space, values, LineRule(plateau="best"))
+    path = sequential(Objective(evaluator, Goal(), values), guards, space, values, LineRule(plateau="best"))
     found = with_values(stage, start, path.values)[1]
     before, after = (evaluate(stage, one, reference, guards) for one in (made, found))
     return Calibrated({n: _gains(found, n) for n in (first, 3)}, found, before, after, path)

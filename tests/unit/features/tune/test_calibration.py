@@ -51,7 +51,7 @@ def test_each_step_moves_one_number_and_never_up() -> None:
     stage, made = rigid_stage(), position_control(model_gain=0.7, model_damping=4.0)
     space, evaluator = Space.chosen(stage, made), Evaluator(stage, made, circle())
     values = {number.name: number.value for number in space.numbers}
-    path = sequential(Objective([evaluator], Goal(), values), Guards([(stage, made)], Bounds()), space, values, LineRule(), passes=2)
+    path = sequential(Objective(evaluator, Goal(), values), Guards([(stage, made)], Bounds()), space, values, LineRule(), passes=2)
     assert [step.variable.name for step in path.steps[: len(space.names)]] == list(space.names)
     reached = [path.steps[0].objective_before, *(step.objective_after for step in path.steps)]
     assert all(later <= earlier for earlier, later in pairwise(reached))
@@ -173,11 +173,6 @@ def test_a_single_run_and_the_lanes_agree_on_the_answer() -> None:
 def test_the_worst_of_several_machines_counts() -> None:
     stages, made = (rigid_stage(), rigid_stage(0.8 * GAIN)), position_control()
     name = "controller.axes.x.controller.model_gain"
-    columns = {name: np.array([0.8, 1.0, 1.2])}
-    evaluators = [Evaluator(stage, made, circle()) for stage in stages]
-    both = Objective(evaluators, Goal(), {})(columns).value
-    each = [Objective([one], Goal(), {})(columns).value for one in evaluators]
-    np.testing.assert_array_equal(both, np.maximum(*each))
     guards = Guards([(stage, made) for stage in stages], Bounds())
     values = {name: 1.0, "controller.axes.x.controller.position_gain": 20000.0}
     worst = guards.exact(values)["x"]
@@ -224,9 +219,9 @@ def test_weights_count_in_parts_of_the_start() -> None:
     stage, made = rigid_stage(), position_control(model_gain=0.8)
     name = "controller.axes.x.controller.model_gain"
     goal = Goal.parse("integral=1,energy=0.5")
-    judged = Objective([Evaluator(stage, made, circle())], goal, {name: 0.8})({name: np.array([0.8, 1.2])})
+    judged = Objective(Evaluator(stage, made, circle()), goal, {name: 0.8})({name: np.array([0.8, 1.2])})
     assert judged.value[0] == pytest.approx(1.5)
-    parts = judged.figures[0]
+    parts = judged.figures
     energy, error = (parts[key][1] / parts[key][0] for key in ("command_energy", "contour_error_integral"))
     assert judged.value[1] == pytest.approx(error + 0.5 * energy)
 
@@ -237,7 +232,7 @@ def test_on_a_plateau_the_rule_decides(plateau: str) -> None:
     stage, made = rigid_stage(), position_control(model_gain=0.9 * GAIN)
     space = Space.chosen(stage, made, ["x.integral_gain"])
     values, evaluator = {space.names[0]: 5.0}, Evaluator(stage, made, circle())
-    objective, guards = Objective([evaluator], Goal(), values), Guards([(stage, made)], Bounds())
+    objective, guards = Objective(evaluator, Goal(), values), Guards([(stage, made)], Bounds())
     best = line_search(objective, guards, space.numbers[0], values, BEST)
     found = line_search(objective, guards, space.numbers[0], values, LineRule(plateau=plateau, within=0.2))
     assert found.objective_after <= 1.2 * best.objective_after * (1.0 + 1e-12)
