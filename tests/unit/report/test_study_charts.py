@@ -9,11 +9,12 @@ import pytest
 
 from contourlab.design import Number
 from contourlab.features.sensitivity.curves import Curve, Interval, Minimum
-from contourlab.features.sensitivity.pictures import curve_tile, curves_chart, indices_chart, interactions_chart
+from contourlab.features.sensitivity.pictures import curve_tile, indices_chart, interactions_chart
 from contourlab.report.matplotlib_view import line_drawing
 from contourlab.report.plotly_view import line_figure
 from contourlab.report.plots import write_charts
 from contourlab.report.reproduction_pictures import traces_chart
+from contourlab.report.study_charts import Multiples
 from contourlab.report.study_view import bars_drawing, matrix_drawing, multiples_drawing
 
 X = np.geomspace(1.0, 4.0, 9)
@@ -24,7 +25,7 @@ NAMES = ("a", "b_", "$c")
 
 
 def test_small_multiples_share_one_scale_and_shade_what_fails() -> None:
-    figure = multiples_drawing(curves_chart("curves", "error [um]", [CURVE] * 4))
+    figure = multiples_drawing(Multiples("curves", "curves", "", "error [um]", (CURVE,) * 4))
     places = [place for place in figure.axes if place.get_visible()]
     assert len(places) == 4 and len({place.get_ylim() for place in places}) == 1
     assert places[0].get_xscale() == "log" and places[0].get_yscale() == "log"
@@ -66,7 +67,7 @@ def test_a_span_of_x_is_shaded_and_named_in_print_and_on_the_page() -> None:
 
 
 def test_each_becomes_a_file(tmp_path: Path) -> None:
-    charts = [curves_chart("t", "y", [CURVE]), interactions_chart("t", NAMES, np.eye(3), np.eye(3) > 2.0)]
+    charts = [Multiples("curves", "t", "", "y", (CURVE,)), interactions_chart("t", NAMES, np.eye(3), np.eye(3) > 2.0)]
     assert [file.name for file in write_charts(charts, tmp_path, ("png", "svg"))] == [
         "curves.png",
         "curves.svg",

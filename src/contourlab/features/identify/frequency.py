@@ -20,7 +20,7 @@ from contourlab.analysis.identification.sine_response import sine_responses, sin
 from contourlab.analysis.identification.swept_response import is_sweep, swept_response
 from contourlab.features.identify.finding import Drawn, Finding, Graph, Picture
 from contourlab.features.identify.signals import AxisRecord, one_unit
-from contourlab.logs.naming import about
+from contourlab.logs.error_context import about
 
 Complex = NDArray[np.complex128]
 SHOWN = 24

@@ -17,11 +17,11 @@ from contourlab.features.measure.log_choice import LogChoice, open_log, told_apa
 from contourlab.features.refine.findings import unseen_findings
 from contourlab.features.refine.log_run import Agreement, LogRun, log_run
 from contourlab.features.refine.study import Refined, RefineSettings, Window, refine
-from contourlab.features.refine.text import agreement_table, parameter_table
 from contourlab.features.run.command import check_plots
+from contourlab.figures import figure
 from contourlab.findings import Finding, finding
-from contourlab.logs.naming import about
-from contourlab.report.table import paragraphs
+from contourlab.logs.error_context import about
+from contourlab.report.table import Column, Table, paragraphs
 from contourlab.result import write_text_atomic
 from contourlab.units import to_si
 
@@ -56,13 +56,32 @@ class Refinement:
 
     def text(self) -> str:
         """Return the tables, the findings, and the files written."""
-        result = self.result
-        groups = {"before": result.before, "fitted": result.after, "unseen before": result.unseen_before, "unseen": result.unseen}
-        groups |= {"validation before": self.validation_before, "validation": self.validation}
-        parts = [parameter_table(result).text(), agreement_table(groups).text(), paragraphs(map(str, self.findings))]
+        parts = [self._parameters().text(), self._agreements().text(), paragraphs(map(str, self.findings))]
         files = [] if self.machine_file is None else [f"machine: {self.machine_file}"]
         files += [f"controller: {file}" for file in self.controller_files] + [f"plot: {file}" for file in self.plots]
         return "\n\n".join(filter(None, [*parts, "\n".join(files)]))
+
+    def _parameters(self) -> Table:
+        heads = ("start", "refined", "deviation", "deviation if white")
+        table = Table([Column("parameter", left=True), *map(Column, heads)])
+        for parameter in self.result.parameters:
+            sought = parameter.sought
+            values = (sought.shown(sought.variable.value), sought.shown(parameter.value))
+            table.add(sought.label, *values, sought.shown(parameter.deviation, 2), sought.shown(parameter.white_deviation, 2))
+        return table
+
+    def _agreements(self) -> Table:
+        """Return how well the simulation follows the logs."""
+        result = self.result
+        groups = {"before": result.before, "fitted": result.after, "unseen before": result.unseen_before, "unseen": result.unseen}
+        groups |= {"validation before": self.validation_before, "validation": self.validation}
+        left = ("samples", "run", "axis", "signal")
+        table = Table([*(Column(head, left=True) for head in left), *map(Column, ("explained", "fit", "left, rms"))])
+        for name, agreements in groups.items():
+            for one in agreements:
+                rms = figure(one.rms, "um" if one.signal == "position" else "")
+                table.add(name, one.run, one.axis, one.signal, figure(one.explained, "%", 5), figure(one.fit / 100.0, "%", 4), rms)
+        return table
 
 
 def refine_logs(

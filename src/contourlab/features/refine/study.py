@@ -289,14 +289,12 @@ def _agreements(
     unseen_before: list[Agreement] = []
     unseen: list[Agreement] = []
     for run, end, signals, window in zip(runs, ends, simulated, windows, strict=True):
-        within = rows_within(run, window)
+        within, at_start = rows_within(run, window), run.once()
         moves = np.zeros_like(within)
         moves[slice(*run.moves)] = True
         fitted = within & moves if (within & moves).any() else within
-        at_start = run.once()
-        before += run.agreement(at_start, fitted)
-        after += end.agreement(signals, fitted)
-        if (moves & ~within).any():
-            unseen_before += run.agreement(at_start, moves & ~within)
-            unseen += end.agreement(signals, moves & ~within)
+        for rows, first, last in ((fitted, before, after), (moves & ~within, unseen_before, unseen)):
+            if rows.any():
+                first += run.agreement(at_start, rows)
+                last += end.agreement(signals, rows)
     return tuple(before), tuple(after), tuple(unseen_before), tuple(unseen)

@@ -23,8 +23,8 @@ def charts_of(study: Study) -> list[Multiples | Bars | Matrix]:
     figure, names = study.plan.judged, [variable.short for variable in study.space.numbers]
     charts: list[Multiples | Bars | Matrix] = []
     if study.curves is not None:
-        tiles = [curve_tile(curve) for curve in study.curves]
-        charts.append(curves_chart(f"One parameter at a time: {figure.label}", f"{figure.label} [{figure.unit}]", tiles))
+        tiles = tuple(curve_tile(curve) for curve in study.curves)
+        charts.append(Multiples("curves", f"One parameter at a time: {figure.label}", "", f"{figure.label} [{figure.unit}]", tiles))
     charts += _indices(study, names)
     if study.local is not None and len(names) > 1:
         title = f"Interactions near the present values: {figure.label}"
@@ -46,11 +46,6 @@ def curve_tile(curve: Curve) -> Tile:
         tuple((variable.shown(interval.low), variable.shown(interval.high)) for interval in curve.failed),
         variable.logarithmic,
     )
-
-
-def curves_chart(title: str, y_label: str, tiles: Sequence[Tile]) -> Multiples:
-    """Return one small picture for each parameter."""
-    return Multiples("curves", title, "", y_label, tuple(tiles))
 
 
 def _indices(study: Study, names: list[str]) -> Iterator[Bars]:

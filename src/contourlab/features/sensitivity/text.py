@@ -3,20 +3,16 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from typing import TYPE_CHECKING
 
 import numpy as np
 
-from contourlab.features.sensitivity.curves import CHANGE
+from contourlab.design import Number
+from contourlab.features.sensitivity.curves import CHANGE, Interval
+from contourlab.features.sensitivity.indices import Distribution, Sample
+from contourlab.features.sensitivity.runs import Array
 from contourlab.features.sensitivity.study import Study
 from contourlab.figures import figure
 from contourlab.report.table import Column, Table
-
-if TYPE_CHECKING:
-    from contourlab.design import Number
-    from contourlab.features.sensitivity.curves import Interval
-    from contourlab.features.sensitivity.indices import Distribution, Sample
-    from contourlab.features.sensitivity.runs import Array
 
 FEW = 24
 """A matrix of more parameters than this is left to JSON and the picture."""

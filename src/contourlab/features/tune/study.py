@@ -24,6 +24,7 @@ METHODS = ("sequential", "global", "both")
 STARTS = ("scenario", "placed")
 Candidate = tuple[float, str, dict[str, float]]
 """Objective, method, and values [SI]."""
+Problem = tuple[Objective, Guards, Space]
 
 
 @dataclass(frozen=True)
@@ -173,17 +174,17 @@ def tune(
     start = evaluator.controller
     space = Space.chosen(machine, start, settings.parameters, settings.width)
     values = {variable.name: variable.nearest for variable in space.numbers}
-    search = _Search(Objective(evaluator, settings.goal, values), Guards([(machine, start)], settings.bounds), space, settings)
-    start_objective = float(search.objective.at(values).value[0])
-    path, global_result, candidates = search.candidates(values, begin, progress)
-    method, best, rejected = search.chosen(values, candidates)
+    objective, guards = Objective(evaluator, settings.goal, values), Guards([(machine, start)], settings.bounds)
+    start_objective = float(objective.at(values).value[0])
+    path, global_result, candidates = _candidates((objective, guards, space), values, settings, begin, progress)
+    method, best, rejected = _chosen(objective, guards, values, candidates)
     begin("checking the result")
     best = {variable.name: float(variable.written(best[variable.name])) for variable in space.numbers}
     tuned = with_values(machine, start, best)[1]
-    after = evaluate(machine, tuned, reference, search.guards, seed=seed, moving=moving)
+    after = evaluate(machine, tuned, reference, guards, seed=seed, moving=moving)
     terms = drive_terms(machine, tuned, after.run)
     runs = evaluator.runs + (len(FRACTIONS) if settings.start == "placed" else 0) + 2
-    findings = [*_range_findings(space, best, search.guards), *rejected]
+    findings = [*_range_findings(space, best, guards), *rejected]
     if global_result is not None and global_result.values is None:
         findings.append(finding("CL603"))
     findings += [*linuxcnc_findings(terms), *_conclusions(settings.goal, before, after)]
@@ -221,48 +222,46 @@ def _conclusions(goal: Goal, before: Evaluation, after: Evaluation) -> Iterator[
             yield finding("CL609", FIGURES[key][0], ratio=after.figures[key] / before.figures[key])
 
 
-@dataclass(frozen=True)
-class _Search:
-    """The chosen methods, one after the other."""
+def _candidates(
+    problem: Problem,
+    values: Mapping[str, float],
+    settings: TuneSettings,
+    begin: Callable[[str], None],
+    progress: Callable[[int, int], None] | None,
+) -> tuple[SearchPath, GlobalResult | None, list[Candidate]]:
+    """Search from a start by the chosen methods; return the steps, the result of the global search, and the candidates."""
+    objective = problem[0]
+    candidates: list[Candidate] = []
+    begin("restoring the margins")
+    path = restore_margins(*problem, values)
+    starts = [path.values]
+    if settings.method != "global":
+        begin("one parameter at a time")
+        line = sequential(*problem, path.values, settings.rule, passes=settings.passes, progress=progress)
+        path = SearchPath(line.values, (*path.steps, *line.steps))
+        candidates.append((float(objective.at(line.values).value[0]), "sequential", line.values))
+        starts.append(line.values)
+    if settings.method == "sequential":
+        return path, None, candidates
+    begin("all parameters at once")
+    result = global_search(*problem, starts, starts=settings.starts, budget=settings.budget, seed=settings.seed, progress=progress)
+    if result.values is not None:
+        candidates.append((result.objective, "global", result.values))
+    return path, result, candidates
 
-    objective: Objective
-    guards: Guards
-    space: Space
-    settings: TuneSettings
 
-    def candidates(
-        self, values: Mapping[str, float], begin: Callable[[str], None], progress: Callable[[int, int], None] | None
-    ) -> tuple[SearchPath, GlobalResult | None, list[Candidate]]:
-        """Search from a start; return the steps, the result of the global search, and the candidates."""
-        settings, problem = self.settings, (self.objective, self.guards, self.space)
-        candidates: list[Candidate] = []
-        begin("restoring the margins")
-        path = restore_margins(*problem, values)
-        starts = [path.values]
-        if settings.method != "global":
-            begin("one parameter at a time")
-            line = sequential(*problem, path.values, settings.rule, passes=settings.passes, progress=progress)
-            path = SearchPath(line.values, (*path.steps, *line.steps))
-            candidates.append((float(self.objective.at(line.values).value[0]), "sequential", line.values))
-            starts.append(line.values)
-        if settings.method == "sequential":
-            return path, None, candidates
-        begin("all parameters at once")
-        result = global_search(*problem, starts, starts=settings.starts, budget=settings.budget, seed=settings.seed, progress=progress)
-        if result.values is not None:
-            candidates.append((result.objective, "global", result.values))
-        return path, result, candidates
+def _chosen(
+    objective: Objective, guards: Guards, values: Mapping[str, float], candidates: list[Candidate]
+) -> tuple[str, Mapping[str, float], list[Finding]]:
+    """Return method and values of the best candidate that keeps the bounds, with a finding for each better one that does not.
 
-    def chosen(self, values: Mapping[str, float], candidates: list[Candidate]) -> tuple[str, Mapping[str, float], list[Finding]]:
-        """Return method and values of the best candidate that keeps the bounds, with a finding for each better one that does not.
-
-        Where none keeps them, the best is returned all the same: its evaluation names what it breaks.
-        """
-        findings: list[Finding] = []
-        ranked = sorted(candidates, key=lambda candidate: candidate[0])
-        for _, method, found in ranked:
-            violations = self.objective.at(found).violations(found, self.guards)
-            if not violations:
-                return method, found, findings
-            findings.append(finding("CL604", method=method, bounds=violations))
-        return (*ranked[0][1:], findings[1:]) if ranked else ("none", values, findings)
+    Where none keeps them, the best is returned all the same: its evaluation names what it breaks.
+    """
+    findings: list[Finding] = []
+    ranked = sorted(candidates, key=lambda candidate: candidate[0])
+    for _, method, found in ranked:
+        violations = objective.at(found).violations(found, guards)
+        if not violations:
+            return method, found, findings
+        findings.append(finding("CL604", method=method, bounds=violations))
+    return (*ranked[0][1:], findings[1:]) if ranked else ("none", values, findings)
