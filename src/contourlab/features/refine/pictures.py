@@ -8,7 +8,7 @@ from typing import Any
 
 from contourlab.features.refine.study import Refined
 from contourlab.report import plots
-from contourlab.report.reproduction_pictures import traces_chart
+from contourlab.report.charts import traces_chart
 
 
 def draw(refined: Refined, folder: str | Path, formats: Sequence[str]) -> tuple[Path, ...]:

@@ -10,8 +10,8 @@ from numpy.typing import NDArray
 from contourlab.features.sensitivity.curves import Curve
 from contourlab.features.sensitivity.runs import Array
 from contourlab.features.sensitivity.study import Study
+from contourlab.report.charts import Bars, Matrix, Multiples, Series, Tile
 from contourlab.report.charts import Curve as Line
-from contourlab.report.study_charts import Bars, Matrix, Multiples, Series, Tile
 from contourlab.report.style import MUTED, scheme_style
 
 MICRO = 1e6
