@@ -19,8 +19,8 @@ def draw(found: Refined, folder: str | Path, formats: Sequence[str]) -> tuple[Pa
     formats : sequence of str
         Of ``"png"``, ``"svg"``, ``"pdf"``.
     """
+    from contourlab.report.charts import traces_chart
     from contourlab.report.plots import write_charts
-    from contourlab.report.reproduction_pictures import traces_chart
 
     charts = []
     for run, simulated, window in zip(found.runs, found.simulated, found.windows, strict=True):

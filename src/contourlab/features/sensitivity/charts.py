@@ -9,7 +9,7 @@ import numpy as np
 
 from contourlab.features.sensitivity.pictures import DrawnCurve, curves_chart, indices_chart, interactions_chart
 from contourlab.features.sensitivity.text import SHOWN
-from contourlab.report.study_charts import Bars, Matrix, Multiples
+from contourlab.report.charts import Bars, Matrix, Multiples
 
 if TYPE_CHECKING:
     from contourlab.features.sensitivity import Curve, Study

@@ -8,8 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from contourlab.report.charts import Curve
-from contourlab.report.study_charts import Bars, Matrix, Multiples, Series, Tile
+from contourlab.report.charts import Bars, Curve, Matrix, Multiples, Series, Tile
 from contourlab.report.style import MUTED, scheme_style
 
 Array = NDArray[np.float64]

@@ -9,8 +9,8 @@ import numpy as np
 import pytest
 
 from contourlab.components.controller.position import PositionController
-from contourlab.components.friction.none import NoFriction
-from contourlab.components.sensor.ideal import IdealSensor
+from contourlab.components.friction.laws import NoFriction
+from contourlab.components.ideal import IdealSensor
 from contourlab.design import Evaluator, Number, Space
 from contourlab.errors import ParameterError
 from contourlab.features.sensitivity import FIGURES, Kept, Plan, Runs, curves, distributions, local, ranking, sensitivity_study, verdict
