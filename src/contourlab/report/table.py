@@ -64,8 +64,8 @@ class Table:
     def text(self, width: int | None = None) -> str:
         """Return the table as lines of at most `width` characters, by default those of the page.
 
-        A table that is wider is cut into panels, one under the other, each with the columns that name the rows. Only a name that is wider than the page
-        itself goes beyond it.
+        A wider table is cut into panels, one under the other, each with the columns that name the rows. Only a name that is wider than
+        the page goes beyond it.
         """
         width = page_width() if width is None else width
         panels = [self._panel(which, width) for which in self._panels(width)]
