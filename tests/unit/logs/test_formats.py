@@ -192,7 +192,7 @@ def test_a_trace_says_what_is_new(tmp_path: Path) -> None:
         assert channel.time == pytest.approx((0.004 if channel is slow else 0.002) * np.arange(len(values)))
     columns = parse_columns(["position.x=Setpoint (64 bit) AX1", "position.y=Setpoint (64 bit) AX2 [mm]"])
     assert load_log(tmp_path / "a.xml", columns=columns).result["position"][:4, 0] == pytest.approx([1e-3, 2e-3, 2e-3, 2e-3])
-    with pytest.raises(LogError, match="AX2.*unit"):
+    with pytest.raises(LogError, match=r"AX2.*unit"):
         load_log(tmp_path / "a.xml", columns=parse_columns(["position.y=Setpoint (64 bit) AX2"]))
 
 

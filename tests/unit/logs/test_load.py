@@ -74,7 +74,7 @@ def test_times_that_nobody_needs_are_no_fault() -> None:
     even = np.arange(50) * 1e-3
     log = result_of(record(Channel("time", np.zeros(50), "s", even), Channel("x pos", even, "m", even)), Columns())
     assert log.result.servo_period == 1e-3
-    with pytest.raises(LogError, match="'time'.*coarsely"):
+    with pytest.raises(LogError, match=r"'time'.*coarsely"):
         result_of(record(Channel("time", np.zeros(50), "s"), Channel("x pos", even, "m")), Columns())
 
 
@@ -257,7 +257,7 @@ def test_a_time_without_a_unit_is_said(tmp_path: Path) -> None:
 def test_a_period_that_is_not_that_of_the_times(tmp_path: Path) -> None:
     file = table(tmp_path, "t [ms],x pos [mm]", np.column_stack([np.arange(50.0), np.arange(50.0)]))
     for period in (2e-3, 0.5e-3):
-        with pytest.raises(LogError, match="1000 us apart|period of 500 us"):
+        with pytest.raises(LogError, match=r"1000 us apart|period of 500 us"):
             load_log(file, period=period)
 
 

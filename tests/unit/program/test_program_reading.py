@@ -50,7 +50,7 @@ def test_grbl_does_not_hide_faults() -> None:
 
 
 def test_an_unknown_dialect() -> None:
-    with pytest.raises(ProgramError, match="'fanuc'.*linuxcnc, grbl"):
+    with pytest.raises(ProgramError, match=r"'fanuc'.*linuxcnc, grbl"):
         Reading(dialect="fanuc")  # type: ignore[arg-type]
 
 

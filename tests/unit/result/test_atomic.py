@@ -59,7 +59,7 @@ def test_files_are_as_readable_as_others(tmp_path: Path) -> None:
 def test_full_disk_while_bytes_are_written(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     (tmp_path / "a").write_bytes(b"old")
     monkeypatch.setattr(Path, "write_bytes", full)
-    with pytest.raises(OutputError, match="a: .*No space"):
+    with pytest.raises(OutputError, match=r"a: .*No space"):
         write_bytes_atomic(tmp_path / "a", b"new")
     only(tmp_path, "a", b"old")
 
