@@ -1,8 +1,7 @@
-"""Fewer points, same picture: what is left of a long signal still holds its first, last, lowest and highest value.
+"""Samples of a result for drawing: signals by name, in print units, thinned without changing the picture.
 
-The samples are cut into intervals of equal length, and of each interval the first, last, lowest and highest sample
-are kept. A line through them covers the same pixels as a line through all samples as long as an interval is no wider
-than a pixel (the M4 aggregation).
+Thinning cuts the samples into intervals of equal length and keeps the first, last, lowest and highest sample of each. A line through them
+covers the same pixels as a line through all samples if an interval is no wider than a pixel (M4 aggregation).
 
 References
 ----------
@@ -18,38 +17,71 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from contourlab.errors import ParameterError
+from contourlab.errors import ParameterError, ResultError
+from contourlab.report.data import ReportData
+from contourlab.result import Result
 
+Array = NDArray[np.float64]
 Index = NDArray[np.int64]
 
-KEPT = 4  # samples kept of an interval: first, lowest, highest, last
+KEPT = 4
+"""Samples kept of an interval: first, lowest, highest, last."""
+
+
+def signal(result: Result, name: str) -> Array:
+    """Return a signal's data.
+
+    Raises
+    ------
+    ResultError
+        If the result lacks it.
+    """
+    if name not in result:
+        held = ", ".join(result.signals) or "none"
+        raise ResultError(f"scheme {result.scheme!r} lacks the signal {name!r}: judge it first; it holds {held}")
+    return np.asarray(result[name], dtype=np.float64)
+
+
+def axis_column(result: Result, name: str, axis: int) -> Array:
+    """Return one axis of a signal as a contiguous vector (n_sample,)."""
+    return np.ascontiguousarray(signal(result, name)[:, axis])
+
+
+def error_signal(data: ReportData) -> str:
+    """Return the signal that the tolerance applies to; without blending the two errors are equal."""
+    return "part_error" if data.is_blended else "contour_error"
+
+
+def times(result: Result, samples: Index) -> Array:
+    """Return the times of some samples [s]."""
+    return np.asarray((samples + int(result.start)) * float(result.servo_period), dtype=np.float64)
+
+
+def largest_magnitude(values: Array) -> float:
+    """Return the largest finite magnitude, 0 if there is none."""
+    finite = values[np.isfinite(values)]
+    return float(np.max(np.abs(finite))) if finite.size else 0.0
 
 
 def keep_extremes(values: ArrayLike, budget: int) -> Index:
-    """Choose the samples that a drawing of `values` needs.
+    """Choose the samples that a drawing of `values` needs; linear in their number.
 
     Parameters
     ----------
     values : array_like (n_sample,) or (n_sample, n_column)
-        Any unit; nan stands for a gap and is never taken for an extreme. Of several columns each one's extremes are
-        kept, and the budget is divided between them.
+        Any unit; nan is a gap and never an extreme. Several columns share the budget; the extremes of each are kept.
     budget : int, >= 4 per column
         Most samples to keep.
 
     Returns
     -------
     ndarray of int (n_kept,)
-        Indices in ascending order, without repetition, ``n_kept <= budget``; all of them when ``n_sample <= budget``.
-        The first and the last sample and every column's minimum and maximum are among them.
+        Ascending indices, at most `budget`, with the first and last sample and every column's minimum and maximum.
 
     Raises
     ------
     ParameterError
         If the budget is too small.
-
-    Notes
-    -----
-    Linear in the number of samples.
 
     >>> keep_extremes([0.0, 1.0, 9.0, 2.0, 3.0, -7.0, 4.0, 5.0], 4)
     array([0, 2, 5, 7])
@@ -85,9 +117,9 @@ def _of_rows(rows: NDArray[np.float64], offset: int) -> Index:
 
 
 def _place(rows: NDArray[np.float64], pick: Callable[..., Any], filler: float) -> Index:
-    """Return the place of each row's extreme, passing over nan."""
+    """Return the index of each row's extreme, ignoring nan."""
     place: Index = pick(rows, axis=1)
-    # numpy answers nan's own place where a row holds one: only those rows are looked at again.
+    # numpy returns the index of nan where a row holds one: only those rows are done again.
     spoilt = np.flatnonzero(np.isnan(rows[np.arange(rows.shape[0]), place]))
     if spoilt.size:
         part = rows[spoilt]
@@ -96,7 +128,7 @@ def _place(rows: NDArray[np.float64], pick: Callable[..., Any], filler: float) -
 
 
 def share(total: int, n_curve: int, most: int) -> int:
-    """Return the points each of `n_curve` curves may have: `total` is for all together, `most` for one.
+    """Return the points that each of `n_curve` curves may have: at most `total` together and `most` each.
 
     >>> share(300_000, 200, 4000)
     1500
