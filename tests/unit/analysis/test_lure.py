@@ -93,8 +93,6 @@ def test_what_is_no_loop_is_refused(changes: dict[str, object], match: str) -> N
 
 
 def test_controllers_that_do_not_fit_are_refused() -> None:
-    with refuses(ParameterError, "rows of 4", value=[3]):
-        Feedback((1.0, 2.0, 3.0))
     with refuses(ParameterError, name="contact_feedback"):
         two_inertia_loop(PAPER, motor_pid(1.0, 1.0), SCHEME_III)
     with refuses(ParameterError, name="load_inertia", value=0.0):
