@@ -97,7 +97,6 @@ BY_AXIS = [
     ("name", "written", "words"),
     [
         ("stamped.csv", lambda run: as_table(run, "%Y%m%dT%H%M%S.%f", "stamp"), []),
-        ("colons.csv", lambda run: as_table(run, "%Y-%m-%d %H:%M:%S:%f", "stamp"), []),
         ("two.csv", lambda run: as_table(run, "%d.%m.%Y;%H:%M:%S,%f", "Datum;Uhrzeit"), []),
         ("clock.csv", lambda run: as_table(run, "%H:%M:%S.%f", "at"), []),
         ("coarse.csv", lambda run: as_table(run, "%d/%m/%y;%H:%M:%S", "Date;Time"), ["--period", "1ms"]),

@@ -9,11 +9,10 @@ from dataclasses import dataclass, field
 import numpy as np
 from numpy.typing import NDArray
 
-from contourlab.analysis.linear.internal_stability import internal_stability
-from contourlab.analysis.linear.loop_lanes import lane_loops, margin_factors, unstable_by
+from contourlab.analysis.linear.contour_transfer import internal_stability
+from contourlab.analysis.linear.loop_lanes import lane_loops, margin_factors, rough_margins, sampled_loops, unstable_by
 from contourlab.analysis.linear.margins import Margins
 from contourlab.analysis.linear.sampled_loop import SampledLoop, sampled_loop
-from contourlab.analysis.linear.sampled_loops import rough_margins, sampled_loops
 from contourlab.design.values import axes_of, with_values
 from contourlab.design.variables import ROUNDING
 from contourlab.errors import ComponentError, ParameterError

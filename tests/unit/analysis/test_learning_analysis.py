@@ -9,20 +9,23 @@ import numpy as np
 import pytest
 from coupled_axes import circle, stages, unlike
 from numpy.typing import NDArray
+from refusals import mentions
 
-from contourlab.analysis.learning.learning_analysis import learning_analysis
-from contourlab.analysis.learning.learning_frequency import averaging, error_factor, frequency_learning, robust_factor
-from contourlab.analysis.learning.learning_law import law_kernels
+from contourlab.analysis.learning.learning_analysis import (
+    design_zero_phase,
+    first_zero,
+    largest_gain,
+    learning_analysis,
+    quarter_turn,
+    worst_zero_phase,
+)
+from contourlab.analysis.learning.learning_frequency import averaging, frequency_learning, law_kernels
 from contourlab.analysis.learning.learning_lifted import TrialOperator, lifted_learning
-from contourlab.analysis.learning.learning_rules import design_zero_phase, first_zero, largest_gain, quarter_turn, worst_zero_phase
 from contourlab.analysis.linear.coupled_loop import coupled_loop
 from contourlab.components.coupling.cross_coupled import CrossCoupled
-from contourlab.components.learning.cross_coupled import CrossCoupledLearning
+from contourlab.components.learning.error_law import CrossCoupledLearning, PType, ZeroPhase
 from contourlab.components.learning.law import LearningLaw, TrialRecord
-from contourlab.components.learning.norm_optimal import NormOptimal
-from contourlab.components.learning.p_type import PType
-from contourlab.components.learning.plant_inversion import PlantInversion
-from contourlab.components.learning.zero_phase import ZeroPhase
+from contourlab.components.learning.least_squares import NormOptimal, PlantInversion
 from contourlab.errors import ComponentError
 from contourlab.feed import uniform
 from contourlab.geometry import contour
@@ -73,7 +76,7 @@ def test_p_type_learning_at_half_the_integral_gain_passes_one_where_published(t_
     w = TURN * np.linspace(0.5, 30.0, 30000)
     s = 1j * w
     plant = 150.0**2 / (s * (s * s + 330.0 * s + 150.0**2))
-    factor = np.abs(error_factor(1.0, 0.5 / t_a, plant / (1.0 + 1.0 / (s * t_a))))
+    factor = np.abs(1.0 - 0.5 / t_a * plant / (1.0 + 1.0 / (s * t_a)))
     assert w[np.argmax(factor > 1.0)] / TURN == pytest.approx(hertz, abs=0.06)
     machine, controller = stages(t_a, 0.0)
     response = frequency_learning(coupled_loop(machine, controller), PType(gain=0.5 / t_a))
@@ -103,13 +106,6 @@ def test_the_rules_of_a_delayed_loop() -> None:
         dense = np.linspace(1e-3, math.pi / period, 40000)
         factor = 1.0 - made.gain * averaging(dense, period, made.half_width, made.passes, made.lead) * integrating(t_a, delay)(dense)
         assert np.abs(factor).max() <= made.worst_factor + 1e-9
-
-
-def test_uncertainty_is_the_worst_of_all_plants() -> None:
-    g, w = 0.4 * np.exp(-0.7j), 0.5
-    turned = g * (1.0 + w * np.exp(1j * np.linspace(0.0, TURN, 3601)))
-    worst = np.abs(error_factor(0.9, 1.2, turned)).max()
-    assert robust_factor(0.9, 1.2, g, w) == pytest.approx(worst, rel=1e-6)
 
 
 def test_a_law_is_known_by_its_impulses() -> None:
@@ -176,7 +172,7 @@ def test_laws_with_a_model_learn_steadily_where_it_is_right() -> None:
     for law in (NormOptimal(), NormOptimal(contour_weight=3.0), PlantInversion(gain=0.8, regularisation=1e-3)):
         assert frequency_learning(loop, law).worst_norm[1] <= 1.0 + 1e-9
     operator = TrialOperator(loop, NormOptimal(), circle(40))
-    with pytest.raises(ComponentError, match="learns through a model"):
+    with pytest.raises(ComponentError, match="norm-optimal"):
         operator.transposed(np.zeros((40, 2)))
 
 
@@ -186,15 +182,15 @@ def test_warnings_are_in_words() -> None:
     assert not found.monotone
     assert found.worst_factor == pytest.approx(1.025, abs=2e-3)
     assert found.worst_frequency / TURN == pytest.approx(9.3, abs=0.3)
-    assert any("M = 11 at 1 ms amplifies 9.1 Hz by 2.6 % per trial" in text for text in found.warnings)
-    assert any("a second pass alone does not cure it" in text for text in found.warnings)
+    assert mentions(found.warnings, "M = 11 ", " 1 ms ", "9.1 Hz", "2.6 %")
+    assert mentions(found.warnings, "second pass")
     assert found.design is not None
     better = ZeroPhase(gain=found.design.gain, half_width=found.design.half_width, passes=found.design.passes, lead=found.design.lead)
     assert learning_analysis(*stages(0.1, 15e-3), better).worst_factor <= 1.001
     bare = learning_analysis(*stages(0.1, 0.0), PType(gain=5.0))
-    assert any("without a Q-filter" in text for text in bare.warnings)
+    assert mentions(bare.warnings, "Q-filter")
     slow = learning_analysis(*stages(0.15, 15e-3, 0.03), ZeroPhase())
-    assert any("M = 11 at 30 ms amplifies" in text for text in slow.warnings)
+    assert mentions(slow.warnings, "M = 11 ", " 30 ms ")
 
 
 def test_a_law_that_converges_is_said_to() -> None:
@@ -208,5 +204,5 @@ def test_a_law_that_converges_is_said_to() -> None:
 
 
 def test_nothing_is_learned_on_an_unstable_axis() -> None:
-    with pytest.raises(ComponentError, match="unstable under its own controller"):
+    with pytest.raises(ComponentError, match=r"\bx\b.*unstable"):
         learning_analysis(*stages(5e-3, 15e-3), ZeroPhase())

@@ -17,10 +17,9 @@ from contourlab.analysis.linear.margins import margins
 from contourlab.analysis.linear.sampled_loop import sampled_loop
 from contourlab.analysis.linear.tick_map import spectral_radius
 from contourlab.components.contract import Component, param
-from contourlab.components.disturbance.sine import SineLoad
-from contourlab.components.drive.delayed_saturation import DelayedSaturation
-from contourlab.components.drive.saturation import Saturation
-from contourlab.components.friction.coulomb import Coulomb
+from contourlab.components.disturbance.loads import SineLoad
+from contourlab.components.drive.saturation import DelayedSaturation, Saturation
+from contourlab.components.friction.laws import Coulomb
 from contourlab.components.plant.mass_damper import MassDamper
 from contourlab.components.plant.rigid_axis import RigidAxis
 from contourlab.components.sensor.encoder import Encoder
@@ -272,12 +271,12 @@ class DeadBand(Component):
 
 
 def test_a_step_that_is_not_linear_is_named() -> None:
-    with pytest.raises(ComponentError, match=r"x\.controller is not linear"):
+    with pytest.raises(ComponentError, match=r"x\.controller .*linear"):
         sampled_loop(axis(), AxisController(DeadBand()), T)
 
 
 def test_a_delay_that_would_take_too_long_is_refused() -> None:
-    with pytest.raises(ComponentError, match="delay of more than 1000 servo periods"):
+    with pytest.raises(ComponentError, match=r"axis x: .*\b1000\b"):
         sampled_loop(axis(DelayedSaturation(delay=5.0)), controller(), T)
 
 

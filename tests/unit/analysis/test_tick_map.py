@@ -11,12 +11,11 @@ from scipy.signal import cont2discrete
 from contourlab.analysis.linear.tick_map import spectral_radius, tick_map, tick_matrix
 from contourlab.components.contract import Component
 from contourlab.components.controller.position import PositionController
-from contourlab.components.drive.delayed_saturation import DelayedSaturation
-from contourlab.components.drive.saturation import Saturation
+from contourlab.components.drive.saturation import DelayedSaturation, Saturation
+from contourlab.components.ideal import TrueVelocity
 from contourlab.components.observer.disturbance_observer import DisturbanceObserver
 from contourlab.components.plant.rigid_axis import RigidAxis
 from contourlab.components.velocity.filtered_difference import FilteredDifference
-from contourlab.components.velocity.true import TrueVelocity
 from contourlab.engine.schedule import Late, Node, Schedule
 from contourlab.engine.step import Port, Step
 from contourlab.errors import ComponentError
@@ -220,7 +219,7 @@ def test_map_of_externals() -> None:
 
 
 def test_what_is_not_linear_has_no_map() -> None:
-    with pytest.raises(ComponentError, match="s is not linear"):
+    with pytest.raises(ComponentError, match=r"^s .*linear"):
         tick_map(summed(3.0, bend=1e-6))
 
 
@@ -229,7 +228,7 @@ def test_a_step_that_breaks_has_no_map() -> None:
         return (), (1.0 / (inp.u - 1.0),)
 
     made = Step("break", step, inputs=(Port("u"),), outputs=(Port("y"),))
-    with pytest.raises(ComponentError, match="cannot be run"):
+    with pytest.raises(ComponentError, match="division by zero"):
         tick_map(Schedule((Node("s", made, {"u": "in.u"}),), (Port("u"),), 1.0, 1))
 
 

@@ -18,7 +18,7 @@ from hypothesis import strategies as st
 from texts_of_scenarios import CONTROLLER, SCENARIO
 
 from contourlab.components.drive.saturation import Saturation
-from contourlab.components.friction.coulomb import Coulomb
+from contourlab.components.friction.laws import Coulomb
 from contourlab.components.plant.rigid_axis import RigidAxis
 from contourlab.components.sensor.encoder import Encoder
 from contourlab.errors import ContourlabError
@@ -199,8 +199,8 @@ def outcome_of_tree(tree: dict[str, Any]) -> str:
     except ContourlabError as error:
         assert str(error)
         return "refused"
-    again = parse_scenario(scenario.text)
-    assert again.text == scenario.text
+    again = parse_scenario(dump(scenario))
+    assert dump(again) == dump(scenario)
     return "read"
 
 

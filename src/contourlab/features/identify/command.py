@@ -8,8 +8,8 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
-from contourlab.app.results import check_file, staged
 from contourlab.app.json_values import json_values
+from contourlab.app.results import check_file, staged
 from contourlab.components.origin import Origin
 from contourlab.features.identify.finding import Figure, Finding, Picture
 from contourlab.features.identify.requests.register import study_of

@@ -8,7 +8,7 @@ from dataclasses import dataclass, replace
 from typing import Any
 
 from contourlab.components.contract import Component
-from contourlab.components.link.ideal import IdealLink
+from contourlab.components.ideal import IdealLink
 from contourlab.components.link.network import Network
 from contourlab.errors import ParameterError
 from contourlab.features.link.sweep import FIGURES, QUANTITIES, SEEDS, LinkSetting, LinkSweep, swept

@@ -13,8 +13,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from contourlab import __version__
-from contourlab.app.results import staged
 from contourlab.app.json_values import json_values
+from contourlab.app.results import staged
 from contourlab.errors import LogError, ParameterError, ResultError, UnitError
 from contourlab.features.measure.gap_words import gap_words
 from contourlab.features.measure.log_choice import LogChoice, is_program, open_log, positive, program_path, reference_columns, told_apart
@@ -22,7 +22,7 @@ from contourlab.features.measure.study import Measured, measure
 from contourlab.features.run.command import RunOutcome, check_plots, file_names
 from contourlab.features.run.summary import SCHEMA
 from contourlab.logs import Log
-from contourlab.logs.naming import about
+from contourlab.logs.error_context import about
 from contourlab.metrics import reversal_figures
 from contourlab.metrics.circles import pairs
 from contourlab.result import write_text_atomic
@@ -204,7 +204,7 @@ def _scheme(run: _Judged) -> dict[str, Any]:
 
 def _report(runs: Sequence[_Judged], title: str, limit: float | None, folder: Path, command: str, plots: Sequence[str]) -> str:
     from contourlab.report.html import write_html
-    from contourlab.report.reversal_table import reversal_text
+    from contourlab.report.page_tables import reversal_text
     from contourlab.report.tables import comparison_text
 
     data = _report_data(runs, title, limit, command)

@@ -12,7 +12,7 @@ from contourlab.features.run.causes import Cause, causes
 from contourlab.feed import Reference
 from contourlab.loop import Controller, Machine
 from contourlab.metrics import evaluation_window
-from contourlab.metrics.coverage import left_out
+from contourlab.metrics.figures import left_out
 from contourlab.result import Result
 
 

@@ -21,9 +21,11 @@ WarmStart = tuple[Mapping[str, float], ...]
 """A design from elsewhere: values [SI] by dotted names for each variant, or once for all."""
 STARTS = 5
 """Points from which a search starts."""
-EXPLORED, POPULATION, STEPS = 0.4, 16, (0.2, 0.05, 0.01)
-"""Part of the budget before the first restart, size of the first generation, and first step of the search and of its restarts as a part
-of the box. The optima lie along narrow, bent valleys, as gains make up for each other: long steps overshoot them."""
+ALONE, SHARED, RESTARTS = 0.2, 0.1, (0.05, 0.01)
+"""First step of a search as a part of the box: for one variant, for a shared design, which starts from known ones, and for the restarts.
+The optima lie along narrow, bent valleys, as gains make up for each other: long steps overshoot them."""
+EXPLORED, POPULATION = 0.4, 16
+"""Part of the budget before the first restart, and size of the first generation."""
 EVENNESS = 0.01
 """Weight of the mean loss beside the largest: it decides between designs that are equal for the worst variant."""
 
@@ -55,18 +57,19 @@ class SwapSettings:
     known: tuple[WarmStart, ...] = ()
 
 
-def restarted(objective: Objective, starts: Array, budget: int, seed: int, target: float = -math.inf) -> Found:
+def restarted(
+    objective: Objective, starts: Array, budget: int, seed: int, step: float = ALONE, target: float = -math.inf
+) -> Found:
     """Search from all starts (n_start, n), then restart from the best, until `budget` candidates are tried or `target` is reached.
 
     Each restart has a smaller first step and generations twice as large: the count of an encoder makes the objective rough near its
     optimum (Auger & Hansen, CEC 2005).
     """
     first = max(int(EXPLORED * budget), 1)
-    found = search(objective, starts, budget=first, seed=seed, spread=STEPS[0], population=POPULATION, target=target)
+    found = search(objective, starts, budget=first, seed=seed, spread=step, population=POPULATION, target=target)
     runs, size, turn = found.runs, POPULATION, 1
     while budget - runs > size and found.value > target:
-        step = STEPS[min(turn, len(STEPS) - 1)]
-        options = {"seed": seed + 1000 * turn, "spread": step, "population": size, "target": target}
+        options = {"seed": seed + 1000 * turn, "spread": RESTARTS[min(turn, len(RESTARTS)) - 1], "population": size, "target": target}
         more = search(objective, found.point[None], budget=budget - runs, **options)  # type: ignore[arg-type]
         found = replace(found, point=more.point, value=more.value)
         runs, size, turn = runs + more.runs, 2 * size, turn + 1
@@ -260,7 +263,7 @@ class SwapSearch:
             optima, own = variants.best_points, np.array([name in chosen for name in variants.space.names])
             starts = [self.inherit_best(chosen).points, *(np.where(own, optima, point) for point in optima[: STARTS - 3]), optima]
             rows = np.array([shared.gathered(start) for start in (*starts, np.tile(variants.space.start, (len(variants), 1)))])
-            found = restarted(objective, rows, budget, self.settings.seed + 10 * self.searches + 5, target)
+            found = restarted(objective, rows, budget, self.settings.seed + 10 * self.searches + 5, SHARED, target)
             points = shared.spread(found.point[None])
             values, broken = variants.values(points)
             return {"points": points[:, 0], "values": np.where(broken > 0.0, np.inf, values)[:, 0]}

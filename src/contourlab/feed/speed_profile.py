@@ -1,0 +1,204 @@
+"""Turn v^2 at samples into a motion, and check what it demands: recursions along the samples of stretches, as in `kernels`.
+
+They are compiled by `contourlab.native.compile`, and run as plain Python as well.
+"""
+
+# mypy: disable-error-code="no-untyped-def, no-untyped-call"
+from __future__ import annotations
+
+import math
+
+
+def clock(arc_length, square, first, last, free, period, time, lasting, count):
+    """Fill the time at each sample, counted from the start of its block.
+
+    Parameters
+    ----------
+    arc_length, square (n,)
+    first, last (n_block,)
+        Samples at which each block begins and ends; a block begins at the sample where the one before ends, or at a stop.
+    free (n_block,)
+        Zero for a block that is to take a whole number of periods: it is slowed down for the rest of one, gently, and not at its ends.
+    period [s]
+        0: none is slowed down.
+    time (n,) [s]
+        Filled, but for the end of a block, whose time is `lasting`.
+    lasting (n_block,) [s], count (n_block,)
+        Filled: the time that each block takes, and how many periods that are begun.
+    """
+    for block in range(first.size):
+        so_far = 0.0
+        before = math.sqrt(square[first[block]])
+        time[first[block]] = 0.0
+        for i in range(first[block] + 1, last[block] + 1):
+            speed = math.sqrt(square[i])
+            step, both = arc_length[i] - arc_length[i - 1], speed + before
+            so_far += 2.0 * step / both if step > 0.0 and both > 0.0 else 0.0
+            if i < last[block]:
+                time[i] = so_far
+            before = speed
+        lasting[block] = so_far
+        if period == 0.0:
+            continue
+        count[block] = max(math.ceil(so_far / period - 1e-9), 1)
+        if free[block] == 0:
+            lasting[block] = count[block] * period
+            more = lasting[block] - so_far
+            for i in range(first[block] + 1, last[block]):
+                part = time[i] / so_far
+                time[i] += more * part * part * (3.0 - 2.0 * part)
+
+
+def steps(arc_length, square, time, first, last, lasting, begin, count, period, mean):
+    """Fill the mean speed in each step of the time grid; the last step of a block that ends within it is short.
+
+    Parameters
+    ----------
+    arc_length, square, time (n,); first, last, lasting, count (n_block,)
+        As for `clock`.
+    begin (n_block,)
+        First step of each block.
+    period [s]
+        Of the grid.
+    mean (n_step,) [m/s]
+        Filled in the steps of the blocks.
+    """
+    for block in range(first.size):
+        i, reached, end = first[block], 0.0, last[block]
+        whole = arc_length[end] - arc_length[i]
+        origin = arc_length[i]
+        for k in range(1, count[block] + 1):
+            at, place = k * period, whole
+            if k < count[block]:
+                while i + 1 < end and time[i + 1] <= at:
+                    i += 1
+                # A block that was slowed down passes its intervals in proportion.
+                until = lasting[block] if i + 1 == end else time[i + 1]
+                part = (at - time[i]) / (until - time[i]) if until > time[i] else 1.0
+                low, high = math.sqrt(square[i]), math.sqrt(square[i + 1])
+                both = low + high
+                step = arc_length[i + 1] - arc_length[i]
+                if both > 0.0:
+                    place = arc_length[i] - origin + step * part * (2.0 * low + part * (high - low)) / both
+                place = min(max(place, reached), whole)
+            mean[begin[block] + k - 1] = (place - reached) / period
+            reached = place
+
+
+def _over(tangent, second, third, row, v, a, j, velocity, acceleration, jerk, worst):
+    """Raise worst: velocity, acceleration, jerk as parts of the limits, and the part of the jerk limit that turning alone takes.
+
+    The limits are given by their inverses.
+    """
+    for axis in range(velocity.size):
+        t, k = tangent[row, axis], second[row, axis]
+        worst[0] = max(worst[0], abs(t * v) * velocity[axis])
+        worst[1] = max(worst[1], abs(t * a + k * v * v) * acceleration[axis])
+        turn = third[row, axis] * v * v * v
+        whole = abs(t * j + 3.0 * k * v * a + turn) * jerk[axis]
+        if whole > worst[2]:
+            worst[2] = whole
+            worst[3] = abs(turn) * jerk[axis]
+
+
+def _between(tangent, second, third, i, gap, part, here):
+    """Fill `here` with the derivatives of the path between the samples i and i + 1: cubics and, for the third, a quadratic."""
+    for axis in range(tangent.shape[1]):
+        t0, t1 = tangent[i, axis], tangent[i + 1, axis]
+        k0, k1 = second[i, axis], second[i + 1, axis]
+        c0, c1 = third[i, axis], third[i + 1, axis]
+        if gap <= 0.0 or (k0 == 0.0 and k1 == 0.0):
+            here[0, 0, axis], here[1, 0, axis], here[2, 0, axis] = t0, k0, c0
+            continue
+        both = part * (1.0 - part)
+        # What the straight line between the two slopes misses of the rise.
+        t_bow, k_bow = (t1 - t0) / gap - 0.5 * (k0 + k1), (k1 - k0) / gap - 0.5 * (c0 + c1)
+        here[2, 0, axis] = c0 + part * (c1 - c0) + 6.0 * both * k_bow
+        here[1, 0, axis] = k0 + part * (k1 - k0) + gap * both * (0.5 * (c0 - c1) + (2.0 * part - 1.0) * k_bow)
+        here[0, 0, axis] = t0 + part * (t1 - t0) + gap * both * (0.5 * (k0 - k1) + (2.0 * part - 1.0) * t_bow)
+
+
+def _along(span, i, last, arc_length, tangent, second, third, ceiling, spans, velocity, acceleration, jerk, per_span, here, worst):
+    """Look at one span, from sample i on; return the last sample passed, the greatest demand, and where it is: sample, place, speed."""
+    lasting, s0, v0, a0, j = spans[span, 0], spans[span, 1], spans[span, 2], spans[span, 3], spans[span, 4]
+    for r in range(4):
+        worst[r] = 0.0
+    before, at, most = 0.0, s0, 0.0
+    where, place, speed = i, s0, v0
+    for step in range(per_span):
+        dt = lasting * step / (per_span - 1)
+        s = s0 + dt * (v0 + dt * (a0 / 2.0 + dt * j / 6.0))
+        # The samples on the way here, each end of a curve with its own derivatives.
+        while i < last and arc_length[i + 1] <= s:
+            i += 1
+            part = min(max((arc_length[i] - at) / (s - at), 0.0), 1.0) if s > at else 1.0
+            between = before + (dt - before) * part
+            v, a = v0 + between * (a0 + between * j / 2.0), a0 + between * j
+            _over(tangent, second, third, i, v, a, j, velocity, acceleration, jerk, worst)
+            worst[0] = max(worst[0], v / ceiling[i])
+            if max(worst[0], worst[1], worst[2]) > most:
+                most = max(worst[0], worst[1], worst[2])
+                where, place, speed = i, arc_length[i], v
+        v, a = v0 + dt * (a0 + dt * j / 2.0), a0 + dt * j
+        gap = arc_length[i + 1] - arc_length[i]
+        part = min(max((s - arc_length[i]) / gap, 0.0), 1.0) if gap > 0.0 else 0.0
+        _between(tangent, second, third, i, gap, part, here)
+        _over(here[0], here[1], here[2], 0, v, a, j, velocity, acceleration, jerk, worst)
+        worst[0] = max(worst[0], v / max(ceiling[i], ceiling[i + 1]))
+        if max(worst[0], worst[1], worst[2]) > most:
+            most = max(worst[0], worst[1], worst[2])
+            where, place, speed = i, s, v
+        before, at = dt, s
+    return i, most, where, place, speed
+
+
+def demand(
+    arc_length, tangent, second, third, ceiling, begin, spans, begin_span, velocity, acceleration, jerk, per_span, allowed, watched, here,
+    worst, peak, faults, count
+):  # fmt: skip
+    """Check a motion in every span and at every sample.
+
+    Parameters
+    ----------
+    arc_length, ceiling (n,); tangent, second, third (n, n_axis)
+    spans (n_span, 5)
+        Duration, s, v, a at the start, and the jerk.
+    begin, begin_span (n_stretch + 1,)
+        The samples and the spans of each stretch.
+    velocity, acceleration, jerk (n_axis,)
+        The inverses of the limits.
+    per_span
+        Places checked in each span, both ends among them.
+    allowed
+        Part of a limit that counts as kept.
+    watched (n,)
+        Zero at samples after which nothing is checked.
+    here (3, 1, n_axis), worst (4,)
+        Working memory.
+    peak (n_stretch,)
+        Filled with the greatest part of any limit that is needed in each stretch.
+    faults (n_span, 7)
+        Filled for each span that needs more than is allowed: sample before the worst place, arc length and speed there, the parts of
+        the velocity, acceleration and jerk limits, and that of the jerk limit which turning alone takes.
+    count (1,)
+        Number of faults.
+    """
+    count[0] = 0
+    for stretch in range(begin.size - 1):
+        i, last = begin[stretch], begin[stretch + 1] - 2
+        peak[stretch] = 0.0
+        for span in range(begin_span[stretch], begin_span[stretch + 1]):
+            while i < last and arc_length[i + 1] <= spans[span, 1]:
+                i += 1
+            if watched[i] == 0:
+                continue
+            i, most, where, place, speed = _along(
+                span, i, last, arc_length, tangent, second, third, ceiling, spans, velocity, acceleration, jerk, per_span, here, worst
+            )
+            peak[stretch] = max(peak[stretch], most)
+            if most > allowed:
+                k = count[0]
+                faults[k, 0], faults[k, 1], faults[k, 2] = where, place, speed
+                for r in range(4):
+                    faults[k, 3 + r] = worst[r]
+                count[0] = k + 1

@@ -1,0 +1,187 @@
+"""Find the curves of a path that may hold the closest point, by distances to their junctions alone.
+
+Between two joints the path is no longer than its arc length. So a stretch of length L, whose ends are d and e away, comes nowhere closer
+than (d + e - L) / 2, and is left out where a joint is closer than that. Stretches are halved, the better half first, until single curves
+are left: of thousands in a window a few, after some tens of distances.
+"""
+
+# mypy: disable-error-code="no-untyped-def, no-untyped-call"
+from __future__ import annotations
+
+from functools import cache
+from typing import Any
+
+import numpy as np
+
+from contourlab.geometry.curve import Array, Index
+from contourlab.geometry.curve_sequence import CurveSequence
+
+_FEW = 4
+"""Curves for each sample, on average, up to which all are candidates."""
+_DEPTH = 128
+_SLACK = 1e-9
+"""Metres by which arc lengths and distances may be off."""
+
+
+def curves_in_reach(path: CurveSequence, points: Array, around: Array, window: Array) -> tuple[Index, Index, Array, Array, Array]:
+    """Return pairs of a sample and a curve within its window on which the closest point may lie.
+
+    Parameters
+    ----------
+    path : CurveSequence
+    points : ndarray (n, n_axis) [m]
+    around, window : ndarray (n,) [m]
+        Progress along the path, and how far from it to look.
+
+    Returns
+    -------
+    sample, curve : ndarray (k,)
+        Rising, first by sample.
+    lap : ndarray (k,)
+    low, high : ndarray (k,) [m]
+        The part of the curve that lies in the window, as arc lengths along it.
+    """
+    first, last = around - window, around + window
+    if path.closed:
+        # More than half a lap on either side adds nothing.
+        first, last = np.maximum(first, around - 0.5 * path.length), np.minimum(last, around + 0.5 * path.length)
+    else:
+        first, last = np.clip(first, 0.0, path.length), np.clip(last, 0.0, path.length)
+    begin, end = _numbers(path, first), _numbers(path, last)
+    count = end - begin + 1
+    if count.sum() > _FEW * count.size:
+        sample, number = _searched(path, points, begin, end)
+    else:
+        sample = np.repeat(np.arange(around.size), count)
+        number = np.repeat(begin, count) + np.arange(count.sum()) - np.repeat(np.cumsum(count) - count, count)
+    m = len(path.curves)
+    lap = np.floor_divide(number, m)
+    curve = number - lap * m
+    offset = lap * path.length + path.breaks[curve]
+    span = np.diff(path.breaks)[curve]
+    low = np.clip(first[sample] - offset, 0.0, span)
+    high = np.clip(last[sample] - offset, 0.0, span)
+    return sample, curve, lap.astype(float), low, high
+
+
+def _numbers(path: CurveSequence, s: Array) -> Index:
+    """Return the curve on which each arc length lies, counted on from lap to lap."""
+    m = len(path.curves)
+    lap = np.floor(s / path.length) if path.closed else np.zeros(s.size)
+    curve = np.searchsorted(path.breaks, s - lap * path.length, side="right") - 1
+    return np.clip(curve, 0, m - 1) + (lap * m).astype(np.int64)
+
+
+def _searched(path: CurveSequence, points: Array, begin: Index, end: Index) -> tuple[Index, Index]:
+    joints, along = _joints(path)
+    n, samples, numbers = len(points), [], []
+    room, state = 4 * n + 64, np.zeros(2, dtype=np.int64)
+    ends, depths = np.empty((_DEPTH, 2), dtype=np.int64), np.empty((_DEPTH, 3))
+    points = np.ascontiguousarray(points)
+    while state[0] < n:
+        before, found, bound = int(state[0]), np.empty((room, 2), dtype=np.int64), np.empty(room)
+        _kernel()(joints, along, int(path.closed), points, begin, end, found, bound, state, ends, depths)
+        samples.append(found[: state[1], 0])
+        numbers.append(found[: state[1], 1])
+        # One sample may have more curves at the same distance than there is room for.
+        room = 2 * room if state[0] == before else room
+    return np.concatenate(samples), np.concatenate(numbers)
+
+
+def _joints(path: CurveSequence) -> tuple[Array, Array]:
+    """Return where curves meet (m + 1, n_axis), and how long the path is up to there, gaps of joints included; made once."""
+    held: Any = path.__dict__.get("_reach_joints")
+    if held is None:
+        starts, ends = path.starts[0], path.ends[0]
+        gap = np.linalg.norm(np.roll(starts, -1, axis=0) - ends, axis=1)
+        if not path.closed:
+            gap[-1] = 0.0
+        last = starts[:1] if path.closed else ends[-1:]
+        along = np.concatenate([[0.0], np.cumsum(np.diff(path.breaks) + gap)])
+        held = path.__dict__["_reach_joints"] = (np.ascontiguousarray(np.concatenate([starts, last])), along)
+    return held  # type: ignore[no-any-return]
+
+
+@cache
+def _kernel() -> Any:
+    from contourlab.native.compile import kernel  # the compiler is loaded where a window holds many curves
+
+    return kernel(search, "f8[:,:] f8[:] i8 f8[:,:] i8[:] i8[:] i8[:,:] f8[:] i8[:] i8[:,:] f8[:,:]")
+
+
+def _away(joints, closed, points, i, k):
+    """Return how far a point is from the joint at which curve k begins."""
+    m = joints.shape[0] - 1
+    at = k % m if closed else k
+    square = 0.0
+    for j in range(points.shape[1]):
+        square += (points[i, j] - joints[at, j]) ** 2
+    return square**0.5
+
+
+def _up_to(along, closed, k):
+    """Return how long the path is up to the joint at which curve k begins, laps included."""
+    m = along.shape[0] - 1
+    if closed:
+        return (k // m) * along[m] + along[k % m]
+    return along[k]
+
+
+def _least(along, closed, a, b, from_a, from_b):
+    """Return how close curves a to b - 1 may come to a point, by its distances to their ends."""
+    return 0.5 * (from_a + from_b - (_up_to(along, closed, b) - _up_to(along, closed, a)))
+
+
+def _keep(i, found, bound, start, count, best):
+    """Keep of one sample's curves those that may be the nearest, in the order of the path; return how many pairs there are now."""
+    kept = start
+    for k in range(start, count):
+        if bound[k] > best:
+            continue
+        number, least, at = found[k, 1], bound[k], kept
+        while at > start and found[at - 1, 1] > number:
+            found[at, 0], found[at, 1], bound[at] = i, found[at - 1, 1], bound[at - 1]
+            at -= 1
+        found[at, 0], found[at, 1], bound[at] = i, number, least
+        kept += 1
+    return kept
+
+
+def search(joints, along, closed, points, begin, end, found, bound, state, ends, depths):
+    """Write pairs of sample and curve into `found` from sample state[0] on, until it is full; state: the next sample, pairs written."""
+    count, i = 0, state[0]
+    while i < points.shape[0]:
+        start, best, top = count, np.inf, 1
+        ends[0, 0], ends[0, 1] = begin[i], end[i] + 1
+        depths[0, 0] = _away(joints, closed, points, i, begin[i])
+        depths[0, 1] = _away(joints, closed, points, i, end[i] + 1)
+        depths[0, 2] = _least(along, closed, begin[i], end[i] + 1, depths[0, 0], depths[0, 1])
+        while top:
+            top -= 1
+            a, b = ends[top, 0], ends[top, 1]
+            from_a, from_b, least = depths[top, 0], depths[top, 1], depths[top, 2]
+            if least > best:
+                continue
+            if b - a == 1:
+                if count == found.shape[0]:
+                    state[0], state[1] = i, start
+                    return
+                found[count, 0], found[count, 1], bound[count] = i, a, least
+                count += 1
+                continue
+            middle = (a + b) // 2
+            away = _away(joints, closed, points, i, middle)
+            # A joint inside the window is a place on the path: the closest point is no further away.
+            best = min(best, away + _SLACK)
+            left = _least(along, closed, a, middle, from_a, away)
+            right = _least(along, closed, middle, b, away, from_b)
+            later = top if left > right else top + 1
+            ends[later, 0], ends[later, 1] = a, middle
+            depths[later, 0], depths[later, 1], depths[later, 2] = from_a, away, left
+            later = top + 1 if left > right else top
+            ends[later, 0], ends[later, 1] = middle, b
+            depths[later, 0], depths[later, 1], depths[later, 2] = away, from_b, right
+            top += 2
+        count = _keep(i, found, bound, start, count, best)
+        i += 1
+    state[0], state[1] = i, count

@@ -1,0 +1,203 @@
+"""The exact foot point, for the judge: the closest point of a path, searched afresh for each sample.
+
+Within a window around each sample's progress along the path, every curve in reach gives its closest point: lines and flat arcs in
+closed form, other curves by samples and a Newton iteration held in its bracket. The nearest wins; among equals the one nearest to the
+progress, which keeps to the right branch where the path crosses itself.
+"""
+
+from __future__ import annotations
+
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from contourlab.errors import GeometryError
+from contourlab.geometry.bracketing import Bends, brackets
+from contourlab.geometry.broad_phase import curves_in_reach
+from contourlab.geometry.curve import Array, Index
+from contourlab.geometry.curve_sequence import CurveSequence
+from contourlab.geometry.table import PathTable, path_table
+
+_CHUNK = 1 << 17
+
+
+class FootPoint(NamedTuple):
+    """Closest points of a path.
+
+    arc_length : ndarray (n,) [m]
+        In the lap of the progress that was given.
+    position : ndarray (n, n_axis) [m]
+    distance : ndarray (n,) [m]
+    signed : ndarray (n,) [m]
+        Positive to the left of the direction of travel; NaN unless the path is planar. At a corner the side is that of the bisector.
+    """
+
+    arc_length: Array
+    position: Array
+    distance: Array
+    signed: Array
+
+
+def foot_point(path: CurveSequence, points: ArrayLike, around: ArrayLike, window: ArrayLike) -> FootPoint:
+    """Return the closest point of the path to each point, within `window` of a given progress.
+
+    Parameters
+    ----------
+    path : CurveSequence
+    points : array_like (n, n_axis) [m]
+    around : array_like (n,) [m]
+        Progress along the path; on a closed path it may count laps.
+    window : float or array_like (n,) [m], > 0
+        How far from the progress to look, for all or for each.
+
+    Returns
+    -------
+    FootPoint
+        Arc lengths good to 1e-12 of the path's length.
+
+    Raises
+    ------
+    GeometryError
+        If shapes do not fit, the window is not positive, or a point is not finite.
+    """
+    p, s = np.atleast_2d(np.asarray(points, dtype=float)), np.atleast_1d(np.asarray(around, dtype=float))
+    if p.shape != (s.size, path.n_axis):
+        raise GeometryError(f"points of shape {p.shape} with {s.size} values of progress: must be ({s.size}, {path.n_axis})")
+    reach = np.asarray(window, dtype=float)
+    if reach.shape not in ((), s.shape) or not (reach > 0.0).all():
+        raise GeometryError(f"window = {window!r}: must be > 0 m, one for all points or one for each")
+    reach = np.broadcast_to(reach, s.shape)
+    if not (np.isfinite(p).all() and np.isfinite(s).all()):
+        raise GeometryError("points and progress must be finite")
+    parts = [_chunk(path, p[i : i + _CHUNK], s[i : i + _CHUNK], reach[i : i + _CHUNK]) for i in range(0, s.size, _CHUNK)]
+    return FootPoint(*(np.concatenate(columns) for columns in zip(*parts, strict=True))) if parts else _nothing(path)
+
+
+def _nothing(path: CurveSequence) -> FootPoint:
+    return FootPoint(np.zeros(0), np.zeros((0, path.n_axis)), np.zeros(0), np.zeros(0))
+
+
+def _chunk(path: CurveSequence, points: Array, around: Array, window: Array) -> FootPoint:
+    sample, curve, lap, low, high = curves_in_reach(path, points, around, window)
+    local = np.empty(sample.size)
+    middle = np.clip(around[sample] - lap * path.length - path.breaks[curve], low, high)
+    searched = []
+    for each, on, slot in path.kind_of(curve):
+        direct = each.direct[slot]
+        if direct.any():
+            here, at = on[direct], slot[direct]
+            local[here] = each.closest(at, points[sample[here]], low[here], high[here], middle[here])
+        searched.append(on[~direct])
+    on = np.concatenate(searched)
+    if on.size:
+        local[on] = _on_curves(path, points[sample[on]], curve[on], low[on], high[on], middle[on])
+    feet = path.at(curve, local, 0)[0]
+    square = ((points[sample] - feet) ** 2).sum(axis=1)
+    progress = lap * path.length + path.breaks[curve] + local
+    best = _nearest(sample, square, np.abs(progress - around[sample]), around.size)
+    return _result(path, points, progress[best], curve[best], local[best], feet[best], np.sqrt(square[best]))
+
+
+def _on_curves(path: CurveSequence, points: Array, curve: Index, low: Array, high: Array, middle: Array) -> Array:
+    """Brackets that may hold the closest point, then Newton on r'.(r - p) with bisection as a guard.
+
+    All but the last steps are taken on the path's table, which is far cheaper than a spline by arc length and differs by a nanometre.
+    """
+    offset = path.breaks[curve]
+    table, bends = _near(path)
+    # At a joint the table already has the direction of the curve that begins there.
+    last = path.breaks[curve + 1] * (1.0 - 1e-15)
+
+    def near(pair: Index, s: Array, order: int) -> Array:
+        return np.asarray(
+            table.evaluate(np.minimum(s + offset[pair], last[pair]), order) if table is not None else path.at(curve[pair], s, order)
+        )
+
+    def exact(pair: Index, s: Array, order: int) -> Array:
+        return path.at(curve[pair], s, order)
+
+    def width(pair: Index, a: Array, b: Array) -> Array:
+        start = offset[pair]
+        bend = bends.largest(a + start, b + start) if bends is not None else 1.0 / _radii(path)[curve[pair]]
+        return 0.35 / np.maximum(bend, 1e-300)
+
+    pair, s, a, b = brackets(points, near, width, low, high, middle)
+    s = _newton(points, near, pair, s, a, b, 60, 1e-12 * path.length)
+    reach = 1e-7 * path.length
+    fine = _newton(points, exact, pair, s, np.maximum(s - reach, low[pair]), np.minimum(s + reach, high[pair]), 3, 1e-15 * path.length)
+    # Far from the path, near its centre of curvature, a nanometre in the table moves the foot by more.
+    off = np.flatnonzero(np.abs(fine - s) > 0.5 * reach)
+    if off.size:
+        fine[off] = _newton(points, exact, pair[off], s[off], a[off], b[off], 60, 1e-15 * path.length)
+    row = np.arange(curve.size)
+    pair, s = np.concatenate([row, row, pair]), np.concatenate([low, high, fine])
+    square = ((exact(pair, s, 0)[0] - points[pair]) ** 2).sum(axis=1)
+    return np.asarray(s[_nearest(pair, square, np.abs(s - middle[pair]), curve.size)])
+
+
+def _newton(points: Array, at: Any, pair: Index, s: Array, a: Array, b: Array, most: int, enough: float) -> Array:
+    """Improve foot points on their curves, each within its bracket."""
+    target = points[pair]
+    for _ in range(most):
+        r, first, second = at(pair, s, 2)
+        gap = r - target
+        g = np.einsum("ij,ij->i", first, gap)
+        h = np.einsum("ij,ij->i", first, first) + np.einsum("ij,ij->i", second, gap)
+        a, b = np.where(g < 0.0, s, a), np.where(g > 0.0, s, b)
+        newton = s - np.divide(g, h, out=np.full_like(g, np.inf), where=h > 0.0)
+        after = np.where((newton >= a) & (newton <= b), newton, 0.5 * (a + b))
+        moved = np.abs(after - s).max(initial=0.0)
+        s = after
+        if moved <= enough:
+            break
+    return s
+
+
+def _near(path: CurveSequence) -> tuple[PathTable | None, Bends | None]:
+    """Return the path's table where it has curves without a closed form by arc length, and its curvatures; made once."""
+    if all(each.sixth is not None for each, _ in path.kinds):
+        return None, None
+    held: Any = path.__dict__.get("_near")
+    if held is None:
+        table = path_table(path, 1e-9 * min(path.length, 1.0))
+        held = path.__dict__["_near"] = (table, Bends(table))
+    return held  # type: ignore[no-any-return]
+
+
+def _radii(path: CurveSequence) -> Array:
+    """Return the smallest radius of each curve; made once."""
+    held: Any = path.__dict__.get("_radii")
+    if held is None:
+        held = path.__dict__["_radii"] = np.empty(len(path.curves))
+        for each, numbers in path.kinds:
+            held[numbers] = each.smallest_radii()
+    return np.asarray(held)
+
+
+def _nearest(sample: Index, square: Array, away: Array, n: int) -> Index:
+    """Return, for each sample, its pair of least distance; ties (to a part in 1e12) go to the one least away."""
+    least = np.full(n, np.inf)
+    np.minimum.at(least, sample, square)
+    tied = square <= least[sample] * (1.0 + 1e-12) + 1e-30
+    nearest = np.full(n, np.inf)
+    np.minimum.at(nearest, sample[tied], away[tied])
+    winner = np.flatnonzero(tied & (away <= nearest[sample]))
+    found = np.empty(n, dtype=np.int64)
+    found[sample[winner][::-1]] = winner[::-1]
+    return found
+
+
+def _result(path: CurveSequence, points: Array, progress: Array, curve: Index, local: Array, feet: Array, distance: Array) -> FootPoint:
+    if not path.is_planar:
+        return FootPoint(progress, feet, distance, np.full(distance.size, np.nan))
+    tangent = path.at(curve, local, 1)[1]
+    span = np.diff(path.breaks)[curve]
+    m = len(path.curves)
+    for at_end, shift, edge in ((local >= span, 1, path.starts), (local <= 0.0, -1, path.ends)):
+        other = curve + shift
+        usable = at_end & (path.closed | ((other >= 0) & (other < m)))
+        tangent = np.where(usable[:, None], tangent + edge[1][np.mod(other, m)], tangent)
+    gap = points - feet
+    side = tangent[:, 0] * gap[:, 1] - tangent[:, 1] * gap[:, 0]
+    return FootPoint(progress, feet, distance, np.copysign(distance, side))
