@@ -237,11 +237,6 @@ class Space:
         wanted = set(names)
         return replace(self, numbers=tuple(variable for variable in self.numbers if variable.name in wanted))
 
-    def around(self, values: Mapping[str, float]) -> Space:
-        """Return the space with other start values, in the same bounds."""
-        moved = (replace(variable, value=float(values.get(variable.name, variable.value))) for variable in self.numbers)
-        return replace(self, numbers=tuple(moved))
-
 
 # --- values as a file has them -----------------------------------------------------------------------------------------------------------
 

@@ -10,7 +10,6 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from contourlab.features.link.cost import DivisionCost
-from contourlab.features.link.grid import EACH
 from contourlab.features.link.sweep import GROWN, QUANTITIES, LinkSweep
 from contourlab.figures import figure
 from contourlab.findings import Finding, finding
@@ -59,14 +58,9 @@ class SchemeCost:
 
     def _found(self) -> Iterator[Finding]:
         for quantity, sweep in self.divisions[0].sweeps.items():
-            step = float(np.diff(sweep.values).min()) if sweep.values.size > 1 else 0.0
-            first, last = amount(quantity, float(sweep.values[0])), amount(quantity, sweep.asked)
-            if not step:
-                yield finding("CL758", words(quantity), at=first)
-            elif round(sweep.asked / step) > EACH:
-                yield finding("CL760", words(quantity), step=amount(quantity, step), near=amount(quantity, EACH * step), last=last)
-            else:
-                yield finding("CL759", words(quantity), step=amount(quantity, step), last=last)
+            gaps = np.diff(sweep.values, prepend=0.0)
+            step = amount(quantity, float(gaps[gaps > 0.0].min()))
+            yield finding("CL759", words(quantity), step=step, last=amount(quantity, sweep.asked))
         for cost in self.divisions:
             for quantity, sweep in cost.sweeps.items():
                 yield from self._on_sweep(f"{cost.name}, {words(quantity)}", sweep)

@@ -16,6 +16,7 @@ from contourlab.features.run.margin_words import decibel, degrees
 from contourlab.features.swap.coverage import Coverage
 from contourlab.features.swap.linear import LinearSwap
 from contourlab.features.swap.network import NetworkCost
+from contourlab.features.swap.search import Optimum, SwapSettings
 from contourlab.features.swap.study import Choice, SwapStudy
 from contourlab.features.swap.variants import Variants
 from contourlab.figures import figure
@@ -33,10 +34,8 @@ class VariantResult:
     ----------
     best : float
         J*.
-    alone, alone_again : float
-        J that the searches for this variant alone reached; the second is nan if none was needed.
-    per_start : ndarray (n_start,)
-        J that each start of the first search reached.
+    alone : Optimum
+        What the searches for this variant alone reached.
     parameters : dict
         The design of J*.
     margins : dict of str to Margins
@@ -46,9 +45,7 @@ class VariantResult:
     """
 
     best: float
-    alone: float
-    alone_again: float
-    per_start: Array
+    alone: Optimum
     parameters: dict[str, float]
     margins: dict[str, Margins]
     broken: tuple[str, ...]
@@ -67,14 +64,11 @@ class SwapResult:
     full_modularity: bool
     local: tuple[str, ...] | None
     swap_loss: float
-    limit: float
     inconclusive: tuple[str, ...]
+    settings: SwapSettings
     objective: str
     floor: float
     guards: Bounds
-    budget: int
-    seed: int
-    exhaustive: bool
     runs: int
     warm_starts: tuple[str, ...]
     parameters: tuple[DesignVariable, ...]
@@ -98,15 +92,15 @@ def swap_result(
     findings: Sequence[Finding] = (),
 ) -> SwapResult:
     """Put together what was found; `findings` are those on the files that were read."""
-    variants, settings, best = study.variants, study.settings, study.recommended
+    variants, best = study.variants, study.recommended
     judged = {}
     for i, (name, point) in enumerate(zip(variants.names, (best or study.base).points, strict=True)):
-        values, guards, optimum = variants.space.values(point), variants.guards[i], study.optima[i]
+        values, guards = variants.space.values(point), variants.guards[i]
         margins = guards.exact(values)
         # How long drives are at their limits was counted in the runs.
         broken = guards.broken(values, 0.0, 0.0, margins)
         own = variants.space.values(variants.best_points[i])
-        judged[name] = VariantResult(float(variants.best[i]), optimum.value, optimum.again, optimum.per_start, own, margins, broken)
+        judged[name] = VariantResult(float(variants.best[i]), study.optima[i], own, margins, broken)
     kept = not any(one.broken for one in judged.values())
     modular = best is not None and not study.inconclusive
     return SwapResult(
@@ -115,14 +109,11 @@ def swap_result(
         full_modularity=study.full,
         local=None if best is None else best.local,
         swap_loss=study.base.swap_loss,
-        limit=settings.full,
         inconclusive=study.inconclusive,
+        settings=study.settings,
         objective=variants.objective,
         floor=variants.floor,
         guards=variants.bounds,
-        budget=settings.budget,
-        seed=settings.seed,
-        exhaustive=settings.exhaustive,
         runs=variants.runs,
         warm_starts=warm_starts,
         parameters=variants.space.numbers,
@@ -167,8 +158,8 @@ def _findings(
     for designs in linear:
         yield from designs.findings
     yield from others
-    settings, variants = study.settings, study.variants
-    yield finding("CL720", runs=variants.runs, budget=settings.budget, seed=settings.seed, guards=variants.bounds.words)
+    searched = {"runs": study.variants.runs, "budget": study.settings.budget, "seed": study.settings.seed}
+    yield finding("CL720", **searched, guards=study.variants.bounds.words)
 
 
 def _on_network(variants: Variants, cost: NetworkCost) -> Iterator[Finding]:

@@ -40,6 +40,13 @@ def number(name: str, value: float, low: float, high: float, logarithmic: bool =
 PLANE = Space((number("a", 2.0, 0.5, 8.0), number("b", 3.0, 1.0, 9.0)))
 
 
+def around(value: float) -> Space:
+    """Return `PLANE` with another start value of its first variable."""
+    first, *others = PLANE.numbers
+    return Space((replace(first, value=value), *others))
+
+
+
 def model(columns: Columns) -> dict[str, np.ndarray]:
     """A product of powers, which fails beyond a = 6: J = a^2 / b + a b."""
     a, b = columns.values()
@@ -76,7 +83,7 @@ def test_a_number_on_its_bound_and_one_that_fails_are_told() -> None:
     found = local(PLANE, judge, {PLANE.names[0]: (2.0, 9.0)})
     assert np.isnan(found.slopes[0].sensitivity) and found.slopes[0].doubt is not None and found.slopes[0].doubt.code == "CL670"
     assert np.isfinite(found.slopes[1].sensitivity) and np.isnan(found.interactions[0, 1])
-    near = local(PLANE.around({PLANE.names[0]: 5.9}), judge)
+    near = local(around(5.9), judge)
     assert near.slopes[0].doubt is not None and near.slopes[0].doubt.code == "CL671"
 
 
@@ -224,4 +231,4 @@ def test_failures_are_told() -> None:
 
 def test_a_run_that_fails_as_it_is_has_no_sensitivities() -> None:
     with pytest.raises(ParameterError, match="one that holds"):
-        sensitivity_study(PLANE.around({PLANE.names[0]: 7.0}), Runs(model), Plan(("local",)), distributions(PLANE), 1.0)
+        sensitivity_study(around(7.0), Runs(model), Plan(("local",)), distributions(PLANE), 1.0)
