@@ -12,8 +12,8 @@ import numpy as np
 
 from contourlab.app.folder import check_file, spared, staged
 from contourlab.errors import ParameterError, UnitError
-from contourlab.features.measure.likely import same_column, unlikely_motion
-from contourlab.features.measure.log_choice import LogChoice, open_log, told_apart
+from contourlab.features.measure.log_choice import LogChoice, distinct_names, open_log
+from contourlab.features.measure.plausibility import motion_findings, same_column_findings
 from contourlab.features.refine.log_run import Agreement, LogRun, log_run
 from contourlab.features.refine.remarks import shown, size_left, worse_than_before
 from contourlab.features.refine.study import Refined, RefineSettings, Window, refine
@@ -108,7 +108,7 @@ def refine_logs(
             from contourlab.features.refine.pictures import draw
 
             text += "".join(f"\nplot: {Path(folder) / file.relative_to(stage)}" for file in draw(found, stage / "plots", plots))
-    sources = told_apart([choice.file for choice in choices])
+    sources = distinct_names([choice.file for choice in choices])
     if out is not None:
         text += "".join(f"\n{line}" for line in _write(found, sources, Path(out)))
     return Refinement(found.usable, _summary(found, checked, sources), text)
@@ -122,7 +122,7 @@ def _read(files: Sequence[str | Path], plugins: Sequence[str | Path]) -> list[Sc
 
 def _labels(files: Sequence[str | Path]) -> list[str]:
     """Return what runs are called: the files' names, with the folders that tell those of one name apart; files of theirs have it too."""
-    names = [Path(name).with_suffix("").as_posix().replace("/", "-") for name in told_apart(files)]
+    names = [Path(name).with_suffix("").as_posix().replace("/", "-") for name in distinct_names(files)]
     return names if len(set(names)) == len(names) else [f"{name} {i + 1}" for i, name in enumerate(names)]
 
 
@@ -131,8 +131,11 @@ def _run(scenario: Scenario, choice: LogChoice, label: str) -> LogRun:
     with about(choice.file):
         run = log_run(scenario.machine, scenario.controller, log.result, label)
     notes = [f"{label}: {line}" for line in log.clock_notes()]
-    notes += unlikely_motion(run.position, run.machine.servo_period, f"an axis in {label}")
-    notes += same_column(run.machine.axis_names, run.asked, run.position, f" in {label}")
+    implausible = [
+        *motion_findings(run.position, run.machine.servo_period, label),
+        *same_column_findings(run.machine.axis_names, run.asked, run.position, label),
+    ]
+    notes += [finding.text for finding in implausible]
     return replace(run, notes=(*run.notes, *notes))
 
 
