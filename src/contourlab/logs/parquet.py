@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 
 from contourlab.errors import LogError
+from contourlab.extras import extra_module
 from contourlab.logs.reading import name_and_unit
 from contourlab.logs.record import Channel, Record
 
@@ -25,16 +26,13 @@ def read(file: Path) -> Record:
     Raises
     ------
     LogError
-        If pyarrow is not installed, or the file cannot be read.
+        If the file cannot be read.
     """
+    arrow = extra_module("pyarrow")
+    parquet = extra_module("pyarrow.parquet")
     try:
-        from pyarrow import ArrowException
-        from pyarrow import parquet as arrow
-    except ImportError as error:
-        raise LogError('Parquet needs pyarrow: pip install "contourlab[parquet]"', file=file) from error
-    try:
-        table = arrow.ParquetFile(file).read()
-    except (ArrowException, OSError, ValueError) as error:
+        table = parquet.ParquetFile(file).read()
+    except (arrow.ArrowException, OSError, ValueError) as error:
         raise LogError(f"cannot be read as Parquet: {str(error).splitlines()[0]}", file=file) from error
     channels, left = [], []
     for i, field in enumerate(table.schema):

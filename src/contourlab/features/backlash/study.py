@@ -9,10 +9,9 @@ from dataclasses import dataclass, field, replace
 import numpy as np
 from numpy.typing import NDArray
 
-from contourlab.analysis.backlash.axis_backlash import axis_backlash_loop
 from contourlab.analysis.backlash.limit_cycle_prediction import Prediction, predict_limit_cycles
-from contourlab.analysis.backlash.lure import BacklashLoop
-from contourlab.analysis.backlash.orbit_search import OrbitSearch, find_orbits
+from contourlab.analysis.backlash.lure import BacklashLoop, axis_backlash_loop
+from contourlab.analysis.backlash.periodic_orbit import OrbitSearch, find_orbits
 from contourlab.components.contract import Component
 from contourlab.components.gap_observer.multiple_model import MultipleModel
 from contourlab.components.plant.two_inertia import TwoInertia

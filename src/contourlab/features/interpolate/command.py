@@ -9,8 +9,7 @@ from pathlib import Path
 from typing import Any
 
 from contourlab.analysis.encoder.interpolation import interpolation_order
-from contourlab.analysis.encoder.quadrature import QuadratureConstants, fit_ellipse
-from contourlab.analysis.encoder.quadrature_tracking import track_ellipse
+from contourlab.analysis.encoder.quadrature import QuadratureConstants, fit_ellipse, track_ellipse
 from contourlab.app.folder import spared
 from contourlab.errors import ParameterError, UnitError
 from contourlab.features.interpolate.record import InterpolatedRecord

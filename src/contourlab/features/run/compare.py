@@ -8,10 +8,9 @@ from pathlib import Path
 from typing import Any, Protocol
 
 from contourlab.analysis.learning.learning_analysis import LearningAnalysis, learning_analysis
-from contourlab.analysis.linear.internal_stability import internal_stability
+from contourlab.analysis.linear.contour_transfer import internal_stability
 from contourlab.analysis.linear.margins import Margins
-from contourlab.analysis.linear.response import AxisResponse
-from contourlab.analysis.linear.sampled_loop import sampled_loop
+from contourlab.analysis.linear.sampled_loop import AxisResponse, sampled_loop
 from contourlab.components.learning.law import LearningLaw
 from contourlab.errors import ComponentError, ResultError
 from contourlab.features.learn import LearnedTable, LearningRun, Stopping, learn
