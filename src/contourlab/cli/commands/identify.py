@@ -54,7 +54,7 @@ def identify(
 ) -> int:
     """Find the model of an axis from logs, each figure with its deviation; write an axis file."""
     from contourlab.features.identify.command import identify_log
-    from contourlab.features.identify.requests.request import Request
+    from contourlab.features.identify.request import Request
     from contourlab.features.measure.log_choice import LogChoice
 
     request = Request(

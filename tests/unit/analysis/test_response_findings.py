@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from contourlab.analysis.identification.drive_fit import held_response, linear_motor, two_inertia
-from contourlab.analysis.identification.frequency_response import MeasuredResponse, response_doubts
+from contourlab.analysis.identification.frequency_response import MeasuredResponse, response_findings
 
 PERIOD = 1e-3
 TWO = {"motor_mass": 4.0, "load_mass": 3.0, "stiffness": 2.4e5, "shaft_damping": 60.0, "damping": 40.0, "delay": 1e-3}
@@ -14,7 +14,7 @@ TWO = {"motor_mass": 4.0, "load_mass": 3.0, "stiffness": 2.4e5, "shaft_damping":
 
 def told(f: np.ndarray, h: np.ndarray, coherence: float = 1.0) -> list[str]:
     even = np.full(f.size, coherence)
-    return response_doubts(MeasuredResponse(f, h, 0.01 * np.ones(f.size), even, "made", PERIOD, np.full(f.size, np.nan)))
+    return response_findings(MeasuredResponse(f, h, 0.01 * np.ones(f.size), even, "made", PERIOD, np.full(f.size, np.nan)))
 
 
 AXES = {
