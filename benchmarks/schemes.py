@@ -14,7 +14,7 @@ from contourlab.components.controller.cascade import Cascade
 from contourlab.components.controller.lead_lag import LeadLag
 from contourlab.components.controller.position import PositionController
 from contourlab.components.controller.state_feedback import StateFeedback
-from contourlab.components.plant.linear_motor import LinearMotor
+from contourlab.components.plant.lagged_mass import LinearMotor
 from contourlab.components.registry import component
 from contourlab.features.learn import Stopping, learn
 from contourlab.features.run.cost import tick_cost

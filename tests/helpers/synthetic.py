@@ -9,7 +9,8 @@ import numpy as np
 from contourlab.feed import Reference, uniform
 from contourlab.geometry import Path, contour
 from contourlab.metrics import circles_of, judge, reversal_spikes, summarise
-from contourlab.report import AxisBounds, FrequencyResponse, Provenance, ReportData, SchemeReport
+from contourlab.report.data import Provenance, ReportData, SchemeReport
+from contourlab.report.run_data import AxisBounds, FrequencyResponse
 from contourlab.result import Result, Signal
 
 RADIUS, LAG, FREQUENCY = 0.02, 50e-6, 0.5

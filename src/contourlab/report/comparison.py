@@ -1,17 +1,18 @@
-"""The table of figures, worked out once and printed by the terminal, Markdown and the page alike."""
+"""Table of figures for the terminal, Markdown and the page."""
 
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
-from contourlab.report.data import FrequencyResponse, ReportData, SchemeReport
-from contourlab.report.figures import Figure, figures_of
+from contourlab.report.data import ReportData, SchemeReport
+from contourlab.report.run_data import FrequencyResponse
 from contourlab.report.style import scheme_style
 from contourlab.report.text import nominal, number
 
 PASS, FAIL = "✓ pass", "✗ fail"
+UM = 1e6
 
 
 @dataclass(frozen=True)
@@ -44,7 +45,7 @@ class Row:
     mood : str
         Of the change.
     strong : bool
-        Whether it is what the verdict rests on.
+        Whether the verdict depends on it.
     """
 
     label: str
@@ -57,7 +58,7 @@ class Row:
 
 @dataclass(frozen=True)
 class Comparison:
-    """The whole table; below it what its figures are of, and notes on the runs."""
+    """The table, with notes on its figures and on the runs."""
 
     heads: tuple[Head, ...]
     rows: tuple[Row, ...]
@@ -72,18 +73,7 @@ class Comparison:
 
 
 def compare(data: ReportData) -> Comparison:
-    """Return the table of a report.
-
-    Parameters
-    ----------
-    data : ReportData
-
-    Returns
-    -------
-    Comparison
-        Rows: the verdict where there is a tolerance, the loops where one is unstable, the errors, the axes, the drives,
-        the time. A figure that no scheme has is left out.
-    """
+    """Return the table of a report: verdict, unstable loops, learning, errors, axes, drives, time; without figures that no scheme has."""
     count = len(data.schemes)
     heads = tuple(Head(scheme.name, scheme_style(i, count)[0]) for i, scheme in enumerate(data.schemes))
     columns = [figures_of(data, scheme) for scheme in data.schemes]
@@ -108,24 +98,24 @@ def _verdict_row(data: ReportData) -> list[Row]:
 
 
 def _loop_row(data: ReportData) -> list[Row]:
-    """Say which loops are unstable; nothing where none is."""
-    shaky = [", ".join(_loop_name(axis, answer) for axis, answer in scheme.bode.items() if not answer.stable) for scheme in data.schemes]
-    if not any(shaky):
+    """Return which loops are unstable; nothing if none is."""
+    unstable = [", ".join(_loop_name(axis, answer) for axis, answer in scheme.bode.items() if not answer.stable) for scheme in data.schemes]
+    if not any(unstable):
         return []
     cells = (
         Cell(f"unstable: {axes}", "poor") if axes else Cell("stable" if scheme.bode else "–")
-        for axes, scheme in zip(shaky, data.schemes, strict=True)
+        for axes, scheme in zip(unstable, data.schemes, strict=True)
     )
     return [Row("servo loops", "", tuple(cells))]
 
 
 def _loop_name(axis: str, answer: FrequencyResponse) -> str:
-    """Return an axis, and which of its loops is meant where it has not just one linear one."""
+    """Return an axis, and which of its linear loops if it has several."""
     return f"{axis} ({answer.meant})" if answer.meant else axis
 
 
 def _learning_row(data: ReportData) -> list[Row]:
-    """Say how learning ended; nothing where no scheme learns."""
+    """Return how learning ended; nothing if no scheme learns."""
     if all(scheme.trials is None for scheme in data.schemes):
         return []
     cells = (
@@ -136,7 +126,7 @@ def _learning_row(data: ReportData) -> list[Row]:
 
 
 def _passed(scheme: SchemeReport, tolerance: float | None) -> bool | None:
-    """Return the verdict; without one, the largest error held against the tolerance; a run that stopped early fails."""
+    """Return the verdict, or else compare the largest error with the tolerance; a run that stopped early fails."""
     if not scheme.result.status.ok:
         return False
     if scheme.verdict is not None:
@@ -155,8 +145,8 @@ def _row(figures: list[Figure | None]) -> Row:
 
 
 def _change(before: float, after: float, lower_is_better: bool) -> tuple[str, str]:
-    """Return the change of the magnitude in percent, and whether it is one for the better."""
-    # What comes out of rounding is nothing to compare with.
+    """Return the change of the magnitude in percent, and whether it is an improvement."""
+    # Rounding is no base for a comparison.
     if not (math.isfinite(before) and math.isfinite(after)) or abs(before) <= 1e-9 * abs(after) or before == 0.0:
         return "–", ""
     percent = 100.0 * (abs(after) - abs(before)) / abs(before)
@@ -169,29 +159,85 @@ def _change(before: float, after: float, lower_is_better: bool) -> tuple[str, st
 
 def _judged_part(schemes: Sequence[SchemeReport]) -> str:
     """Say over which part of the run the errors are: once where it is the same of all, else of each."""
-    told = []
+    parts = []
     for scheme in schemes:
         start, stop = (number(sample * scheme.result.servo_period, 4) for sample in scheme.metrics.window)
-        told.append((scheme.metrics.basis, f"{start} s to {stop} s"))
-    if len(set(told)) == 1:
-        return f"Errors over the {told[0][0]}, {told[0][1]}."
-    if len({basis for basis, _ in told}) == 1:
-        times = ", ".join(f"{when} of {scheme.name}" for scheme, (_, when) in zip(schemes, told, strict=True))
-        return f"Errors over the {told[0][0]}: {times}."
-    return f"Errors over {', '.join(f'the {basis} of {scheme.name}, {when}' for scheme, (basis, when) in zip(schemes, told, strict=True))}."
+        parts.append((scheme.metrics.basis, f"{start} s to {stop} s"))
+    if len(set(parts)) == 1:
+        return f"Errors over the {parts[0][0]}, {parts[0][1]}."
+    if len({basis for basis, _ in parts}) == 1:
+        times = ", ".join(f"{when} of {scheme.name}" for scheme, (_, when) in zip(schemes, parts, strict=True))
+        return f"Errors over the {parts[0][0]}: {times}."
+    text = ", ".join(f"the {basis} of {scheme.name}, {when}" for scheme, (basis, when) in zip(schemes, parts, strict=True))
+    return f"Errors over {text}."
 
 
 def _note(data: ReportData) -> str:
-    """Say what cannot be seen from the numbers."""
+    """Return remarks on the figures."""
     notes = [_judged_part(data.schemes)]
     if data.is_measured:
-        notes.append("Positions are those of the log: what its encoders do not see is not in the errors.")
+        notes.append("Positions are those of the log: errors exclude what its encoders do not see.")
     elif not data.is_blended:
-        notes.append("No other path was planned than the one asked for: the contour error is the error of the part.")
+        notes.append("The planned path is the programmed one: the contour error is the part error.")
     if len(data.schemes) > 1:
         notes.append(f"Change: {data.schemes[-1].name} against {data.schemes[0].name}.")
     for scheme in data.schemes:
         if not scheme.result.status.ok:
             why = scheme.result.status.reason
-            notes.append(f"{scheme.name} did not finish: {why}; its figures cover the part that was run.")
+            notes.append(f"{scheme.name} did not finish: {why}; its figures cover the completed part.")
     return " ".join(notes)
+
+
+@dataclass(frozen=True)
+class Figure:
+    """One number of one run: SI value, and how to print it.
+
+    Parameters
+    ----------
+    label : str
+    value : float
+        SI.
+    factor : float
+        From SI to `unit`.
+    unit : str
+    strong : bool
+        Whether the tolerance applies to it.
+    lower_is_better : bool
+    """
+
+    label: str
+    value: float
+    factor: float
+    unit: str
+    strong: bool = False
+    lower_is_better: bool = True
+
+
+def figures_of(data: ReportData, scheme: SchemeReport) -> dict[str, Figure]:
+    """Return the figures of a run in the order of print, by label; part error and contour error appear once if they are the same."""
+    return {figure.label: figure for figure in _figures(data, scheme)}
+
+
+def _figures(data: ReportData, scheme: SchemeReport) -> Iterator[Figure]:
+    metrics, blended = scheme.metrics, data.is_blended
+    if blended:
+        yield Figure("part error, largest", metrics.part_error.max, UM, "µm", strong=True)
+        yield Figure("part error, rms", metrics.part_error.rms, UM, "µm")
+        yield Figure("planning deviation, largest", metrics.planning_deviation.max, UM, "µm")
+    error = metrics.contour_error
+    yield Figure("contour error, largest", error.max, UM, "µm", strong=not blended)
+    yield Figure("contour error, rms", error.rms, UM, "µm")
+    yield Figure("contour error, mean", error.mean, UM, "µm")
+    yield Figure("contour error, 95th percentile", error.p95, UM, "µm")
+    if len(data.axes) == 2:  # in space the error has no side
+        yield Figure("contour error, signed mean", error.signed_mean, UM, "µm", lower_is_better=False)
+    yield Figure("contour error, integral", error.integral, UM, "µm·s")
+    for axis, tracking in zip(data.axes, metrics.tracking_error, strict=True):
+        yield Figure(f"tracking error {axis}, rms", tracking.rms, UM, "µm")
+    for axis, part in zip(data.axes, metrics.saturation, strict=True):
+        yield Figure(f"drive {axis} saturated", part, 100.0, "% of time")
+    yield Figure("feedrate, mean", metrics.feedrate_mean, 6e4, "mm/min", lower_is_better=False)
+    yield Figure("feedrate, ripple", metrics.feedrate_ripple, 100.0, "%")
+    yield Figure("cycle time", metrics.cycle_time, 1.0, "s")
+    if scheme.tick is not None:
+        yield Figure("servo tick, machine included", scheme.tick, 1e9, "ns", lower_is_better=False)

@@ -8,8 +8,8 @@ from typing import TYPE_CHECKING, TextIO
 
 from contourlab.report.comparison import Comparison, Row, compare
 from contourlab.report.data import ReportData
+from contourlab.report.learning_pictures import trial_rows
 from contourlab.report.text import number, plain_unit
-from contourlab.report.trials import trial_rows
 
 if TYPE_CHECKING:
     from rich.table import Table

@@ -10,8 +10,8 @@ import synthetic
 
 from contourlab.feed import AxisLimits, plan, route_from_path
 from contourlab.geometry import Line, Path
-from contourlab.report import comparison_markdown, comparison_text, print_comparison
 from contourlab.report.comparison import compare
+from contourlab.report.tables import comparison_markdown, comparison_text, print_comparison
 from contourlab.result import Status
 
 
@@ -118,9 +118,9 @@ def test_markdown_has_one_column_per_scheme_and_the_change(circle):
 
 
 def test_a_measured_run_says_what_its_encoders_do_not(circle):
-    assert "was planned" in comparison_text(circle)
+    assert "programmed one" in comparison_text(circle)
     measured = comparison_text(replace(circle, is_measured=True))
-    assert "was planned" not in measured and "what its encoders do not see" in measured
+    assert "programmed one" not in measured and "encoders" in measured
 
 
 def test_notes_stand_below_the_table_as_they_are(circle):

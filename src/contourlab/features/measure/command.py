@@ -213,7 +213,7 @@ def _report(runs: Sequence[_Run], title: str, limit: float | None, folder: Path,
     """Write report and plots; return the text for the terminal."""
     from contourlab.report.data import Provenance, ReportData, SchemeReport
     from contourlab.report.html import write_html
-    from contourlab.report.reversal_table import reversal_text
+    from contourlab.report.page_tables import reversal_text
     from contourlab.report.tables import comparison_text
 
     system = f"{platform.system()} {platform.machine()}, Python {platform.python_version()}"

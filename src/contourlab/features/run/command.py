@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any
 
 from contourlab.app.folder import staged
 from contourlab.app.stages import Stages, shown
-from contourlab.components.friction.none import NoFriction
+from contourlab.components.friction.laws import NoFriction
 from contourlab.errors import DivergenceError, ParameterError, ProgramError, ScenarioError
 from contourlab.features.run.compare import Case, Outcome, run_case
 from contourlab.features.run.summary import summary_of
@@ -335,10 +335,9 @@ def file_names(names: Sequence[str]) -> dict[str, str]:
 def _write_report(scenario: Scenario, outcomes: Sequence[Outcome], folder: Path, command: str, plots: Sequence[str]) -> str:
     from contourlab.features.run.page import report_data
     from contourlab.report.html import write_html
-    from contourlab.report.reversal_table import reversal_text
+    from contourlab.report.page_tables import reversal_text, trust_lines
     from contourlab.report.switching import switch_lines
     from contourlab.report.tables import comparison_text, trials_text
-    from contourlab.report.trust import trust_lines
     from contourlab.scenario.dump import dump
 
     data = report_data(scenario.name, outcomes, scenario=dump(scenario), command=command)

@@ -10,7 +10,7 @@ from contourlab.components.origin import Origin
 from contourlab.features.run.compare import Outcome
 from contourlab.features.run.interval import Interval, Spread
 from contourlab.features.run.provenance import Number, numbers_of
-from contourlab.report.trust import Contribution, IntervalFigures, StatedNumber, Trust
+from contourlab.report.run_data import Contribution, IntervalFigures, StatedNumber, Trust
 from contourlab.units import from_si
 
 MOST_ITEMS = 4

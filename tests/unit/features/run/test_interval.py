@@ -10,9 +10,9 @@ from scipy.stats import norm, spearmanr, truncnorm
 
 from contourlab.components.controller.cascade import Cascade
 from contourlab.components.controller.position import PositionController
-from contourlab.components.disturbance.constant import ConstantLoad
+from contourlab.components.disturbance.loads import ConstantLoad
 from contourlab.components.drive.saturation import Saturation
-from contourlab.components.friction.coulomb import Coulomb
+from contourlab.components.friction.laws import Coulomb
 from contourlab.components.gap_observer.multiple_model import MultipleModel
 from contourlab.components.origin import Origin
 from contourlab.components.plant.mass_damper import MassDamper
