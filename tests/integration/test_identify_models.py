@@ -245,7 +245,7 @@ def test_logs_of_one_name_are_told_apart_by_their_folders(tmp_path: Path, capsys
     words = [*logs, "--column", "force.x=cmd", "--model", "friction", "--out", str(out)]
     found = found_by(words, capsys)
     assert found["logs"] == ["slow/jog.csv", "fast/jog.csv"]
-    assert {point["log"] for point in found["points"]} == {"slow/jog.csv", "fast/jog.csv"}
+    assert {point["source"] for point in found["points"]} == {"slow/jog.csv", "fast/jog.csv"}
     assert 'from = "slow/jog.csv and 1 more"' in out.read_text() and str(tmp_path) not in out.read_text()
     assert main(["identify", *words]) == 0
     assert "slow/jog.csv, fast/jog.csv, axis x" in capsys.readouterr().out

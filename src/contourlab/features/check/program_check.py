@@ -191,8 +191,8 @@ def _with_motion(checked: Checked, program: Program, chosen: str | Path | None) 
 
 
 def _problem(error: ContourlabError) -> Message:
-    values = (getattr(error, name, default) for name, default in (("message", str(error)), ("line", 0), ("column", 0), ("file", "")))
-    return Message(*values)
+    message, file = getattr(error, "message", str(error)), getattr(error, "file", "")
+    return Message(message, getattr(error, "line", 0), getattr(error, "column", 0), str(file))
 
 
 def _duration(seconds: float) -> str:

@@ -296,18 +296,15 @@ def _turning_findings(records: Sequence[AxisRecord], response: MeasuredResponse)
 def _json_points(response: MeasuredResponse, unit: str) -> list[dict[str, Any]]:
     """Return the points for JSON: gain of the position [m per command], phase, relative deviation, coherence, distortion."""
     r = response
-    return [
-        {
-            "frequency": f,
-            "gain": abs(h),
-            "unit": f"m/{unit}" if unit else "m",
-            "phase_deg": np.degrees(np.angle(h)),
-            "relative_deviation": d,
-            "coherence": c,
-            "harmonic_distortion": t,
-        }
-        for f, h, d, c, t in zip(r.frequency, r.response, r.deviation, r.coherence, r.distortion, strict=True)
-    ]
+    columns = {
+        "frequency": r.frequency,
+        "gain": [abs(h) for h in r.response],
+        "phase_deg": [np.degrees(np.angle(h)) for h in r.response],
+        "relative_deviation": r.deviation,
+        "coherence": r.coherence,
+        "harmonic_distortion": r.distortion,
+    }
+    return [{"unit": f"m/{unit}" if unit else "m", **dict(zip(columns, row, strict=True))} for row in zip(*columns.values(), strict=True)]
 
 
 def _point_table(response: MeasuredResponse, unit: str) -> Table:

@@ -124,18 +124,8 @@ def _details(fit: FrictionFit, stretches: Sequence[Stretch], unit: str) -> dict[
     return {
         "friction_model": fit.chosen.name,
         "scatter_between_runs": fit.chosen.scatter,
-        "points": [
-            {
-                "speed": s.speed,
-                "command": s.command,
-                "deviation": s.deviation,
-                "scatter": s.scatter,
-                "samples": s.count,
-                "log": s.source,
-                "unit": unit,
-            }
-            for s in stretches
-        ],
+        "unit": unit,
+        "points": stretches,
         "tried": [{"model": c.name, "aicc": c.criterion, "fit_percent": c.fit, "parameters": _values(c)} for c in fit.tried],
     }
 
@@ -244,7 +234,6 @@ def identify_stiction(records: Sequence[AxisRecord]) -> Identified:
     usable = fit > 0.5 * EXPLAINED
     findings += [finding("CL525", fit=fit / 100.0)] if fit < EXPLAINED else []
     findings += unit_findings(unit)
-    rows = [{"time": b.time, "level": b.level, "deviation": b.deviation, "rate": b.rate, "fit_percent": b.fit} for b in ramps]
     return Identified(
         "stiction",
         records[0].axis,
@@ -253,7 +242,7 @@ def identify_stiction(records: Sequence[AxisRecord]) -> Identified:
         fit,
         usable,
         tuple(findings),
-        details={"ramps": rows},
+        details={"ramps": ramps},
         points=_ramp_table(ramps, unit),
         tables=_stiction_tables(ways, unit, records) if usable and not unit_findings(unit) else {},
         pictures=_stiction_pictures(ways, unit, records),

@@ -213,7 +213,7 @@ class Interpolation:
             "CL453": record.reference is None,
             "CL454": self.settled > 0,
         }
-        values = {"samples": int(marked.size), "line": first_line, "weak": weak, "settled": self.settled}
+        values: dict[str, Any] = {"samples": int(marked.size), "line": first_line, "weak": weak, "settled": self.settled}
         return Interpolated(
             file=str(record.source.file),
             n_sample=int(counts.size),
