@@ -119,13 +119,13 @@ def test_what_is_wrong_with_a_record_is_said() -> None:
     u = levels()
     place = measured(u)
     for arguments, said in (
-        ((TIME, u, -place), "counted the other way round"),
+        ((TIME, u, -place), "other way"),
         ((TIME, np.full(N, 0.3), place), "throughout"),
         ((TIME, u, np.zeros(N)), "moves"),
         ((TIME[:20], u[:20], place[:20]), "at least"),
         ((TIME, u, np.where(TIME > 3.0, np.nan, place)), "finite"),
         ((TIME**1.1, u, place), "evenly"),
-        ((TIME, u[:-1], place), "as long as"),
+        ((TIME, u[:-1], place), "long as"),
     ):
         with pytest.raises(ParameterError, match=said):
             identify_first_order(*arguments)

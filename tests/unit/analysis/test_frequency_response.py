@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 from axis_bench import driven
 from numpy.typing import NDArray
+from refusals import refuses
 
 from contourlab.analysis.identification.drive_fit import (
     damping_ratio,
@@ -131,7 +132,7 @@ def test_feedback_of_noise_biases_the_direct_way_and_not_the_joint_one() -> None
     band = (20.0, 60.0)
     good, biased = (abs(mean_ratio(found, *band) - 1.0) for found in (joint, direct))
     assert good < 0.03 and biased > 3.0 * good
-    assert "reference to position over reference to command" in joint.method
+    assert joint.method.count("reference") == 2 and "reference" not in direct.method
     assert fit_linear_motor(joint)["M"] == pytest.approx(MASS, rel=0.05)
 
 
@@ -165,7 +166,7 @@ def test_a_sine_in_which_the_axis_stands_is_left_out_and_harmonics_are_told() ->
     u = 30.0 * np.sin(2.0 * np.pi * 2.0 * t)
     place = driven(PLANT, u, PERIOD)
     stopped = np.minimum(place, 0.5 * place.max())
-    with pytest.raises(ParameterError, match="stands still"):
+    with pytest.raises(ParameterError, match=r"end stop.*still"):
         sine_responses([Measured(PERIOD, u, stopped)], ["end stop"])
     bent = place + 0.08 * float(np.ptp(place)) * np.sin(2.0 * np.pi * 4.0 * t)
     found = sine_responses([Measured(PERIOD, u, bent)], ["bent"])
@@ -237,17 +238,17 @@ def test_what_is_wrong_is_said() -> None:
     u = random_command(4000)
     place = driven(PLANT, u, PERIOD)
     for arguments, said in (
-        ((PERIOD, u, place[:-1]), "as long as"),
+        ((PERIOD, u, place[:-1]), "long as"),
         ((PERIOD, u, np.where(place > 0.0, np.nan, place)), "finite"),
         ((PERIOD, np.zeros(4000), place), "throughout"),
     ):
         with pytest.raises(ParameterError, match=said):
             Measured(*arguments)
-    with pytest.raises(ParameterError, match="at least 256"):
+    with refuses(ParameterError, r"\b256\b", name="record", value="100 samples"):
         spectral_response([Measured(PERIOD, u[:100], place[:100])])
-    with pytest.raises(ParameterError, match="goes against its command"):
+    with refuses(ParameterError, "sign", name="M"):
         fit_linear_motor(spectral_response([Measured(PERIOD, u, -place)]))
-    with pytest.raises(ParameterError, match="above the noise"):
+    with refuses(ParameterError, "noise", name="frequency", value="0 points"):
         fit_linear_motor(spectral_response([Measured(PERIOD, u, noise(4000, 1.0))]))
-    with pytest.raises(ParameterError, match="side"):
+    with refuses(ParameterError, name="side", value="'middle'"):
         fit_two_inertia(spectral_response([Measured(PERIOD, u, place)]), "middle")

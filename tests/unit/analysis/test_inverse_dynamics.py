@@ -8,6 +8,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 from numpy.typing import NDArray
+from refusals import refuses
 
 from contourlab.analysis.identification.inverse_dynamics import (
     InverseDynamicsFit,
@@ -143,14 +144,14 @@ def test_units_of_the_force_go_through() -> None:
     [
         ({"time": PERIOD * np.arange(900)}, "position = shape"),
         ({"force": np.zeros(7)}, "force = shape"),
-        ({"position": np.r_[np.nan, np.zeros(11_999)]}, "position = nan at sample 0: must be finite"),
-        ({"force": np.r_[np.zeros(11_999), np.inf]}, "force = inf at sample 11999"),
+        ({"position": np.r_[np.nan, np.zeros(11_999)]}, "position = nan.* 0: "),
+        ({"force": np.r_[np.zeros(11_999), np.inf]}, "force = inf.* 11999"),
         ({"time": (PERIOD * np.arange(12_000)) ** 2}, "evenly spaced"),
         ({"time": -PERIOD * np.arange(12_000)}, "rising"),
         ({"position": np.zeros(12_000)}, "moves"),
-        ({"position": 0.1 * PERIOD * np.arange(12_000)}, "never backwards"),
+        ({"position": 0.1 * PERIOD * np.arange(12_000)}, "backwards"),
         ({"position": -0.1 * PERIOD * np.arange(12_000)}, "never forwards"),
-        ({"force": np.full(12_000, 5.0)}, "the drive pushes"),
+        ({"force": np.full(12_000, 5.0)}, "drive"),
         ({"time": np.zeros((2, 3))}, "one record"),
     ],
 )
@@ -165,7 +166,7 @@ def test_a_record_that_is_too_short_says_how_long_one_has_to_be() -> None:
     """And one that long is read, though in it the axis moves one way only."""
     t, q, v, a = motion()
     force = force_of(v, a, **AXIS)
-    for n, word in ((290, "290 samples: must be a record of 291 or more"), (291, "never backwards")):
+    for n, word in ((290, "290 .*291"), (291, "backwards")):
         with pytest.raises(ParameterError, match=word):
             identify_inverse_dynamics(t[:n], q[:n], force[:n], SETTINGS)
 
@@ -187,11 +188,11 @@ def test_settings_out_of_range_are_refused(options: dict[str, object], word: str
 def test_a_negative_mass_or_friction_is_never_returned() -> None:
     t, q, v, a = motion()
     force = force_of(v, a, **AXIS)
-    with pytest.raises(ParameterError, match=r"M = -95.* counted the other way round"):
+    with refuses(ParameterError, name="M", value="-95 kg"):
         identify_inverse_dynamics(t, q, -force, SETTINGS)
-    with pytest.raises(ParameterError, match=r"Fc = -8.*helps the motion"):
+    with refuses(ParameterError, name="Fc", value="-8 N"):
         found(Fc=-8.0)
-    with pytest.raises(ParameterError, match=r"Fc = -8.*helps the motion"):
+    with refuses(ParameterError, name="Fc", value="-8 N"):
         found(Fc=-8.0, settings=replace(SETTINGS, friction="asymmetric"))
 
 
@@ -223,7 +224,7 @@ def test_a_mass_that_a_record_hardly_tells_is_refused_or_marked(seed: int) -> No
     try:
         fit = identify_inverse_dynamics(t, 0.02 * PERIOD * np.cumsum(way), force, replace(SETTINGS, cutoff=5.0))
     except ParameterError as error:
-        assert "M = -" in str(error) and str(error).endswith("the record hardly accelerates")
+        assert error.name == "M" and str(error.value).startswith("-") and "hardly" in error.bound
     else:
         assert not fit.usable
         assert ("CL526", "M") in {(one.code, one.place) for one in fit.findings}
