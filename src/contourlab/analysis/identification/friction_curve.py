@@ -178,7 +178,7 @@ def fit_friction(speed: ArrayLike, command: ArrayLike, deviation: ArrayLike) -> 
     at = next(i for i, value in enumerate(criteria) if value <= min(criteria) + WITHIN)
     chosen = sound[at]
     others = [f"{curve.name} {value - criteria[at]:+.1f}" for curve, value in zip(sound, criteria, strict=True) if curve is not chosen]
-    choice = finding("CL543", points=v.size, model=chosen.name, criterion=name, others=tuple(others))
+    choice = finding("CL543", points=v.size, model=chosen.name, criterion=name, others="; ".join(others) or "none")
     findings, usable = _curve_findings(chosen, v, both)
     return FrictionFit(chosen, tuple(tried), (choice, *findings), usable)
 
