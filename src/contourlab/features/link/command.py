@@ -18,7 +18,7 @@ from contourlab.errors import DivergenceError, ParameterError, UnitError
 from contourlab.features.link import cost
 from contourlab.features.link.cost import WAYS, allowed_error, divided, division_cost
 from contourlab.features.link.result import FIGURES, LinkResult, SchemeCost, link_charts, scheme_text
-from contourlab.features.link.sweep import QUANTITIES, SEEDS
+from contourlab.features.link.sweep import QUANTITIES, SEEDS, LinkSetting
 from contourlab.loop import DIVISIONS
 from contourlab.result import write_text_atomic
 from contourlab.units import to_si
@@ -148,21 +148,8 @@ def _scheme_cost(case: Case, options: LinkOptions, settings: LinkSettings, stage
     costs = []
     for label, controller in _controllers(case.controller, options, settings):
         stages.begin(f"{case.name}: {label}")
-        costs.append(
-            division_cost(
-                machine,
-                controller,
-                reference,
-                allowed=allowed,
-                figure=figure,
-                quantities=settings.quantities,
-                longest=settings.longest,
-                seeds=settings.seeds,
-                seed=case.seed,
-                moving=case.moving,
-                progress=stages.advance,
-            )
-        )
+        setting = LinkSetting(machine, controller, reference, figure, allowed, settings.seeds, case.seed, case.moving)
+        costs.append(division_cost(setting, settings.quantities, settings.longest, stages.advance))
     return SchemeCost(figure, whole, allowed, tuple(costs))
 
 

@@ -252,17 +252,9 @@ class DivisionCost:
 
 
 def division_cost(
-    machine: Machine,
-    controller: Controller,
-    reference: Reference,
-    *,
-    allowed: float,
-    figure: str = FIGURES[0],
+    setting: LinkSetting,
     quantities: Sequence[str] = QUANTITIES,
     longest: float = 0.1,
-    seeds: int = SEEDS,
-    seed: int = 0,
-    moving: bool = False,
     progress: Callable[[int, int], None] | None = None,
 ) -> DivisionCost:
     """Sweep the links of a divided controller, one quantity at a time, the others as given.
@@ -271,35 +263,31 @@ def division_cost(
 
     Parameters
     ----------
-    machine, controller, reference
-        The controller divided.
-    allowed : float
-        Largest error allowed.
+    setting : LinkSetting
     quantities : sequence of str
         Of `QUANTITIES`.
-    figure, longest, seeds, seed, moving
-        As of `link_limit`.
+    longest : float [s]
+        Largest time to test.
     progress : callable, optional
         Called with the quantities done, and their number.
 
     Raises
     ------
     ParameterError
-        If a quantity is unknown, an argument is out of range, or no link is a network.
+        If a quantity is unknown, or the longest time shorter than a servo period.
     """
     unknown = [name for name in quantities if name not in QUANTITIES]
     if unknown:
         raise ParameterError("quantities", repr(unknown[0]), "of " + ", ".join(QUANTITIES))
-    setting = LinkSetting(machine, controller, reference, figure, allowed, seeds, seed, moving)
     sweeps = {}
     for i, quantity in enumerate(quantities):
         sweeps[quantity] = swept(setting, quantity, longest)
         if progress is not None:
             progress(i + 1, len(quantities))
-    links = [axis.link for axis in controller.axes.values() if axis.link is not None]
+    links = [axis.link for axis in setting.controller.axes.values() if axis.link is not None]
     divisions = ", ".join(dict.fromkeys(link.division for link in links))
     ways = ", ".join(dict.fromkeys("both" if isinstance(link.up, Network) else "one" for link in links))
-    local = {name: axis.local_parameters for name, axis in controller.axes.items()}
+    local = {name: axis.local_parameters for name, axis in setting.controller.axes.items()}
     period = next(iter(setting.networks.values())).message_period
     unstable = setting.growth("message_period", period) >= 1.0
     findings = [*_on_links(setting), *(_on_stability(setting) if {"message_period", "delay"} & set(quantities) else ())]

@@ -130,45 +130,47 @@ def _limit(values: Array, bad: NDArray[np.bool_], unknown: NDArray[np.bool_]) ->
     return math.inf if known[-1] else math.nan
 
 
+@dataclass(eq=False)
 class LinkSetting:
     """A machine under a divided controller whose links are varied.
 
-    Parameters
+    Attributes
     ----------
     machine, controller, reference
-        The controller with a network in one direction at least.
+        The controller with a network in at least one direction.
     figure : str
         Of `FIGURES`.
     allowed : float
         Largest error allowed.
     seeds, seed : int
-        Their number, and the first.
+        Runs with jitter or loss, of which the worst counts, and the first seed, which is also that of all other noise.
     moving : bool
         As of `contourlab.loop.simulate_batch`.
+
+    Raises
+    ------
+    ParameterError
+        If the figure is unknown, or no link is a network.
     """
 
-    def __init__(
-        self,
-        machine: Machine,
-        controller: Controller,
-        reference: Reference,
-        figure: str,
-        allowed: float,
-        seeds: int,
-        seed: int,
-        moving: bool,
-    ) -> None:
-        if figure not in FIGURES:
-            raise ParameterError("figure", repr(figure), "one of " + ", ".join(FIGURES))
-        self.machine, self.controller, self.reference = machine, controller, reference
-        self.figure, self.allowed, self.seeds, self.seed, self.moving = figure, allowed, seeds, seed, moving
-        links = {(name, way): link for name, mine in controller.axes.items() if mine.link for way, link in _ways(mine.link)}
+    machine: Machine
+    controller: Controller
+    reference: Reference
+    figure: str
+    allowed: float
+    seeds: int = SEEDS
+    seed: int = 0
+    moving: bool = False
+
+    def __post_init__(self) -> None:
+        if self.figure not in FIGURES:
+            raise ParameterError("figure", repr(self.figure), "one of " + ", ".join(FIGURES))
+        links = {(name, way): link for name, axis in self.controller.axes.items() if axis.link for way, link in _ways(axis.link)}
         self.networks = {key: link for key, link in links.items() if isinstance(link, Network)}
         if not self.networks:
             raise ParameterError("controller.axes", "without a network", 'divided, with a link of kind "network" in one direction at least')
-        ideal = undisturbed(unlimited(perfect_sensing(without_friction(machine))))
-        self.ideal = ideal
-        self.loops = tuple(_linear(machine, controller))
+        self.ideal = undisturbed(unlimited(perfect_sensing(without_friction(self.machine))))
+        self.loops = tuple(_linear(self.machine, self.controller))
 
     def by_chance(self, quantity: str) -> bool:
         """Tell whether jitter or loss are drawn at random while a quantity is varied."""

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from contourlab.components.link.network import Network
 from contourlab.features.link.cost import WAYS, allowed_error, divided, division_cost, undivided_error
-from contourlab.features.link.sweep import SEEDS, LinkSweep
+from contourlab.features.link.sweep import SEEDS, LinkSetting, LinkSweep
 from contourlab.features.swap.variants import Variants, losses
 from contourlab.loop import DIVISIONS, Division
 
@@ -163,18 +163,9 @@ def network_cost(
         machine, controller, reference, figure = variant.machine, variants.controller_at(point), variants.reference, variants.objective
         whole = undivided_error(machine, controller, reference, figure, seed=variants.seed, moving=variants.moving)
         allowed = allowed_error(whole, within, floor=variants.floor)
-        cost = division_cost(
-            machine,
-            divided(controller, division, ways, link),
-            reference,
-            allowed=allowed,
-            figure=figure,
-            quantities=(PERIOD,),
-            longest=longest,
-            seeds=seeds,
-            seed=variants.seed,
-            moving=variants.moving,
-        )
+        over = divided(controller, division, ways, link)
+        setting = LinkSetting(machine, over, reference, figure, allowed, seeds, variants.seed, variants.moving)
+        cost = division_cost(setting, (PERIOD,), longest)
         costs.append(VariantCost(variant.name, whole, allowed, cost.error, cost.unstable, cost.sweeps[PERIOD]))
         if progress is not None:
             progress(len(costs), len(variants))

@@ -158,8 +158,8 @@ def _findings(
     for designs in linear:
         yield from designs.findings
     yield from others
-    searched = {"runs": study.variants.runs, "budget": study.settings.budget, "seed": study.settings.seed}
-    yield finding("CL720", **searched, guards=study.variants.bounds.words)
+    settings, guarded = study.settings, study.variants.bounds.words
+    yield finding("CL720", runs=study.variants.runs, budget=settings.budget, seed=settings.seed, guards=guarded)
 
 
 def _on_network(variants: Variants, cost: NetworkCost) -> Iterator[Finding]:
