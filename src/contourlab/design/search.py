@@ -47,7 +47,6 @@ class Found:
     course: Array
 
 
-
 def search(
     objective: Objective,
     starts: Array,

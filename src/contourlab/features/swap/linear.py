@@ -123,16 +123,8 @@ def linear_swap(
     methods : sequence of str
         Of `METHODS`.
     weights : LqWeights, optional
-
-    Raises
-    ------
-    ParameterError
-        If a method is unknown.
     """
     weights = weights or LqWeights()
-    for method in methods:
-        if method not in METHODS:
-            raise ParameterError("design", repr(method), "of " + ", ".join(METHODS))
     modules: dict[str, Variant] = {}
     for variant in variants:
         modules.setdefault(dict(variant.modules)[name], variant)

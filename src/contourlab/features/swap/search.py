@@ -57,9 +57,7 @@ class SwapSettings:
     known: tuple[WarmStart, ...] = ()
 
 
-def restarted(
-    objective: Objective, starts: Array, budget: int, seed: int, step: float = ALONE, target: float = -math.inf
-) -> Found:
+def restarted(objective: Objective, starts: Array, budget: int, seed: int, step: float = ALONE, target: float = -math.inf) -> Found:
     """Search from all starts (n_start, n), then restart from the best, until `budget` candidates are tried or `target` is reached.
 
     Each restart has a smaller first step and generations twice as large: the count of an encoder makes the objective rough near its

@@ -124,7 +124,7 @@ class SwapStudy:
             return finding("CL703", names=self.inconclusive, gap=float(self.shortfalls.max()), loss=shared, limit=limit)
         if self.full:
             return finding("CL700", loss=shared, limit=limit)
-        return finding("CL701", names=best.name, count=len(best.local), loss=best.swap_loss, shared=shared, limit=limit)
+        return finding("CL701", names=best.name, loss=best.swap_loss, shared=shared, limit=limit)
 
 
 def swap_study(

@@ -46,7 +46,6 @@ def around(value: float) -> Space:
     return Space((replace(first, value=value), *others))
 
 
-
 def model(columns: Columns) -> dict[str, np.ndarray]:
     """A product of powers, which fails beyond a = 6: J = a^2 / b + a b."""
     a, b = columns.values()
