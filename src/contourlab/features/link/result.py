@@ -61,19 +61,22 @@ class SchemeCost:
             gaps = np.diff(sweep.values, prepend=0.0)
             step = amount(quantity, float(gaps[gaps > 0.0].min()))
             yield finding("CL759", words(quantity), step=step, last=amount(quantity, sweep.asked))
+            ended: dict[str, list[str]] = {}
+            for cost in self.divisions:
+                if cost.sweeps[quantity].ended_early:
+                    ended.setdefault(amount(quantity, float(cost.sweeps[quantity].values[-1])), []).append(cost.name)
+            yield from (finding("CL761", words(quantity), last=last, names=names) for last, names in ended.items())
         for cost in self.divisions:
             for quantity, sweep in cost.sweeps.items():
-                yield from self._on_sweep(f"{cost.name}, {words(quantity)}", sweep)
+                if math.isnan(sweep.most):
+                    yield self._nothing_holds(f"{cost.name}, {words(quantity)}", sweep)
 
-    def _on_sweep(self, place: str, sweep: LinkSweep) -> Iterator[Finding]:
+    def _nothing_holds(self, place: str, sweep: LinkSweep) -> Finding:
         least = amount(sweep.quantity, float(sweep.values[0]))
-        if sweep.ended_early:
-            yield finding("CL761", place, last=amount(sweep.quantity, float(sweep.values[-1])))
-        if math.isnan(sweep.most) and sweep.limited_by == "error":
+        if sweep.limited_by == "error":
             error, allowed = (figure(value, self.unit, 4) for value in (float(sweep.error[0]), self.allowed))
-            yield finding("CL762", place, least=least, error=error, allowed=allowed)
-        elif math.isnan(sweep.most):
-            yield finding("CL763" if sweep.limited_by == "unstable" else "CL764", place, least=least)
+            return finding("CL762", place, least=least, error=error, allowed=allowed)
+        return finding("CL763" if sweep.limited_by == "unstable" else "CL764", place, least=least)
 
 
 @dataclass(frozen=True)
@@ -105,7 +108,7 @@ def scheme_text(name: str, costs: SchemeCost) -> str:
 
 
 def _largest(costs: SchemeCost, quantities: Sequence[str]) -> Table:
-    title = "Largest value of each that holds, the others as given; times are those of one direction"
+    title = "Largest value that holds, all others as given; times are for one direction"
     columns = [Column("in the axis, messages", left=True), Column(f"error [{costs.unit}]")]
     table = Table([*columns, *(Column(words(quantity)) for quantity in quantities)], title)
     for cost in costs.divisions:
@@ -122,7 +125,7 @@ def _most(sweep: LinkSweep) -> str:
 
 
 def _stable_limits(costs: SchemeCost, timed: Sequence[str]) -> Table:
-    title = "Largest value at which the loop is stable: linear model / simulated without friction, counting and limits; - is unknown"
+    title = "Largest stable value: linear model / simulated without friction; - is unknown"
     table = Table([Column("in the axis, messages", left=True), *(Column(words(quantity)) for quantity in timed)], title)
     for cost in costs.divisions:
         table.add(cost.name, *(_stable(cost.sweeps[quantity]) for quantity in timed))

@@ -207,7 +207,7 @@ def text_of(result: SwapResult) -> str:
 def _losses(study: SwapStudy) -> Table:
     variants = study.variants
     objective = variants.objective.replace("_", " ")
-    title = f"J: {objective} [{variants.unit}]. Loss: (J - J*)/max(J*, J_tol), J_tol = {figure(variants.floor, variants.unit)}"
+    title = f"J: {objective} [{variants.unit}]; loss: (J - J*)/max(J*, J_tol), J_tol {figure(variants.floor, variants.unit)}"
     columns = [Column("local parameters", left=True, prose=True), Column("number"), *map(Column, variants.names), Column("loss [%]")]
     table = Table(columns, title)
 
