@@ -2,20 +2,21 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+import re
+from collections.abc import Container, Iterator, Sequence
+from contextlib import contextmanager
 from dataclasses import dataclass, replace
 from pathlib import Path
 
 import numpy as np
 from numpy.typing import NDArray
 
-from contourlab.errors import LogError, ParameterError, UnitError
+from contourlab.errors import FeedError, GeometryError, LogError, ParameterError, ResultError, UnitError
 from contourlab.logs.clock import EVEN, ClockReport, common_clock, look_at_clock, repeats_too_often, resampled
+from contourlab.logs.delimited import CURE
 from contourlab.logs.formats import read_record
-from contourlab.logs.mapping import SIGNALS, Column, Columns, guessed, unknown
-from contourlab.logs.names import TIME
+from contourlab.logs.mapping import SIGNALS, TIME, Column, Columns, guessed, unknown
 from contourlab.logs.record import AXIS_LETTERS, Channel, Record, quoted
-from contourlab.logs.timestamps import CURE
 from contourlab.result import Result, Signal
 from contourlab.units import from_si, show, si_unit, to_si
 
@@ -308,3 +309,32 @@ def _stacked(found: dict[str, dict[str, tuple[Array, str]]], axes: tuple[str, ..
         units = {unit for _, unit in by_axis.values()}
         signals[name] = Signal(table, ("sample", "axis"), units.pop() if len(units) == 1 else "")
     return signals
+
+
+@contextmanager
+def about(*files: str | Path, options: Container[str] = ()) -> Iterator[None]:
+    """Raise errors about samples as `LogError` with the names of their logs.
+
+    Errors that name one of the logs already, or concern an option, pass unchanged.
+
+    Parameters
+    ----------
+    *files : str or Path
+        Names of the logs.
+    options : container of str
+        Names of parameters that the user sets, with underscores.
+
+    Raises
+    ------
+    LogError
+        In place of the error, with the names.
+    """
+    try:
+        yield
+    except (FeedError, GeometryError, ParameterError, ResultError) as error:
+        is_an_option = isinstance(error, ParameterError) and (error.name.startswith("--") or error.name == "LOG" or error.name in options)
+        if is_an_option or any(re.search(rf"(?<!\w){re.escape(Path(file).name)}(?!\w)", str(error)) for file in files):
+            raise
+        more = f" and {len(files) - 2} more" if len(files) > 3 else ""
+        named = ", ".join(str(file) for file in (files[:2] if more else files))
+        raise LogError(str(error), file=f"{named}{more}") from error

@@ -8,8 +8,7 @@ from __future__ import annotations
 import re
 from typing import NamedTuple
 
-from contourlab.program.expressions import Cursor, read_assignment, read_value
-from contourlab.program.parameters import Key, Parameters
+from contourlab.program.expressions import Cursor, Key, Parameters, read_assignment, read_value
 from contourlab.program.vocabulary import (
     G_GROUPS,
     M_GROUPS,

@@ -14,8 +14,8 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from contourlab.errors import ProgramError
+from contourlab.program.expressions import Parameters
 from contourlab.program.moves import Point
-from contourlab.program.parameters import Parameters
 from contourlab.program.vocabulary import BlockError
 
 ORIGIN: Point = (0.0, 0.0, 0.0)

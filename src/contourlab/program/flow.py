@@ -12,8 +12,7 @@ from collections.abc import Iterator
 from typing import NamedTuple
 
 from contourlab.program.block import without_blanks
-from contourlab.program.expressions import Cursor, read_value
-from contourlab.program.parameters import Parameters
+from contourlab.program.expressions import Cursor, Parameters, read_value
 from contourlab.program.vocabulary import BlockError
 
 KEYWORDS = (

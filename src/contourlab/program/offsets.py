@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from contourlab.program.block import Block, Code, Word
 from contourlab.program.coordinates import LARGEST_TOOL, ORIGIN, add, less, load_shift, origin_of, store_origin, store_shift, turn, updated
+from contourlab.program.expressions import SELECTED_SYSTEM
 from contourlab.program.moves import Move, Point
-from contourlab.program.parameters import SELECTED_SYSTEM
 from contourlab.program.state import ModalState
 from contourlab.program.vocabulary import BlockError
 

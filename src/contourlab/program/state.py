@@ -9,8 +9,8 @@ from typing import Literal, TypeAlias
 
 from contourlab.program.block import Word
 from contourlab.program.coordinates import Frame, Tools
+from contourlab.program.expressions import SELECTED_SYSTEM, Parameters
 from contourlab.program.moves import PLAIN, Dwell, Event, Feed, Mode, Move, Plane, Point, Traverse
-from contourlab.program.parameters import SELECTED_SYSTEM, Parameters
 from contourlab.program.vocabulary import BlockError
 
 LARGEST_LENGTH = 1e3

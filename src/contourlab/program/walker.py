@@ -6,8 +6,8 @@ from bisect import bisect_left
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field
 
+from contourlab.program.expressions import Parameters
 from contourlab.program.flow import OWord, Tape, read_o_word, starts_o_word
-from contourlab.program.parameters import Parameters
 from contourlab.program.vocabulary import BlockError
 
 DEEPEST_CALL = 9

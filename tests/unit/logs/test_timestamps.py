@@ -13,7 +13,7 @@ from refusals import mentions
 
 from contourlab.errors import LogError
 from contourlab.logs import load_log, parse_columns
-from contourlab.logs.timestamps import timestamp_channel
+from contourlab.logs.delimited import timestamp_channel
 
 
 def log(folder: Path, cells: list[str], mark: str = ";", name: str = "stamp") -> Path:

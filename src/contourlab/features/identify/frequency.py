@@ -21,7 +21,7 @@ from contourlab.analysis.identification.frequency_response import (
 from contourlab.analysis.identification.sine_response import sine_responses, sine_stretch
 from contourlab.features.identify.finding import Drawn, Finding, Graph, Picture
 from contourlab.features.identify.signals import AxisRecord, one_unit
-from contourlab.logs.error_context import about
+from contourlab.logs.load import about
 
 Complex = NDArray[np.complex128]
 SHOWN = 24

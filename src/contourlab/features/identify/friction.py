@@ -11,7 +11,7 @@ from contourlab.analysis.identification.friction_curve import FrictionCurve, Fri
 from contourlab.features.identify.finding import Carried, Drawn, Figure, Finding, Graph, Picture, Row, Tables, carried, of_command, told
 from contourlab.features.identify.signals import AxisRecord, fits_a_plant, no_plant, one_unit, source_of, sources_of
 from contourlab.features.identify.ways import on_ways
-from contourlab.logs.error_context import about
+from contourlab.logs.load import about
 
 DIP, RISE = "stribeck_velocity", "rise_velocity"
 """Speed of the bend as the components of a dip and of a rise call it."""

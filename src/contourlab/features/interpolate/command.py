@@ -15,7 +15,7 @@ from contourlab.errors import ParameterError, UnitError
 from contourlab.features.interpolate.record import InterpolatedRecord
 from contourlab.features.interpolate.signals import read_quadrature
 from contourlab.features.interpolate.text import counts_csv, summary_json, summary_text
-from contourlab.logs.error_context import about
+from contourlab.logs.load import about
 from contourlab.units import to_si
 
 PLACES = {"counts": "interpolated.csv", "picture": "interpolation.png", "summary": "interpolation.json"}

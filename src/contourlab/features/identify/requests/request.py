@@ -13,7 +13,7 @@ from contourlab.features.identify.doubts import doubts
 from contourlab.features.identify.signals import AxisRecord, axis_pieces, longest_piece, newtons_per, samples_digest
 from contourlab.features.measure.log_choice import LogChoice, open_log, positive, told_apart
 from contourlab.logs import Log
-from contourlab.logs.error_context import about
+from contourlab.logs.load import about
 from contourlab.units import split, to_si
 
 
