@@ -92,7 +92,7 @@ def test_the_text_tells_trials_and_what_is_to_be_expected(contourlab: Run, tmp_p
 @pytest.mark.parametrize(
     ("words", "message"),
     [
-        (["compare", "s.toml", "--schemes", "fb,fb"], "scheme 'fb' is asked for twice"),
+        (["compare", "s.toml", "--schemes", "fb,fb"], "scheme 'fb' is given twice"),
         (["compare", "s.toml", "--schemes", "fb,warp"], "no scheme 'warp': there are 'coupled', fb, ccc, mr, me, ilc, and these"),
         (["compare", "s.toml", "--schemes", "ccc+mr"], "one coupling at most"),
         (["learn", "s.toml", "--schemes", "coupled"], "no scheme learns; say how, for example:"),

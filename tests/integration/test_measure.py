@@ -408,7 +408,7 @@ def test_a_position_that_does_not_go_with_its_reference(
         assert code == 2 and "coordinates and units?" in capsys.readouterr().err and not (tmp_path / "out").exists()
         return
     said = capsys.readouterr().out
-    assert code == 0 and "note: taken by their names" in said
+    assert code == 0 and "note: identified by name" in said
     assert (f"note: the position of {axes} does not go with its reference" in said) == bool(axes)
     assert ("does not go" in said) == bool(axes)
 
