@@ -87,7 +87,7 @@ def judgement(result: Result, tolerance: float, text: str = "G3 X20 Y0 I-20 J0")
     value = float(abs(result["part_error"][sample]))
     place = Place(value, 4, text, tuple(result["tool_position"][sample]), sample * result.servo_period, sample)
     causes = (Reason("reversal", 0.8 * value, 0.7), Reason("servo mismatch", 0.3 * value, 0.2), Reason("lag", -0.1 * value, 0.1))
-    advice = "With a disturbance observer on x and y the worst error is 2.1 µm."
+    advice = "With a disturbance observer on x and y the worst error is 2.1 um."
     return Judgement(value <= tolerance, tolerance, place, causes, advice)
 
 

@@ -112,8 +112,8 @@ def write_shahin(folder: str | Path, formats: Sequence[str]) -> tuple[Path, ...]
     gap, none = setup.Setting(), setup.Setting(gap=0.0)
     baselines = {
         "on the motors, no backlash": trace("PI", none),
-        "on the motors, 25 µm": trace("PI", gap),
-        "closed over the loads, 25 µm": trace("PI on the load", gap),
+        "on the motors, 25 um": trace("PI", gap),
+        "closed over the loads, 25 um": trace("PI on the load", gap),
     }
     charts: list[Chart | PolarChart] = [
         circle_chart(
@@ -128,7 +128,7 @@ def write_shahin(folder: str | Path, formats: Sequence[str]) -> tuple[Path, ...]
         for name in ("II", "III")
         for j, axis in enumerate(setup.AXES)
     }
-    charts.append(traces_chart("fig-10", "Fig 10: axis errors of schemes II and III", ("time [s]", "axis error [µm]"), errors))
+    charts.append(traces_chart("fig-10", "Fig 10: axis errors of schemes II and III", ("time [s]", "axis error [um]"), errors))
     for number, (name, found) in zip((11, 12, 13), schemes.items(), strict=True):
         rate = {f"scheme {name}": (found.time, found.feedrate * 60.0)}
         title = f"Fig {number}: overall feedrate, scheme {name}"
@@ -157,7 +157,7 @@ def write_emps(log: str | Path | None, folder: str | Path, formats: Sequence[str
         traces_chart("emps-force-left", "EMPS: what the model leaves of the force", force, drawn.force_left_over(found)),
         traces_chart("emps-friction", "EMPS: friction and offset", ("velocity [mm/s]", "force [N]"), drawn.friction_curves(found)),
         traces_chart("emps-error", late, ("time [s]", "position error [mm]"), drawn.position_errors(found)),
-        traces_chart("emps-error-left", "EMPS: measured less simulated", ("time [s]", "position [µm]"), drawn.error_left_over(found)),
+        traces_chart("emps-error-left", "EMPS: measured less simulated", ("time [s]", "position [um]"), drawn.error_left_over(found)),
     ]
     return write_charts(charts, folder, formats)
 
@@ -178,8 +178,8 @@ def write_ubc(folder_of_logs: str | Path | None, folder: str | Path, formats: Se
     charts = []
     for name, run in read_runs(folder_of_logs).items():
         for axis, traces in tracking_errors(run).items():
-            labels = "time [s]", f"tracking error of {axis} [µm]"
+            labels = "time [s]", f"tracking error of {axis} [um]"
             charts.append(traces_chart(f"ubc-{name}-{axis}", f"UBC table, {name}: tracking error of {axis}", labels, traces))
-        labels = "place along the path [mm]", "contour error [µm]"
+        labels = "place along the path [mm]", "contour error [um]"
         charts.append(traces_chart(f"ubc-{name}-contour", f"UBC table, {name}: contour error", labels, contour_errors(run)))
     return write_charts(charts, folder, formats)

@@ -2,8 +2,8 @@
 
 Inside: `data` (what a report is made of); `comparison` (the table's figures, read by `figures`) and `tables` (its
 print); `path_picture`, `error_pictures`, `axis_pictures` (what is drawn: `charts`, thinned by `decimate`);
-`plotly_view` and `html` (the page), `matplotlib_view` and `plots` (single files). plotly, matplotlib, jinja2 and rich
-are imported when used.
+`plotly_view` and `html` (the page), `matplotlib_view` and `plots` (single files). plotly, matplotlib and
+jinja2 are imported when used.
 """
 
 from contourlab.report.data import (
@@ -17,7 +17,7 @@ from contourlab.report.data import (
 )
 from contourlab.report.html import render_html, write_html
 from contourlab.report.plots import write_plots
-from contourlab.report.tables import comparison_markdown, comparison_table, comparison_text, print_comparison
+from contourlab.report.tables import comparison_markdown, comparison_text
 
 __all__ = [
     "AxisBounds",
@@ -28,9 +28,7 @@ __all__ = [
     "ReportData",
     "SchemeReport",
     "comparison_markdown",
-    "comparison_table",
     "comparison_text",
-    "print_comparison",
     "render_html",
     "write_html",
     "write_plots",

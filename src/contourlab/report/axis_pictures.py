@@ -8,12 +8,12 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from contourlab.figures import number, shown_unit
 from contourlab.report.charts import Chart, Curve, Level, Panel
 from contourlab.report.data import AxisBounds, ReportData
 from contourlab.report.decimate import keep_extremes
 from contourlab.report.read import axis_column, has, reach, times
 from contourlab.report.style import REFERENCE, scheme_style
-from contourlab.report.text import nominal, number, quantity, shown_unit
 
 Array = NDArray[np.float64]
 OFF_SCALE = 4.0  # a peak this many times beyond the limit is told, not drawn, or it would flatten all else
@@ -36,7 +36,7 @@ def axis_charts(data: ReportData, points: int) -> tuple[Chart, ...]:
 def _axis_chart(data: ReportData, axis: int, name: str, points: int) -> Chart:
     """Return the chart of one axis; a signal that no scheme holds has no panel."""
     panels = (
-        _runs(data, axis, points, "tracking_error", "tracking error", 1e6, "µm"),
+        _runs(data, axis, points, "tracking_error", "tracking error", 1e6, "um"),
         _velocity(data, axis, points),
         _planned(data, axis, points, "acceleration"),
         _planned(data, axis, points, "jerk"),
@@ -72,7 +72,7 @@ def _limited(panel: Panel, bounds: AxisBounds | None, name: str, axis: int, fact
     limit = bounds.of(name, axis) * factor if bounds is not None else float("inf")
     if not np.isfinite(limit):
         return panel
-    text = f"limit ±{nominal(limit, unit)}"
+    text = f"limit ±{number(limit, 6)} {unit}"
     top = max(reach(curve.y) for curve in panel.curves)
     far = 0.0 < top < FAR * limit
     edge = 1.25 * (top if far else limit if top > OFF_SCALE * limit else max(limit, top))
@@ -86,7 +86,7 @@ def _off_scale(panel: Panel) -> str:
     what, _, unit = panel.y_label.partition(" [")
     worst = max(panel.curves, key=lambda curve: reach(curve.y))
     at = int(np.nanargmax(np.abs(worst.y)))
-    peak = quantity(float(worst.y[at]), unit.rstrip("]"))
+    peak = f"{number(float(worst.y[at]))} {unit.rstrip(']')}"
     return f"{what.capitalize()} peaks at {peak} at {number(float(worst.x[at]), 4)} s, outside the picture."
 
 
@@ -122,7 +122,7 @@ def _planned(data: ReportData, axis: int, points: int, name: str) -> Panel | Non
         if values.size < 2:
             return None
         values = np.diff(values) / float(source.servo_period)
-    unit = "m/s²" if name == "acceleration" else "m/s³"
+    unit = "m/s^2" if name == "acceleration" else "m/s^3"
     curve = _curve(source, values, points, 1.0, ("reference", REFERENCE, "solid"))
     return _limited(Panel("time [s]", f"{name} [{unit}]", (curve,)), _bounds(data), name, axis, 1.0, unit)
 

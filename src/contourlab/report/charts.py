@@ -146,8 +146,8 @@ class PolarChart:
     def rings(self) -> list[tuple[float, str]]:
         """Return each ring [um] with its text; every second one is numbered, those in the middle are not."""
         count = round(self.reach[1] / self.division)
-        texts = {k: f"{k * self.division:+g}".replace("-", "−") for k in range(-count, count - 1) if k % 2 == 0}
-        texts |= {0: "0", count: f"{self.reach[1]:+g} µm"}
+        texts = {k: f"{k * self.division:+g}" for k in range(-count, count - 1) if k % 2 == 0}
+        texts |= {0: "0", count: f"{self.reach[1]:+g} um"}
         return [(k * self.division, texts.get(k, "")) for k in range(-2 * count, count + 1)]
 
 

@@ -8,12 +8,12 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from contourlab.figures import figure, number
 from contourlab.report.charts import Chart, Curve, Panel, PolarChart, Tick
 from contourlab.report.data import ReportData
 from contourlab.report.decimate import keep_extremes
 from contourlab.report.read import error_signal, has, reach, signal, times
-from contourlab.report.style import scheme_style
-from contourlab.report.text import nominal, number, quantity, round_down
+from contourlab.report.style import round_down, scheme_style
 
 UM = 1e6
 MARKS = 400  # more marks than this would be a grey wall
@@ -41,7 +41,7 @@ def error_charts(data: ReportData, points: int) -> tuple[Chart, ...]:
         over_time.append(Curve(times(scheme.result, kept), height, scheme.name, colour, dash))
         if has(scheme.result, "arc_length"):
             over_arc.append(Curve(signal(scheme.result, "arc_length")[kept] * 1e3, height, scheme.name, colour, dash))
-    label = f"{name.replace('_', ' ')} [µm]"
+    label = f"{name.replace('_', ' ')} [um]"
     caption = _caption(data, name, signed)
     panel = _panel(data, "time [s]", label, tuple(over_time), signed, _moments(data))
     charts = [Chart("error-time", "Error over time", caption, (panel,))]
@@ -59,7 +59,7 @@ def _moments(data: ReportData) -> tuple[Tick, ...]:
     scheme = data.schemes[-1]
     # Of too many the highest are shown; one whose height is not known counts as low.
     marks = sorted(scheme.marks, key=lambda mark: -mark.height if math.isfinite(mark.height) else 0.0)[:MARKS]
-    heights = (f", spike {quantity(m.height, 'µm', UM)}" if math.isfinite(m.height) else "" for m in marks)
+    heights = (f", spike {figure(m.height, 'um')}" if math.isfinite(m.height) else "" for m in marks)
     ticks = [Tick(m.time, m.label + text, m.kind) for m, text in zip(marks, heights, strict=True)]
     if has(scheme.result, "arc_length"):
         along = signal(scheme.result, "arc_length")
@@ -84,7 +84,7 @@ def _panel(data: ReportData, x_label: str, y_label: str, curves: tuple[Curve, ..
     if data.tolerance is not None:
         edge = data.tolerance * UM
         band = (-edge, edge) if signed else (0.0, edge)
-        text = f"tolerance {'±' if signed else ''}{nominal(edge, 'µm')}"
+        text = f"tolerance {'±' if signed else ''}{figure(data.tolerance, 'um', 6)}"
         top = max(reach(curve.y) for curve in curves)
         if 0.0 < top < edge / 4:
             y_range = (-1.15 * top if signed else 0.0, 1.15 * top)
@@ -123,7 +123,7 @@ def _polar(data: ReportData, name: str, index: int, points: int) -> PolarChart:
             radius, top = run.radius, max(top, reach(run.deviation) * UM)
     division, span = division_of(top)
     caption = (
-        f"Nominal radius {nominal(radius, 'mm', 1e3)}; one ring is {nominal(division, 'µm')} of radial deviation, "
+        f"Nominal radius {figure(radius, 'mm', 6)}; one ring is {number(division, 6)} um of radial deviation, "
         f"magnified {number(radius * 1e6 / (2.0 * span))} times. Solid counter-clockwise, dashed clockwise."
         + (" Rings: the spikes where an axis turns, each at its highest." if marks else "")
     )
@@ -166,5 +166,5 @@ def circle_tables(data: ReportData) -> tuple[CircleTable, ...]:
 def _table(name: str, runs: dict[str, dict[str, float]]) -> CircleTable:
     """Return one table; a figure that a run does not have is a dash."""
     labels = dict.fromkeys(label for figures in runs.values() for label in figures)
-    rows = tuple((label, tuple(quantity(figures.get(label, math.nan), "µm", UM) for figures in runs.values())) for label in labels)
+    rows = tuple((label, tuple(figure(figures.get(label, math.nan), "um") for figures in runs.values())) for label in labels)
     return CircleTable(name, tuple(runs), rows)

@@ -9,10 +9,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from contourlab.errors import ParameterError
+from contourlab.figures import figure, number
 from contourlab.report.charts import Chart, Curve, Panel
 from contourlab.report.decimate import keep_extremes
 from contourlab.report.style import REFERENCE
-from contourlab.report.text import number, quantity
 
 Array = NDArray[np.float64]
 _COLOURS = ("#8a949e", "#0072b2", "#009e73", "#d55e00", "#cc79a7", "#e69f00", "#56b4e9")
@@ -84,9 +84,9 @@ def feed_charts(run: FeedRun | None, unit: str = "mm/min") -> tuple[Chart, ...]:
         drawn = held | np.append(False, held[:-1])
         curves.append(Curve(x, np.where(drawn, feed, np.nan), name, _COLOURS[code % len(_COLOURS)], "solid", _WIDTH))
     panel = Panel("arc length [mm]", f"feedrate [{unit}]", tuple(curves))
-    shares = ", ".join(f"{name} {number(100.0 * part, 3)} %" for name, part in run.shares().items() if part >= 5e-4)
+    shares = ", ".join(f"{name} {number(100.0 * part)} %" for name, part in run.shares().items() if part >= 5e-4)
     caption = (
-        f"Planned speed along the path; the colour says what holds it. By time: {shares}. Cycle time {quantity(float(run.time[-1]), 's')}."
+        f"Planned speed along the path; the colour says what holds it. By time: {shares}. Cycle time {figure(float(run.time[-1]), 's')}."
         ' "Step of curvature": where a line meets an arc the acceleration steps, at a speed that keeps the step within the axes\' limits;'
         ' no jerk limit can hold there short of a stop. "Planner\'s distance": no limit is nearly used up, before or behind a slower place.'
     )

@@ -51,27 +51,27 @@ def _errors(data: ReportData, scheme: SchemeReport) -> Iterator[Figure]:
     """Yield the figures of the errors."""
     metrics = scheme.metrics
     if data.is_blended:
-        yield Figure("part error, largest", metrics.part_error.max, UM, "µm", strong=True)
-        yield Figure("part error, rms", metrics.part_error.rms, UM, "µm")
-        yield Figure("planning deviation, largest", metrics.planning_deviation.max, UM, "µm")
+        yield Figure("part error, largest", metrics.part_error.max, UM, "um", strong=True)
+        yield Figure("part error, rms", metrics.part_error.rms, UM, "um")
+        yield Figure("planning deviation, largest", metrics.planning_deviation.max, UM, "um")
     yield from _contour(metrics.contour_error, strong=not data.is_blended, sided=len(data.axes) == 2)
 
 
 def _contour(error: ErrorFigures, strong: bool, sided: bool) -> Iterator[Figure]:
     """Yield the figures of the contour error; in space it has no side, and so no signed mean."""
-    yield Figure("contour error, largest", error.max, UM, "µm", strong=strong)
-    yield Figure("contour error, rms", error.rms, UM, "µm")
-    yield Figure("contour error, mean", error.mean, UM, "µm")
-    yield Figure("contour error, 95th percentile", error.p95, UM, "µm")
+    yield Figure("contour error, largest", error.max, UM, "um", strong=strong)
+    yield Figure("contour error, rms", error.rms, UM, "um")
+    yield Figure("contour error, mean", error.mean, UM, "um")
+    yield Figure("contour error, 95th percentile", error.p95, UM, "um")
     if sided:
-        yield Figure("contour error, signed mean", error.signed_mean, UM, "µm", lower_is_better=False)
-    yield Figure("contour error, integral", error.integral, UM, "µm·s")
+        yield Figure("contour error, signed mean", error.signed_mean, UM, "um", lower_is_better=False)
+    yield Figure("contour error, integral", error.integral, UM, "um s")
 
 
 def _axes(data: ReportData, scheme: SchemeReport) -> Iterator[Figure]:
     """Yield the figures of each axis and its drive."""
     for axis, error in zip(data.axes, scheme.metrics.tracking_error, strict=True):
-        yield Figure(f"tracking error {axis}, rms", error.rms, UM, "µm")
+        yield Figure(f"tracking error {axis}, rms", error.rms, UM, "um")
     for axis, part in zip(data.axes, scheme.metrics.saturation, strict=True):
         yield Figure(f"drive {axis} saturated", part, 100.0, "% of time")
 

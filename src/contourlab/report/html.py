@@ -10,6 +10,7 @@ from functools import cache
 from pathlib import Path
 from typing import Any
 
+from contourlab.figures import figure, number
 from contourlab.report.axis_pictures import axis_charts, bode_charts
 from contourlab.report.comparison import compare
 from contourlab.report.data import ReportData
@@ -23,7 +24,6 @@ from contourlab.report.plotly_view import Figure, line_figure, path_figure, pola
 from contourlab.report.reversal_table import reversal_table
 from contourlab.report.style import scheme_style
 from contourlab.report.switching import strip_charts, switch_tables
-from contourlab.report.text import nominal, number, quantity
 from contourlab.report.trials import trial_charts
 from contourlab.report.trust import interval_rows, origin_tables, trust_lines
 from contourlab.result.atomic import write_text_atomic
@@ -146,18 +146,18 @@ def _verdict(scheme: Any, index: int, count: int) -> dict[str, Any] | None:
         "name": scheme.name,
         "colour": scheme_style(index, count)[0],
         "passed": bool(verdict.passed),
-        "tolerance": nominal(verdict.tolerance, "µm", 1e6),
-        "value": quantity(worst.value, "µm", 1e6),
+        "tolerance": figure(verdict.tolerance, "um", 6),
+        "value": figure(worst.value, "um"),
         "line": worst.line,
         "text": worst.text,
         "place": place,
-        "time": quantity(worst.time, "s", digits=5),
+        "time": figure(worst.time, "s", 5),
         "sample": worst.sample,
         "causes": [
             {
                 "name": cause.name,
                 # A nanometre more or less is no finding.
-                "value": quantity(round(cause.contribution, 9), "µm", 1e6),
+                "value": figure(round(cause.contribution, 9), "um"),
                 "percent": f"{100.0 * cause.share:.0f} %",
                 "width": f"{min(max(100.0 * cause.share, 0.0), 100.0):.1f}",
             }
@@ -211,9 +211,9 @@ def _facts(data: ReportData, points: int) -> list[tuple[str, str]]:
         ("Platform", source.platform),
         ("Seed", "" if source.seed is None else str(source.seed)),
         ("Axes", ", ".join(data.axes)),
-        ("Servo period", nominal(period, "ms", 1e3)),
-        ("Samples", f"{samples:,}".replace(",", " ") + f" in {quantity(samples * period, 's', digits=4)}"),
-        ("Path length", quantity(float(data.planned.length), "mm", 1e3, 6)),
+        ("Servo period", figure(period, "ms", 6)),
+        ("Samples", f"{samples:,}".replace(",", " ") + f" in {figure(samples * period, 's', 4)}"),
+        ("Path length", figure(float(data.planned.length), "mm", 6)),
         ("Drawn", f"at most {points} points a curve; the lowest and highest value of every interval are kept"),
     )
     return [(name, text) for name, text in facts if text]

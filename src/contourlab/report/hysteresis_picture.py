@@ -7,12 +7,12 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from contourlab.figures import figure
 from contourlab.report.charts import Chart, Curve, Panel
 from contourlab.report.data import ReportData, SchemeReport
 from contourlab.report.decimate import keep_extremes
 from contourlab.report.read import axis_column, has, reach
 from contourlab.report.style import LIMIT, scheme_style
-from contourlab.report.text import nominal, quantity
 
 Array = NDArray[np.float64]
 UM = 1e6
@@ -41,7 +41,7 @@ def _chart(data: ReportData, axis: int, name: str, points: int) -> Chart | None:
         panels.append((Curve(x, y, scheme.name, *scheme_style(i, len(data.schemes)), 1.0), *_flanks(scheme, name, x)))
         notes.append(_note(scheme, name, x, y))
     edge = 1.15 * max(reach(curve.y) for curves in panels for curve in curves) or 1.0
-    drawn = tuple(Panel("load position [mm]", "motor − load [µm]", curves, y_range=(-edge, edge)) for curves in panels)
+    drawn = tuple(Panel("load position [mm]", "motor − load [um]", curves, y_range=(-edge, edge)) for curves in panels)
     caption = f"Between the dashed flanks the motor turns without the load; beyond, the shaft is wound up. {' '.join(notes)}"
     return Chart(f"backlash-{axis}", f"Axis {name}: motor less load over the load's position", caption, drawn, loops=True)
 
@@ -67,7 +67,7 @@ def _flanks(scheme: SchemeReport, axis: str, x: Array) -> tuple[Curve, Curve]:
 def _note(scheme: SchemeReport, axis: str, x: Array, y: Array) -> str:
     """Say how wide the gap is, and by how much the shaft was wound up at most."""
     place, width = scheme.gaps[axis]
-    wide, narrow = float(width.max()) * UM, float(width.min()) * UM
-    gap = nominal(wide, "µm") if wide == narrow else f"{nominal(narrow, 'µm')} to {nominal(wide, 'µm')}"
-    twist = np.abs(y) - 0.5 * np.interp(x * 1e-3, place, width) * UM
-    return f"{scheme.name}: free travel {gap}, wind-up at most {quantity(max(float(np.nanmax(twist)), 0.0), 'µm')}."
+    wide, narrow = float(width.max()), float(width.min())
+    gap = figure(wide, "um", 6) if wide == narrow else f"{figure(narrow, 'um', 6)} to {figure(wide, 'um', 6)}"
+    twist = np.abs(y) / UM - 0.5 * np.interp(x * 1e-3, place, width)
+    return f"{scheme.name}: free travel {gap}, wind-up at most {figure(max(float(np.nanmax(twist)), 0.0), 'um')}."

@@ -7,8 +7,8 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from contourlab.feed.verify import LimitReport, Worst
+from contourlab.figures import NONE, figure, shown_unit
 from contourlab.report.data import ReportData
-from contourlab.report.text import NONE, quantity, shown_unit
 
 TITLE = "Planned motion against the limits of the axes"
 _ROWS = (
@@ -60,13 +60,13 @@ def _cells(worst: Worst | None, unit: str, axes: Sequence[str]) -> tuple[str, ..
     """Return the cells of one row; dashes where there was nothing of the kind."""
     if worst is None:
         return (NONE,) * 6
-    factor, shown = shown_unit(unit)
+    shown = shown_unit(unit)[1]
     bounded = math.isfinite(worst.limit)
     return (
         axes[worst.axis],
-        quantity(worst.value, shown, factor, 4),
-        quantity(worst.limit, shown, factor, 4) if bounded else "none",
+        figure(worst.value, shown, 4),
+        figure(worst.limit, shown, 4) if bounded else "none",
         f"{100.0 * worst.ratio:.1f} %" if bounded else NONE,
-        quantity(worst.time, "s", digits=5),
+        figure(worst.time, "s", 5),
         str(worst.source_line) if worst.source_line else NONE,
     )

@@ -6,9 +6,9 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from contourlab.figures import number
 from contourlab.report.charts import Chart, Magnified, Panel, PathChart, PolarChart
 from contourlab.report.style import BAND, GRID, INK, LIMIT, MUTED
-from contourlab.report.text import nominal
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -174,7 +174,7 @@ def polar_drawing(chart: PolarChart) -> Figure:
     rings, texts = zip(*chart.rings()[1:], strict=True)
     place.set_rgrids(list(rings), list(texts), angle=67.5, size=7)
     place.set_title(plain(chart.title), pad=14)
-    place.annotate(f"one ring {nominal(chart.division, 'µm')}", (0, 0), xycoords="axes fraction", size=7.5, color=MUTED)
+    place.annotate(f"one ring {number(chart.division, 6)} um", (0, 0), xycoords="axes fraction", size=7.5, color=MUTED)
     figure.legend(loc="outside lower left", ncols=2)
     return figure
 
@@ -196,7 +196,7 @@ def path_drawing(chart: PathChart) -> Figure:
     place.set_aspect("equal", adjustable="datalim")
     place.set_xlabel(plain(chart.labels[0]))
     place.set_ylabel(plain(chart.labels[1]))
-    place.set_title(f"{plain(chart.title)}, {plain(chart.view)}: errors × {nominal(chart.magnification, '')}")
+    place.set_title(f"{plain(chart.title)}, {plain(chart.view)}: errors × {number(chart.magnification, 6)}")
     figure.legend(loc="outside lower left", ncols=2)
     return figure
 

@@ -86,4 +86,4 @@ def circle_chart(key: str, title: str, radius: float, runs: Mapping[str, tuple[A
         Curve(np.degrees(np.unwrap(angle)), deviation * 1e6, name, *scheme_style(i, count))
         for i, (name, (angle, deviation)) in enumerate(runs.items())
     )
-    return PolarChart(key, title, f"One ring is {division:g} µm of radial deviation.", curves, division, (-2.0 * span, span), radius)
+    return PolarChart(key, title, f"One ring is {division:g} um of radial deviation.", curves, division, (-2.0 * span, span), radius)

@@ -5,9 +5,10 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 
+from contourlab.figures import NONE, number
 from contourlab.metrics import ReversalFigures, Spike, reversal_figures
 from contourlab.report.data import ReportData
-from contourlab.report.text import NONE, number
+from contourlab.report.table import Column, Table
 
 Key = tuple[str, int, float | None]
 
@@ -54,18 +55,15 @@ def reversal_table(data: ReportData, *, places: bool = True) -> ReversalTable | 
 
 
 def reversal_text(data: ReportData) -> str:
-    """Return mean and largest spike by axis and direction as plain ASCII text; empty where no axis turns."""
-    table = reversal_table(data, places=False)
-    if table is None:
+    """Return mean and largest spike by axis and direction for the terminal; empty where no axis turns."""
+    found = reversal_table(data, places=False)
+    if found is None:
         return ""
-    head = ("reversal spikes (number), mean / largest [um]", *table.heads)
-    body = [(f"{where} ({many})".replace("°", " deg"), *(f"{mean} / {top}" for mean, top, _ in cells)) for where, many, cells in table.rows]
-    widths = [max(len(row[i]) for row in (head, *body)) for i in range(len(head))]
-    lines = [
-        "   ".join([row[0].ljust(widths[0]), *(cell.rjust(w) for cell, w in zip(row[1:], widths[1:], strict=True))])
-        for row in (head, *body)
-    ]
-    return "\n".join(line.replace("–", "-").replace("−", "-").rstrip() for line in lines)
+    heads = ["reversal spikes (number), mean / largest [um]", *found.heads]
+    table = Table([Column(head, left=i == 0) for i, head in enumerate(heads)])
+    for where, many, cells in found.rows:
+        table.add(f"{where} ({many})", *(f"{mean} / {top}" for mean, top, _ in cells))
+    return table.text()
 
 
 def _key(figures: ReversalFigures) -> Key:
@@ -81,8 +79,8 @@ def _order(key: Key, axes: tuple[str, ...]) -> tuple[bool, float, int, int]:
 def _words(key: Key, mixed: bool) -> str:
     axis, direction, angle = key
     if angle is not None:
-        return f"{axis} at {math.degrees(angle):.0f}°" + (" of arcs" if mixed else "")
-    return f"{axis}, {'− to +' if direction > 0 else '+ to −'}" + (" elsewhere" if mixed else "")
+        return f"{axis} at {math.degrees(angle):.0f} deg" + (" of arcs" if mixed else "")
+    return f"{axis}, {'- to +' if direction > 0 else '+ to -'}" + (" elsewhere" if mixed else "")
 
 
 def _cells(figures: ReversalFigures | None) -> tuple[str, str, str]:

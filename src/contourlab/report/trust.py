@@ -7,10 +7,9 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
-from contourlab.report.text import NONE, number
-
 if TYPE_CHECKING:
-    from contourlab.report.data import ReportData
+    from contourlab.figures import NONE, number
+from contourlab.report.data import ReportData
 
 
 @dataclass(frozen=True)
@@ -156,4 +155,4 @@ def _in_words(trust: Trust) -> str:
 
 
 def _plain(value: float) -> str:
-    return "any" if math.isinf(value) else number(value * 1e6).replace("−", "-")
+    return "any" if math.isinf(value) else number(value * 1e6)

@@ -51,7 +51,7 @@ def tuning_charts(
         found.append(_lines(label, lines))
     traces = [Curve(x, y, name, *scheme_style(i, len(errors))) for i, (name, (x, y)) in enumerate(errors.items())]
     if traces:
-        panel = Panel("time [s]", "contour error [µm]", tuple(traces))
+        panel = Panel("time [s]", "contour error [um]", tuple(traces))
         found.append(Chart("tune-error", "Contour error before and after", "Over the time that counts, by the exact judge.", (panel,)))
     return tuple(found)
 
