@@ -24,7 +24,9 @@ def test_a_number_never_shows_more_than_its_digits(value, digits):
     assert len(shown.rstrip("0")) <= digits
 
 
-@pytest.mark.parametrize(("value", "text"), [(0.0, "0"), (math.nan, "-"), (math.inf, "inf"), (-math.inf, "-inf"), (9.996, "10"), (-0.02, "-0.02")])
+@pytest.mark.parametrize(
+    ("value", "text"), [(0.0, "0"), (math.nan, "-"), (math.inf, "inf"), (-math.inf, "-inf"), (9.996, "10"), (-0.02, "-0.02")]
+)
 def test_particular_numbers(value, text):
     assert number(value) == text
 

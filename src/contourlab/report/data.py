@@ -11,8 +11,10 @@ from numpy.typing import NDArray
 
 from contourlab.errors import ParameterError
 from contourlab.feed.verify import LimitReport
+from contourlab.findings import Finding
 from contourlab.metrics import Bidirectional, CircleFigures, Metrics, Spike
 from contourlab.report.shapes import DrawnPath, Verdict
+from contourlab.report.trust import Trust
 from contourlab.result import Result
 
 if TYPE_CHECKING:
@@ -20,7 +22,6 @@ if TYPE_CHECKING:
     from contourlab.loop.switches import Switches
     from contourlab.report.feed_picture import FeedRun
     from contourlab.report.trials import TrialCourse
-    from contourlab.report.trust import Trust
 
 Array = NDArray[np.float64]
 NANOMETRE = 1e-9  # below this two paths are one: so far may the curves of a path be apart at a joint
@@ -185,6 +186,7 @@ class SchemeReport:
         For each axis with a motor and a load: places of the load, and the free travel there.
     trust : Trust or None
         Where the numbers are from, and what their deviations make of the contour error.
+    findings : sequence of Finding
     """
 
     name: str
@@ -203,6 +205,7 @@ class SchemeReport:
     switches: Switches | None = None
     gaps: Mapping[str, tuple[Array, Array]] = field(default_factory=dict)
     trust: Trust | None = None
+    findings: Sequence[Finding] = ()
 
     @property
     def runs(self) -> tuple[CircleRun, ...]:
@@ -305,6 +308,11 @@ class ReportData:
     def axes(self) -> tuple[str, ...]:
         """Names of the axes."""
         return tuple(self.schemes[0].result.axes)
+
+    @property
+    def findings(self) -> list[tuple[str, Finding]]:
+        """The findings of all schemes, each with the name of its scheme."""
+        return [(scheme.name, finding) for scheme in self.schemes for finding in scheme.findings]
 
     @property
     def asked(self) -> DrawnPath:

@@ -13,7 +13,7 @@ from typing import Any
 from contourlab.figures import figure, number
 from contourlab.report.axis_pictures import axis_charts, bode_charts
 from contourlab.report.comparison import compare
-from contourlab.report.data import ReportData
+from contourlab.report.data import ReportData, SchemeReport
 from contourlab.report.decimate import share
 from contourlab.report.error_pictures import circle_tables, error_charts, polar_charts
 from contourlab.report.feed_picture import feed_charts
@@ -24,8 +24,8 @@ from contourlab.report.plotly_view import Figure, line_figure, path_figure, pola
 from contourlab.report.reversal_table import reversal_table
 from contourlab.report.style import scheme_style
 from contourlab.report.switching import strip_charts, switch_tables
+from contourlab.report.tables import interval_rows, origin_tables
 from contourlab.report.trials import trial_charts
-from contourlab.report.trust import interval_rows, origin_tables, trust_lines
 from contourlab.result.atomic import write_text_atomic
 
 MOST_POINTS = 4000
@@ -84,7 +84,7 @@ def render_html(data: ReportData) -> str:
             limit_tables=limit_tables(data),
             reversals=reversal_table(data),
             switch_tables=switch_tables(data),
-            trust={"tables": origin_tables(data), "rows": interval_rows(data), "lines": trust_lines(data)},
+            trust={"tables": origin_tables(data), "rows": interval_rows(data)},
             verdicts=[_verdict(scheme, index, len(data.schemes)) for index, scheme in enumerate(data.schemes)],
             program=_program(data),
             scenario=_clipped(data.provenance.scenario),
@@ -134,7 +134,7 @@ def _inert(value: Any) -> str:
     return text.replace("&", "\\u0026").replace("<", "\\u003c").replace(">", "\\u003e")
 
 
-def _verdict(scheme: Any, index: int, count: int) -> dict[str, Any] | None:
+def _verdict(scheme: SchemeReport, index: int, count: int) -> dict[str, Any] | None:
     """Return a verdict in print form; None where there is none."""
     verdict = scheme.verdict
     if verdict is None:
@@ -163,9 +163,6 @@ def _verdict(scheme: Any, index: int, count: int) -> dict[str, Any] | None:
             }
             for cause in verdict.causes
         ],
-        "left_out": f"{verdict.left_out * 1e3:.3g} mm" if verdict.left_out else "",
-        "untold": ", ".join(verdict.untold),
-        "advice": verdict.advice[:1].upper() + verdict.advice[1:],
     }
 
 

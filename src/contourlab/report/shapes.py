@@ -1,12 +1,14 @@
-"""What a report reads of things that other rooms make: any object of this shape will do."""
+"""What a report reads of a path, and the verdict that it prints."""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from dataclasses import dataclass, field
 from typing import Any, Protocol
 
 import numpy as np
 from numpy.typing import NDArray
+
+from contourlab.findings import Finding
 
 Array = NDArray[np.float64]
 
@@ -41,77 +43,59 @@ class DrawnPath(Protocol):
         """Unit tangents (n, n_axis) at arc lengths (n,) [m]."""
 
 
-class Cause(Protocol):
-    """One reason for the worst error."""
+@dataclass(frozen=True, slots=True)
+class Cause:
+    """One cause of the error at the worst place.
 
-    @property
-    def name(self) -> str:
-        """What it is, for people."""
+    Attributes
+    ----------
+    name : str
+    contribution : float [m]
+        Along the direction of the error; negative where it makes the error smaller.
+    share : float, 0 to 1
+        Of the sum of all contributions' magnitudes.
+    """
 
-    @property
-    def contribution(self) -> float:
-        """How much of the worst error it accounts for [m]; negative where it happens to help."""
-
-    @property
-    def share(self) -> float:
-        """Its magnitude as a part of the magnitudes of all causes, 0 to 1."""
-
-
-class Worst(Protocol):
-    """The place of the worst error."""
-
-    @property
-    def value(self) -> float:
-        """Error [m]."""
-
-    @property
-    def line(self) -> int:
-        """Line of the part program from 1; 0 where there is none."""
-
-    @property
-    def text(self) -> str:
-        """That line."""
-
-    @property
-    def position(self) -> Sequence[float]:
-        """Where (n_axis,) [m]."""
-
-    @property
-    def time(self) -> float:
-        """When [s]."""
-
-    @property
-    def sample(self) -> int:
-        """Which sample, from 0."""
+    name: str
+    contribution: float
+    share: float
 
 
-class Verdict(Protocol):
-    """Whether the part is good, why not, and what to do about it."""
+@dataclass(frozen=True, slots=True)
+class Worst:
+    """Where the part error is largest: value [m], sample, time [s], position [m], arc length [m], source line (0 for none) and its text."""
 
-    @property
-    def passed(self) -> bool:
-        """Whether the worst error is within the tolerance."""
+    value: float
+    sample: int
+    time: float
+    position: tuple[float, ...]
+    arc_length: float
+    line: int
+    text: str
 
-    @property
-    def tolerance(self) -> float:
-        """Largest error allowed [m]."""
 
-    @property
-    def worst(self) -> Worst:
-        """The worst place."""
+@dataclass(frozen=True, slots=True)
+class Verdict:
+    """Pass or fail against a tolerance.
 
-    @property
-    def causes(self) -> Sequence[Cause]:
-        """Reasons, the largest first."""
+    Attributes
+    ----------
+    passed : bool
+        Whether the largest part error is within the tolerance, and the tool traces the whole path: the longest piece it skips is within
+        ten tolerances (at the end: two), or within three steps of the reference where these are longer.
+    tolerance : float [m]
+    worst : Worst
+    causes : tuple of Cause
+        Largest first.
+    left_out : float [m]
+        Longest piece of the path that the tool skips, where it is too long to pass; else 0.
+    findings : tuple of Finding
+        Skipped path, causes that could not be separated, the best single change.
+    """
 
-    @property
-    def advice(self) -> str:
-        """One sentence."""
-
-    @property
-    def untold(self) -> Sequence[str]:
-        """Names of causes that could not be told apart."""
-
-    @property
-    def left_out(self) -> float:
-        """Longest piece of the path that the tool never came to [m], where that is why it failed; else 0."""
+    passed: bool
+    tolerance: float
+    worst: Worst
+    causes: tuple[Cause, ...] = ()
+    left_out: float = 0.0
+    findings: tuple[Finding, ...] = field(default=(), metadata={"json": False})

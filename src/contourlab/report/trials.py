@@ -31,15 +31,14 @@ class TrialCourse:
     tracking_rms : ndarray (n_trial, n_axis) [m]
     best : int
         The trial that the scheme's figures are of.
-    status, reason : str
-        How it ended, in a word and in a sentence.
+    status : str
+        How it ended.
     """
 
     contour_rms: Array
     tracking_rms: Array
     best: int
     status: str
-    reason: str = ""
 
     def __post_init__(self) -> None:
         n = len(self.contour_rms)

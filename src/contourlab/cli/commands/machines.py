@@ -73,8 +73,6 @@ def _details(one: Shipped) -> None:
     from rich.table import Table
     from rich.text import Text
 
-    from contourlab.features.run.trust import printed
-
     head = [f"builtin:{one.name}, {one.kind}" + (f" with the axes {', '.join(one.axes)}" if one.axes else ""), f"file: {one.file}"]
     if not one.numbers:
         say("\n".join([*head, "", one.file.read_text(encoding="utf-8").rstrip()]))
@@ -82,6 +80,6 @@ def _details(one: Shipped) -> None:
     said = ", ".join(f"{count} {source}" for source, count in one.sources.items())
     table = Table("number", "value", "unit", "source", "deviation", "from", "note")
     for number in one.numbers:
-        row = printed(number)
-        table.add_row(*map(Text, (row.name, row.value, row.unit, row.source, row.deviation, row.reference, row.note)))
+        cells = (number.value_text, number.display, number.source, number.deviation_text, number.reference, number.note)
+        table.add_row(*map(Text, (number.name, *cells)))
     show(Text("\n".join([*head, f"{one.about}.", f"numbers: {said}"])), table)

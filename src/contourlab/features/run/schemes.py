@@ -1,4 +1,4 @@
-"""``contourlab compare`` and ``contourlab learn``: chosen schemes of a scenario, side by side."""
+"""``contourlab compare`` and ``contourlab learn``: schemes of a scenario side by side."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ def compare_schemes(
     progress: bool = False,
     interval: bool | None = None,
 ) -> RunOutcome:
-    """Run schemes of a scenario and measure what each costs at run time; those that learn are driven trial after trial.
+    """Run schemes of a scenario side by side and time the servo tick of each; schemes that learn run trial after trial.
 
     Parameters
     ----------
@@ -38,9 +38,9 @@ def compare_schemes(
     schemes : sequence of str
         Schemes of the scenario, or parts joined by + (`contourlab.scenario.FEATURES`); by default all schemes of the scenario.
     trials : int, optional
-        Largest number of trials, in place of the scenario's own.
+        Largest number of trials; by default that of the scenario.
     plugins, plots, signals, progress, interval
-        As of `contourlab.features.run.command.run_scenario`.
+        As in `contourlab.features.run.command.run_scenario`.
     """
     scenario = _with_trials(loaded(file, schemes, plugins), trials)
     command = _command("compare", file, schemes, trials, plugins, interval_words(interval))
@@ -60,14 +60,14 @@ def learn_schemes(
     progress: bool = False,
     interval: bool | None = None,
 ) -> RunOutcome:
-    """Drive the schemes that learn, trial after trial, beside the same without learning; write what was learned beside the results.
+    """Run the schemes that learn, trial after trial, beside the same without learning; write the learned tables.
 
     Parameters
     ----------
     file, out, schemes, trials, plugins, plots, signals, progress, interval
-        As of `compare_schemes`; by default all schemes that learn.
+        As in `compare_schemes`; by default all schemes that learn.
     table : str or Path, optional
-        A learned table to start with.
+        Learned table to start with.
 
     Raises
     ------
@@ -78,7 +78,7 @@ def learn_schemes(
     learning = tuple(case for case in scenario.cases() if case.learning is not None)
     if not learning:
         example = '[learning]\nlaw = {kind = "zero-phase", gain = 0.2, half_width = 11}\ntrials = 30'
-        raise ScenarioError(f"no scheme learns; say how, for example:\n\n{example}\n", file=scenario.file)
+        raise ScenarioError(f"no scheme learns: add a law, for example:\n\n{example}\n", file=scenario.file)
     scenario = _with_trials(replace(scenario, all_cases=_with_first(learning)), trials)
     if table is not None:
         scenario = _changed(scenario, table=Path(table))
@@ -88,26 +88,26 @@ def learn_schemes(
 
 
 def _with_first(cases: Sequence[Case]) -> tuple[Case, ...]:
-    """Put a case that has learned nothing before each, for the comparison."""
-    found: list[Case] = []
+    """Put a copy that does not learn before each case."""
+    pairs: list[Case] = []
     for case in cases:
         name = "before learning" if len(cases) == 1 else f"{case.name}, before"
-        found += [replace(case, name=name, learning=None), case if case.name != "base" else replace(case, name="after learning")]
-    return tuple(found)
+        pairs += [replace(case, name=name, learning=None), case if case.name != "base" else replace(case, name="after learning")]
+    return tuple(pairs)
 
 
 def loaded(file: str | Path, schemes: Sequence[str], plugins: Sequence[str | Path]) -> Scenario:
-    """Return a scenario, with the schemes asked for, or with its own.
+    """Read a scenario with the schemes asked for, or with its own.
 
     Raises
     ------
     ScenarioError
-        If the file is no scenario, or there is no such scheme.
+        If the file is not a scenario, or has no such scheme.
     """
     from contourlab.scenario import BUILTIN, chosen, load_scenario
 
     if not str(file).startswith(BUILTIN) and Path(file).suffix.lower() != ".toml":
-        raise ScenarioError("a scenario is wanted, which ends in .toml", file=file)
+        raise ScenarioError("not a scenario: its name must end in .toml", file=file)
     scenario = load_scenario(file, plugins=plugins)
     return chosen(scenario, schemes) if schemes else scenario
 
@@ -121,7 +121,7 @@ def _with_trials(scenario: Scenario, trials: int | None) -> Scenario:
 
 
 def _changed(scenario: Scenario, **settings: object) -> Scenario:
-    """Return the scenario with settings of learning changed in all cases that learn."""
+    """Change settings of learning in all cases that learn."""
     cases = tuple(
         case if case.learning is None else replace(case, learning=replace(case.learning, **settings))  # type: ignore[arg-type]
         for case in scenario.cases()

@@ -1,7 +1,4 @@
-"""Machines with one imperfection taken away: what the verdict's decomposition is made of.
-
-Each function returns the machine itself where there is nothing to take away.
-"""
+"""Machines with one imperfection taken away; each function returns the machine itself where there is nothing to take away."""
 
 from __future__ import annotations
 
@@ -23,14 +20,14 @@ def perfect_geometry(machine: Machine) -> Machine:
 
 
 def perfect_sensing(machine: Machine) -> Machine:
-    """Return the machine with encoders that do not count."""
+    """Return the machine with ideal encoders."""
     if all(isinstance(sensor, IdealSensor) for a in machine.axes for sensor in (a.sensor, a.motor_sensor)):
         return machine
     return replace(machine, axes=tuple(replace(a, sensor=IdealSensor(), motor_sensor=IdealSensor()) for a in machine.axes))
 
 
 def undisturbed(machine: Machine) -> Machine:
-    """Return the machine without loads from outside."""
+    """Return the machine without external loads."""
     if all(a.disturbance is None for a in machine.axes):
         return machine
     return replace(machine, axes=tuple(replace(a, disturbance=None) for a in machine.axes))
@@ -44,23 +41,22 @@ def without_friction(machine: Machine) -> Machine:
 
 
 def without_backlash(machine: Machine, controller: Controller) -> tuple[Machine, Controller]:
-    """Return the machine without free travel between motors and loads, under a controller that reckons with none."""
+    """Return the machine without free travel between motors and loads, under a controller that assumes none."""
     if all(a.plant.linear() == a.plant for a in machine.axes):
         return machine, controller
     tight = replace(machine, axes=tuple(replace(a, plant=a.plant.linear()) for a in machine.axes))
     return tight, replace(controller, axes={name: _unaware(mine) for name, mine in controller.axes.items()})
 
 
-def _unaware(mine: AxisController) -> AxisController:
-    """Return an axis' controller whose parts reckon with no gap; what observes it or switches by it stays."""
+def _unaware(loop: AxisController) -> AxisController:
+    """Set the gap that the parts of a controller assume to zero; observers and supervisors of the gap stay."""
 
-    def told(part: Component) -> Component:
-        free: Component = part.replace(backlash_gap=0.0) if "backlash_gap" in part.parameters else part
-        return free
+    def unaware(part: Component) -> Component:
+        return part.replace(backlash_gap=0.0) if "backlash_gap" in part.parameters else part
 
-    compensation = None if mine.compensation is None else told(mine.compensation)
-    others = tuple((label, told(part)) for label, part in mine.others)
-    return replace(mine, controller=told(mine.controller), compensation=compensation, others=others)
+    compensation = None if loop.compensation is None else unaware(loop.compensation)
+    others = tuple((label, unaware(part)) for label, part in loop.others)
+    return replace(loop, controller=unaware(loop.controller), compensation=compensation, others=others)
 
 
 def without_links(machine: Machine, controller: Controller) -> tuple[Machine, Controller]:
