@@ -19,7 +19,7 @@ from contourlab.report.trials import TrialCourse, trial_charts, trial_rows
 
 def course(n: int = 31, best: int = 17, status: str = "converged") -> TrialCourse:
     rms = 1e-6 * 0.8 ** np.arange(n)
-    return TrialCourse(rms, np.column_stack([3.0 * rms, 4.0 * rms]), best, status, "the reason")
+    return TrialCourse(rms, np.column_stack([3.0 * rms, 4.0 * rms]), best, status)
 
 
 @pytest.fixture
@@ -75,7 +75,7 @@ def test_the_table_tells_the_end_and_the_cost(learned: ReportData) -> None:
 
 def test_page_and_plots_hold_it(learned: ReportData, tmp_path: Path) -> None:
     page = render_html(learned)
-    assert 'id="trials"' in page and "converged, trial 17 of 30; the reason." in page
+    assert 'id="trials"' in page and "converged, trial 17 of 30." in page
     assert (tmp_path / "trials.png") in write_plots(learned, tmp_path)
 
 

@@ -16,7 +16,7 @@ from contourlab.components.friction.coulomb import Coulomb
 from contourlab.components.gap_observer.multiple_model import MultipleModel
 from contourlab.components.origin import Origin
 from contourlab.components.plant.mass_damper import MassDamper
-from contourlab.features.run.trust.interval import SAMPLES, contour_interval, draw
+from contourlab.features.run.trust.interval import SAMPLES, contour_interval, draw, main_contributor, noticeable
 from contourlab.features.run.trust.provenance import numbers_of
 from contourlab.feed import Reference
 from contourlab.geometry import Line, Path
