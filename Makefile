@@ -8,7 +8,9 @@ ARGS ?=
 PROGRAMS ?=
 
 BIN := $(VENV)/bin
+RUNTIME := $(VENV)/.runtime
 STAMP := $(VENV)/.installed
+PIP := $(BIN)/python -m pip install --disable-pip-version-check -c constraints.txt
 
 .DEFAULT_GOAL := help
 .PHONY: help install demo programs learning backlash test check lint types imports docs bench clean
@@ -25,21 +27,26 @@ help:
 	@echo "make install  only make $(VENV); with another Python: make install PYTHON=python3.12"
 	@echo "make clean    remove $(VENV) and everything that was generated"
 
-# Made anew only when the lists of packages change.
-$(STAMP): pyproject.toml constraints.txt
+# Made anew only when the lists of packages change. What runs the demonstration, then what tests and extras need on top.
+$(RUNTIME): pyproject.toml constraints.txt
 	@$(PYTHON) -c 'import sys; sys.exit(sys.version_info < (3, 11))' 2>/dev/null || { \
 	  echo "contourlab needs Python 3.11 or newer; '$(PYTHON)' is: $$($(PYTHON) --version 2>&1 || true)" >&2; \
 	  echo "Install one and name it: make PYTHON=python3.11 $(MAKECMDGOALS)" >&2; exit 1; }
 	@$(BIN)/python -m pip --version >/dev/null 2>&1 || $(PYTHON) -m venv --clear $(VENV) || { \
 	  rm -rf $(VENV); \
 	  echo "'$(PYTHON) -m venv' failed; on Debian and Ubuntu it needs: apt-get install python3-venv" >&2; exit 1; }
-	@echo "installing into $(VENV) (a minute or two, once)"
-	@$(BIN)/python -m pip install --quiet --disable-pip-version-check -c constraints.txt -e ".[dev]"
+	@echo "installing contourlab into $(VENV) (a minute or two, once)"
+	@$(PIP) -e .
+	@touch $@
+
+$(STAMP): $(RUNTIME)
+	@echo "installing extras and tools for tests into $(VENV) (a minute, once)"
+	@$(PIP) -e ".[dev]"
 	@touch $@
 
 install: $(STAMP)
 
-demo: $(STAMP)
+demo: $(RUNTIME)
 	$(BIN)/contourlab demo $(ARGS)
 
 test: $(STAMP)

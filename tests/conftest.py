@@ -32,6 +32,9 @@ def pytest_addoption(parser: pytest.Parser) -> None:
 def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
     if config.getoption("--slow"):
         return
+    for item in items:
+        if "reproduction" in getattr(item, "fixturenames", ()):  # takes a minute
+            item.add_marker("slow")
     skip = pytest.mark.skip(reason="slow; run with --slow")
     for item in items:
         if item.get_closest_marker("slow"):

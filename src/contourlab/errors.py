@@ -12,6 +12,7 @@
     ├── ComponentError                  a component that breaks the contract, or is unknown
     ├── EngineError                     a schedule that cannot be compiled or wired
     ├── LogError                        file and line of a measured log
+    ├── MissingPackageError             a package of an extra that is not installed
     ├── ResultError                     a result file that cannot be read, or a signal that is not there
     ├── OutputError                     a file or folder that cannot be written
     └── DivergenceError                 sample, time, axis of a loop that ran away; exit code 3
@@ -29,6 +30,7 @@ __all__ = [
     "FeedError",
     "GeometryError",
     "LogError",
+    "MissingPackageError",
     "OutputError",
     "ParameterError",
     "ProgramError",
@@ -96,6 +98,14 @@ class LogError(ContourlabError):
     def __init__(self, message: str, *, file: str | Path = "<log>", line: int = 0) -> None:
         self.message, self.file, self.line = message, str(file), line
         super().__init__(f"{self.file}{f':{line}' if line else ''}: {message}")
+
+
+class MissingPackageError(ContourlabError):
+    """A package that an extra installs is not there; says what to type."""
+
+    def __init__(self, package: str, extra: str) -> None:
+        self.package, self.extra = package, extra
+        super().__init__(f'this needs the package {package}: type  pip install "contourlab[{extra}]"')
 
 
 class ResultError(ContourlabError):

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from contourlab.components.estimator.newton import Newton
 from contourlab.engine.step import record
 from contourlab.geometry import Line, Path, contour
-from contourlab.geometry.foot import foot_point
+from contourlab.geometry.foot_point import foot_point
 from contourlab.geometry.view import PathView, view_of
 from contourlab.primitives import Clock
 

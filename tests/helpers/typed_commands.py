@@ -1,14 +1,20 @@
-"""The installed command in a process of its own, and the files that the tests give it."""
+"""The command as a user types it, and the files that the tests give it."""
 
 from __future__ import annotations
 
+import contextlib
 import hashlib
+import io
 import os
 import subprocess
 import sys
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
+
+from contourlab.cli.main import main
+from contourlab.components import registry
+from contourlab.scenario import load
 
 COMMAND = Path(sys.executable).with_name("contourlab" + (".exe" if os.name == "nt" else ""))
 
@@ -67,7 +73,34 @@ def environment(changes: Mapping[str, str] | None = None) -> dict[str, str]:
 def invoke(
     folder: Path, *words: str | Path, typed: str = "", env: Mapping[str, str] | None = None, before: Callable[[], None] | None = None
 ) -> Said:
-    """Run the command in a folder; standard input, output and error are pipes."""
+    """Run the command in a folder, as typed; standard input, output and error are pipes.
+
+    It runs in this process, which saves two seconds of imports, unless the test changes the environment or limits the process.
+    """
+    if env is not None or before is not None:
+        return _in_its_own_process(folder, words, typed, env, before)
+    streams = io.TextIOWrapper(io.BytesIO(typed.encode())), io.StringIO(), io.StringIO()
+    was = sys.stdin, sys.stdout, sys.stderr, dict(os.environ), dict(registry._plugins), set(load._loaded)
+    try:
+        sys.stdin, sys.stdout, sys.stderr = streams
+        os.environ.clear()
+        os.environ.update(environment())
+        with contextlib.chdir(folder):
+            code = main([str(word) for word in words])
+    finally:
+        sys.stdin, sys.stdout, sys.stderr = was[:3]
+        os.environ.clear()
+        os.environ.update(was[3])
+        # A plugin of one test is not there for the next.
+        for mine, theirs in ((registry._plugins, was[4]), (load._loaded, was[5])):
+            mine.clear()
+            mine.update(theirs)  # type: ignore[arg-type]
+    return Said(code, streams[1].getvalue(), streams[2].getvalue())
+
+
+def _in_its_own_process(
+    folder: Path, words: Sequence[str | Path], typed: str, env: Mapping[str, str] | None, before: Callable[[], None] | None
+) -> Said:
     done = subprocess.run(
         [str(COMMAND), *map(str, words)],
         cwd=folder,

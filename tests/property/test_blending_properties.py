@@ -91,7 +91,7 @@ def test_joints_are_smooth_up_to_curvature_but_for_corners_that_stay(route: Rout
     found = blended(route)
     path = found.path
     curve, span = np.arange(found.n_curve - 1), np.diff(path.breaks)
-    before, after = path._at(curve, span[:-1], 2), path._at(curve + 1, 0.0 * span[1:], 2)
+    before, after = path.at(curve, span[:-1], 2), path.at(curve + 1, 0.0 * span[1:], 2)
     blend = np.array([isinstance(c, Blend) for c in path.curves])
     joint = np.flatnonzero(blend[1:] | blend[:-1])
     turned = np.linalg.norm(after[1] - before[1], axis=1)[joint]

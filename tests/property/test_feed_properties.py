@@ -9,7 +9,7 @@ from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
 from contourlab.feed import AxisLimits, Reference, Route, limit_report, plan, route_from_path
-from contourlab.feed.joints import MOST_KINK, joints
+from contourlab.feed.junctions import MOST_KINK, junctions
 from contourlab.feed.scurve import ramp_distance, reachable_speed
 from contourlab.geometry import Arc, Line, Path
 
@@ -82,7 +82,7 @@ def test_spans_cover_the_path_and_stop_at_corners(case: tuple[Route, AxisLimits]
 def test_a_faster_machine_drives_the_same_motion_in_less_time(case: tuple[Route, AxisLimits], factor: float) -> None:
     route, limits = case
     # A kink is passed at a speed that a fixed time decides.
-    assume(not joints(route).kink.any())
+    assume(not junctions(route).kink.any())
     fast = Route(route.path, route.feedrate * factor, route.rapid, route.dwell, route.source_line)
     scaled = AxisLimits(limits.velocity * factor, limits.acceleration * factor**2, limits.jerk * factor**3)
     slow, quick = plan(route, limits, PERIOD), plan(fast, scaled, PERIOD)

@@ -12,6 +12,7 @@ import pytest
 
 import contourlab
 from contourlab import errors
+from contourlab.extras import EXTRAS, extra_module
 
 ROOT = Path(__file__).parents[2]
 SOURCE = ROOT / "src" / "contourlab"
@@ -78,9 +79,18 @@ def test_every_dependency_is_pinned():
     pins = [re.match(r"([\w.-]+)==[\w.!+]+", line) for line in lines if line.strip() and not line.startswith("#")]
     assert all(pins), "every line is NAME==VERSION"
     pinned = {re.sub(r"[-_.]+", "-", pin[1]).lower() for pin in pins if pin}
-    wanted = [*project["dependencies"], *project["optional-dependencies"]["dev"]]
+    wanted = [*project["dependencies"], *(one for extra in project["optional-dependencies"].values() for one in extra)]
     names = {re.sub(r"[-_.]+", "-", re.split(r"[^\w.-]", requirement)[0]).lower() for requirement in wanted}
-    assert names <= pinned
+    assert names - {"contourlab"} <= pinned
+
+
+@pytest.mark.parametrize("module", EXTRAS)
+def test_a_missing_extra_is_named(module: str, monkeypatch: pytest.MonkeyPatch):
+    monkeypatch.setitem(sys.modules, module, None)
+    with pytest.raises(errors.MissingPackageError) as caught:
+        extra_module(module)
+    extras = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["project"]["optional-dependencies"]
+    assert any(caught.value.package in requirement for requirement in extras[caught.value.extra])
 
 
 def test_help_loads_nothing_heavy():

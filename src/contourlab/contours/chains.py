@@ -1,4 +1,4 @@
-"""Chains of what lies end to end in a drawing, found by the places of its ends and made into paths."""
+"""Chains of entities that meet end to end in a drawing, as paths."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ FURTHEST = 5.0
 
 @dataclass(frozen=True, eq=False)
 class Strand:
-    """What one entity of a drawing gives: curves end to end.
+    """The curves of one entity of a drawing, end to end.
 
     Attributes
     ----------

@@ -19,13 +19,13 @@ from contourlab.units import to_si
 TOLERANCE = 1e-6
 """Largest gap [m] between ends that meet, where none is stated."""
 OUTERMOST = 1e9
-"""Coordinates [m] beyond this are errors of writing; lengths would overflow."""
+"""Coordinates [m] beyond this are mistakes; lengths would overflow."""
 LISTED = 20
 
 
 @dataclass(frozen=True)
 class LeftOut:
-    """An entity that is no part of any contour.
+    """An entity that is not part of any contour.
 
     Attributes
     ----------
@@ -50,11 +50,11 @@ class Drawing:
     chains : tuple of Chain
         In the order of the file.
     left_out : tuple of LeftOut
-        Entities that cannot be driven along, such as texts.
+        Entities without a contour, such as texts.
     notes : tuple of str
-        What was done with the others: doubles and specks that were dropped.
+        Doubles and specks that were dropped.
     layers : tuple of str
-        Those of all entities that were met, chosen or not; empty where the format has none.
+        Layers of all entities, chosen or not; empty where the format has none.
     """
 
     file: File
@@ -64,12 +64,12 @@ class Drawing:
     layers: tuple[str, ...] = field(default=())
 
     def refuse_left_out(self, ignore: Sequence[str]) -> None:
-        """Refuse a drawing that holds what cannot be driven along, unless its kind is to be ignored.
+        """Refuse a drawing with entities that are no contours, unless their kind is ignored.
 
         Raises
         ------
         GeometryError
-            Names what there is, where, and what to write.
+            Names the entities, their layers, and what to write.
         """
         known = {kind.upper() for kind in ignore}
         met = Counter((item.kind, item.layer, item.why) for item in self.left_out if item.kind.upper() not in known)
@@ -78,7 +78,7 @@ class Drawing:
         listed = [f"{n} {kind}{f' on layer {layer}' if layer else ''}{f' ({why})' if why else ''}" for (kind, layer, why), n in met.items()]
         kinds = ", ".join(f'"{kind}"' for kind in dict.fromkeys(kind for kind, _, _ in met))
         choice = "choose a layer without them, or " if self.layers else ""
-        raise GeometryError(f"{self.file}: holds {_some(listed)}, along which nothing can be driven: {choice}write ignore = [{kinds}]")
+        raise GeometryError(f"{self.file}: holds {_some(listed)}, which are no contours: {choice}write ignore = [{kinds}]")
 
     def chosen(self, chain: int | None = None) -> Chain:
         """Return the one chain, or that of a number, counted from 1.
@@ -169,14 +169,14 @@ def unit_size(unit: str) -> float:
     >>> unit_size("inch")
     0.0254
     """
-    if not re.fullmatch(r"[A-Za-zµμ_]{1,30}", unit):
-        raise UnitError(f'{unit!r} is no unit of length: write for example "mm" or "inch"')
-    try:
-        size = to_si(f"1 {unit}", "m")
-    except UnitError as error:
-        raise UnitError(f'unit = "{unit}": {error}') from error
-    except Exception as error:  # the unit parser passes on whatever its tokenizer raises
-        raise UnitError(f'{unit!r} is no unit of length: write for example "mm" or "inch"') from error
+    size = 0.0
+    if re.fullmatch(r"[A-Za-zµμ_]{1,30}", unit):
+        try:
+            size = to_si(f"1 {unit}", "m")
+        except UnitError as error:
+            raise UnitError(f'unit = "{unit}": {error}') from error
+        except Exception:  # the unit parser passes on whatever its tokenizer raises
+            size = 0.0
     if not (size > 0.0 and math.isfinite(size)):
-        raise UnitError(f'{unit!r} is no unit of length: write for example "mm" or "inch"')
+        raise UnitError(f'{unit!r} is not a unit of length: write for example "mm" or "inch"')
     return size

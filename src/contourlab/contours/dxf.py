@@ -1,4 +1,4 @@
-"""Contours out of DXF drawings."""
+"""Contours from DXF drawings."""
 
 from __future__ import annotations
 
@@ -36,13 +36,13 @@ def read_dxf(
     scale: float = 1.0,
     axes: int = 2,
 ) -> Drawing:
-    """Read the contours of a DXF drawing: what its model space holds, blocks resolved.
+    """Read the contours in the model space of a DXF drawing, blocks resolved.
 
     Parameters
     ----------
     file : str or Path
     unit : str, optional
-        Of its numbers; by default what the drawing says in ``$INSUNITS``.
+        Of its numbers; by default that of ``$INSUNITS``.
     tolerance : float [m], > 0
         Largest gap between ends that meet, 1 um by default.
     layer : str, optional
@@ -60,7 +60,7 @@ def read_dxf(
     Raises
     ------
     GeometryError
-        If the file cannot be read, says no unit, has no such layer, or leaves its plane and two axes are asked for.
+        If the file cannot be read, states no unit, lacks the layer, or leaves its plane although `axes` is 2.
     UnitError
         If `unit` is no unit of length.
 
@@ -98,20 +98,20 @@ def _opened(path: File) -> Any:
             stream.seek(max(0, path.stat().st_size - 64))
             end = stream.read()
     except OSError as error:
-        # ezdxf says with an OSError too that a file is none of its kind.
-        reason = error.strerror or "it is no DXF drawing"
+        # ezdxf raises an OSError for files of another kind too.
+        reason = error.strerror or "it is not a DXF drawing"
         raise GeometryError(f"{path}: cannot be read: {reason}") from error
-    except Exception as error:  # of a damaged file it passes on whatever comes up, StopIteration included
+    except Exception as error:  # ezdxf passes on any exception from a damaged file, StopIteration included
         raise _damaged(path, error) from error
     if not end.rstrip(b"\x00\x1a \t\r\n").endswith(b"EOF"):
-        # What was cut off between two entities reads well, and is not there.
+        # A file cut off between two entities reads well, but incompletely.
         raise GeometryError(f"{path}: stops before its EOF, as where copying was broken off: export it again")
     return document
 
 
 def _damaged(path: File, error: Exception) -> GeometryError:
     why = str(error).strip() or "it breaks off, or contradicts itself"
-    return GeometryError(f"{path}: is no readable DXF drawing, or a damaged one: {why}: export it again")
+    return GeometryError(f"{path}: is not a readable DXF drawing, or is damaged: {why}: export it again")
 
 
 def _unit_of(document: Any, path: File, unit: str | None) -> float:
@@ -119,8 +119,8 @@ def _unit_of(document: Any, path: File, unit: str | None) -> float:
         return unit_size(unit)
     code = document.header.get("$INSUNITS", 0)
     if code not in UNITS:
-        said = "no unit" if code == 0 else f"a unit that is no length of parts ($INSUNITS = {code})"
-        raise GeometryError(f'{path}: says {said}: write unit = "mm", or what its numbers are in')
+        unit_stated = "no unit" if code == 0 else f"a unit unfit for parts ($INSUNITS = {code})"
+        raise GeometryError(f'{path}: states {unit_stated}: write unit = "mm", or the unit of its numbers')
     return UNITS[code]
 
 
@@ -138,7 +138,7 @@ def _check_flat(path: File, entities: list[tuple[list[Shape], str, str]], size: 
 
 @dataclass
 class _Entities:
-    """Goes through entities and keeps what they are made of."""
+    """Collects the shapes of entities."""
 
     file: File
     folded: str | None

@@ -10,11 +10,11 @@ from itertools import pairwise
 import numpy as np
 from numpy.typing import NDArray
 
-from contourlab.contours.laying import Laid, doubts, interpolated, smoothed
 from contourlab.contours.polygon import Polygon
+from contourlab.contours.spline_fit import FittedSpline, disagreement, interpolated, smoothed
 from contourlab.errors import GeometryError
 from contourlab.geometry import BSpline, Curve, Path
-from contourlab.geometry.spline_cut import split_at
+from contourlab.geometry.nurbs import split_at
 
 Array = NDArray[np.float64]
 SAME_PLACE = 1e-9
@@ -58,7 +58,7 @@ class PointFit:
 
     @property
     def note(self) -> str:
-        """What was done, in a line."""
+        """A summary in one line."""
         how = f"at most {1e6 * self.deviation:.3g} um from the curve" if self.smoothed else "on the curve"
         parts = [f"{self.n_point} points", how, f"at most {1e6 * self.bulge:.3g} um from their chords between them"]
         parts.append(f"{self.n_corner} corners")
@@ -91,11 +91,11 @@ def fit_points(
     Raises
     ------
     GeometryError
-        If tolerance or angle are out of range, the spline stands still somewhere, or no spline keeps to the polygon.
+        If tolerance or angle are out of range, the spline has a cusp, or no spline keeps to the polygon.
 
     Notes
     -----
-    `contourlab.contours.polygon` says what is straight and how far a curve may bulge, `contourlab.contours.laying` how splines are laid.
+    `contourlab.contours.polygon` defines straight stretches and the largest bulge; `contourlab.contours.spline_fit` fits the splines.
     """
     if tolerance is not None and not (0.0 < tolerance < math.inf):
         raise GeometryError(f"tolerance = {tolerance!r} m: must be > 0 and finite")
@@ -109,12 +109,12 @@ def fit_points(
     marks, n_straight = _marks(polygon)
     known = len(marks)
     fitting = _Fitting(polygon, tolerance, marks, place)
-    fitting.settle()
+    fitting.run()
     return PointFit(
         path=Path(fitting.curves(), closed),
         n_point=n,
         n_corner=len(polygon.corners),
-        deviation=max(one.far for one in fitting.laid),
+        deviation=max(spline.deviation for spline in fitting.splines),
         smoothed=tolerance is not None,
         bulge=fitting.bulge,
         n_straight=n_straight,
@@ -137,7 +137,7 @@ def _marks(polygon: Polygon) -> tuple[dict[int, Array | None], int]:
 
 
 def _breaks(polygon: Polygon) -> tuple[list[tuple[int, int]], list[int]]:
-    """Return the straight stretches, and the points where spacing jumps, but for those at which one spline is sure of itself.
+    """Return the straight stretches, and the points where spacing jumps, except where a single spline is reliable.
 
     Points of a smooth curve, however unevenly spaced, are better served by one spline.
     """
@@ -145,12 +145,12 @@ def _breaks(polygon: Polygon) -> tuple[list[tuple[int, int]], list[int]]:
     n, corners = len(polygon.length), polygon.corners
     doubt = np.full(n, np.inf)
     ends = [*corners, corners[0] + n] if polygon.closed and corners else [0, *corners, n]
-    asked = np.zeros(n, dtype=bool)
-    asked[[chord for _, chord in (*straights, *jumps)]] = True
+    doubtful = np.zeros(n, dtype=bool)
+    doubtful[[chord for _, chord in (*straights, *jumps)]] = True
     for first, last in pairwise(ends):
         chords = np.arange(first, last) % n
-        if asked[chords].any():
-            doubt[chords] = doubts(polygon.span(first, last), polygon.closed and not corners)
+        if doubtful[chords].any():
+            doubt[chords] = disagreement(polygon.span(first, last), polygon.closed and not corners)
     sound = [(a, b) for a, b in straights if (doubt[np.arange(a, b + 1 if b >= a else b + 1 + n) % n] > DOUBT).any()]
     return sound, [point for point, chord in jumps if doubt[chord] > DOUBT]
 
@@ -158,31 +158,31 @@ def _breaks(polygon: Polygon) -> tuple[list[tuple[int, int]], list[int]]:
 class _Fitting:
     """Splines between marks: points where a spline ends, with the tangent it has there, or None where it is free.
 
-    The splines begin at the first mark. Divided are those that leave their polygon, and they alone are laid anew.
+    The splines begin at the first mark. Only splines that leave their polygon are divided and fitted again.
     """
 
     def __init__(self, polygon: Polygon, tolerance: float | None, marks: dict[int, Array | None], place: Callable[[int], str]) -> None:
         self.polygon, self.tolerance, self.marks, self.place = polygon, tolerance, marks, place
         self.bounds, self.forward = polygon.bulges()
         self.n = len(polygon.length)
-        self.kept: dict[tuple[int, int], tuple[Laid, float]] = {}
-        self.laid: list[Laid] = []
+        self.kept: dict[tuple[int, int], tuple[FittedSpline, float]] = {}
+        self.splines: list[FittedSpline] = []
         self.spans: list[tuple[int, int]] = []
         self.bulge = 0.0
 
-    def settle(self) -> None:
-        """Lay splines and divide them until all keep to the polygon."""
+    def run(self) -> None:
+        """Fit splines and divide them until all keep to the polygon."""
         for turn in range(ROUNDS + 2):
             self.spans = self._spans()
             self.kept = {span: self.kept[span] for span in self.spans if span in self.kept}
-            loose = [self._tried(span, everywhere=turn >= ROUNDS) for span in self.spans if span not in self.kept]
+            loose = [self._fit_span(span, everywhere=turn >= ROUNDS) for span in self.spans if span not in self.kept]
             loose = [points for points in loose if points]
             if not loose:
                 break
             for points in loose:
                 for i in points:
                     self.marks.setdefault(i, self.polygon.tangent(i))
-        self.laid = [self.kept[span][0] for span in self.spans]
+        self.splines = [self.kept[span][0] for span in self.spans]
         self.bulge = max(self.kept[span][1] for span in self.spans)
 
     def _spans(self) -> list[tuple[int, int]]:
@@ -192,23 +192,23 @@ class _Fitting:
             return [(0, self.n)]
         return list(pairwise([*order, order[0] + self.n] if self.polygon.closed else order))
 
-    def _tried(self, span: tuple[int, int], everywhere: bool) -> list[int]:
-        """Lay the spline of a span; return the points at which it is to be divided, none if it is good and kept."""
+    def _fit_span(self, span: tuple[int, int], everywhere: bool) -> list[int]:
+        """Fit the spline of a span and keep it if it is good; else return the points at which to divide it."""
         first, last = span
         points = self.polygon.span(first, last)
         periodic = not self.marks
         ends = (None, None) if periodic else (self.marks[first], self.marks[last % self.n if self.polygon.closed else last])
         found = smoothed(points, self.tolerance, ends, periodic) if self.tolerance is not None and last - first > 1 else None
-        if found is not None and self._strays(found, points, first)[0].size:
+        if found is not None and self._stray_chords(found, points, first)[0].size:
             found = None
         if found is None:
             found = interpolated(points, ends, periodic)
-        loose, bulge = self._strays(found, points, first)
+        loose, bulge = self._stray_chords(found, points, first)
         try:
             if not loose.size and found.curve:
                 self.kept[span] = found, bulge
                 return []
-        except GeometryError:  # it stands still, where splines stray from all points
+        except GeometryError:  # a cusp: splines stray from all points
             loose = np.arange(first, last)
         if last - first == 1:
             raise GeometryError(self._refusal(first, last, bulge))
@@ -218,7 +218,7 @@ class _Fitting:
         # A span of two chords or more has a point inside at one end of each of its chords.
         return [i % self.n if self.polygon.closed else i for i in inner if first < i < last]
 
-    def _strays(self, found: Laid, points: Array, first: int) -> tuple[NDArray[np.int64], float]:
+    def _stray_chords(self, found: FittedSpline, points: Array, first: int) -> tuple[NDArray[np.int64], float]:
         """Return the chords that a curve leaves too far, by the numbers of their first points, and the farthest it leaves any."""
         away, against = found.strays(points)
         chord = (first + np.arange(len(away))) % self.n
@@ -237,14 +237,14 @@ class _Fitting:
     def curves(self) -> list[Curve]:
         """Return the curves in their order from the first point."""
         if not self.polygon.closed or self.spans[0][0] == 0:
-            return [one.curve for one in self.laid]
+            return [spline.curve for spline in self.splines]
         # The path starts within the last span, which is cut there.
-        *others, last = self.laid
+        *others, last = self.splines
         start = self.n - self.spans[-1][0]
         if start == len(last.at) - 1:
-            return [last.curve, *(one.curve for one in others)]
+            return [last.curve, *(spline.curve for spline in others)]
         head, tail = _cut(last.curve, float(last.at[start]))
-        return [tail, *(one.curve for one in others), head]
+        return [tail, *(spline.curve for spline in others), head]
 
 
 def _cut(curve: Curve, u: float) -> tuple[Curve, Curve]:

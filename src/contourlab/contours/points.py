@@ -1,4 +1,4 @@
-"""Contours through or near points, out of text files of numbers."""
+"""Contours through or near points, from text files of numbers."""
 
 from __future__ import annotations
 
@@ -15,9 +15,9 @@ from contourlab.errors import GeometryError, UnitError
 
 Array = NDArray[np.float64]
 CORNER_ANGLE = math.radians(30.0)
-"""Turn of the polygon of points that is a corner, where none is stated."""
+"""Default turn of the polygon that is a corner."""
 OUTERMOST = 1e6
-"""Coordinates [m] beyond this are errors of writing, or of the unit."""
+"""Coordinates [m] beyond this are mistakes, or in the wrong unit."""
 _HEAD = re.compile(r"\s*\"?\s*([A-Za-z_]\w*)\s*(?:[\[(]\s*([^\])]*?)\s*[\])])?\s*\"?\s*\Z")
 
 
@@ -30,7 +30,7 @@ def read_points(
     scale: float = 1.0,
     reverse: bool = False,
 ) -> PointFit:
-    """Read points and lay a curve through them, or near them.
+    """Read points and fit a curve through them, or near them.
 
     Parameters
     ----------
@@ -38,7 +38,7 @@ def read_points(
         A row for each point, its coordinates parted by commas, semicolons, tabs or blanks; beside semicolons a decimal comma is read. The
         first row may name the axes, with units: ``x [mm],y [mm]``. Empty rows and what follows a # are passed over.
     unit : str, optional
-        Of columns whose unit the file does not say.
+        Of columns without a unit in the file.
     tolerance, corner_angle
         See `contourlab.contours.fit.fit_points`.
     scale : float, > 0
@@ -49,14 +49,15 @@ def read_points(
     Raises
     ------
     GeometryError
-        If a row is no point, repeats the one before, or there are fewer than two; says file and line.
+        If a row is not a point or repeats the one before, or there are fewer than two; names file and line.
     UnitError
         If `unit` is no unit of length.
     """
     path = File(file)
     rows = _rows(path)
     names, factors, rows = _head(rows, path, unit)
-    points = _values(rows, len(names), path) * (scale * np.array(factors))
+    values = [_numbers(cells, len(names), path, line) for line, cells in rows]
+    points = np.array(values).reshape(len(rows), len(names)) * (scale * np.array(factors))
     far = np.flatnonzero((np.abs(points) > OUTERMOST).any(axis=1))
     if far.size:
         line, cells = rows[int(far[0])]
@@ -67,7 +68,7 @@ def read_points(
         i = int(again[0])
         raise GeometryError(f"{path}:{rows[i + 1][0]}: repeats the point of line {rows[i][0]}: leave one out")
     if len(points) < 2:
-        raise GeometryError(f"{path}: holds {len(points)} points: two or more are wanted")
+        raise GeometryError(f"{path}: holds {len(points)} points: give two or more")
     points = points[:, _order(names)]
     lines = [line for line, _ in rows]
     if reverse:
@@ -76,17 +77,6 @@ def read_points(
         return fit_points(points, tolerance, corner_angle, lambda i: f"line {lines[i]}")
     except GeometryError as error:
         raise GeometryError(f"{path}: {error}") from error
-
-
-def _values(rows: list[tuple[int, list[str]]], n: int, path: File) -> Array:
-    """Return the numbers of the rows (n_row, n); row by row only where one is at fault, to say which."""
-    try:
-        found = np.array([[float(cell) for cell in cells] for _, cells in rows]).reshape(len(rows), n)
-        if np.isfinite(found).all():
-            return found
-    except ValueError:
-        pass
-    return np.array([_numbers(cells, n, path, line) for line, cells in rows])
 
 
 def _rows(path: File) -> list[tuple[int, list[str]]]:
@@ -129,24 +119,24 @@ def _head(rows: list[tuple[int, list[str]]], path: File, unit: str | None) -> tu
         units = [head[2] for head in heads if head]
         rows = rows[1:]
     if len(names) < 2 or len(names) > 3:
-        raise GeometryError(f"{path}:{line}: has {len(names)} columns: two or three are wanted, one for each axis")
+        raise GeometryError(f"{path}:{line}: has {len(names)} columns: give two or three, one for each axis")
     if len(set(names)) != len(names):
-        raise GeometryError(f"{path}:{line}: an axis stands there twice")
+        raise GeometryError(f"{path}:{line}: an axis is named twice")
     return names, [_factor(name, own, unit, path, line) for name, own in zip(names, units, strict=True)], rows
 
 
 def _factor(name: str, own: str | None, unit: str | None, path: File, line: int) -> float:
-    said = own or unit
+    stated = own or unit
     if own and unit and own != unit:
-        raise GeometryError(f"{path}:{line}: says {own}, and unit = {unit!r} is given: leave one out")
-    if not said:
-        raise GeometryError(f'{path}:{line}: says no unit: write unit = "mm", or a header such as x [mm],y [mm]')
+        raise GeometryError(f"{path}:{line}: states {own}, and unit = {unit!r} is given: leave one out")
+    if not stated:
+        raise GeometryError(f'{path}:{line}: states no unit: write unit = "mm", or a header such as x [mm],y [mm]')
     try:
-        return unit_size(said)
+        return unit_size(stated)
     except UnitError as error:
         if own:
             cure = "write for example mm" if name in ("x", "y", "z") else "leave the column out"
-            raise GeometryError(f"{path}:{line}: column {name} is in {own}, which is no unit of length: {cure}") from error
+            raise GeometryError(f"{path}:{line}: column {name} is in {own}, which is not a unit of length: {cure}") from error
         raise
 
 
@@ -157,13 +147,13 @@ def _order(names: list[str]) -> list[int]:
 
 def _numbers(cells: list[str], n: int, path: File, line: int) -> list[float]:
     if len(cells) != n:
-        raise GeometryError(f"{path}:{line}: has {len(cells)} columns, {n} are wanted")
+        raise GeometryError(f"{path}:{line}: has {len(cells)} columns instead of {n}")
     found = []
     for cell in cells:
         try:
             number = float(cell)
         except ValueError:
-            raise GeometryError(f"{path}:{line}: {cell!r} is no number") from None
+            raise GeometryError(f"{path}:{line}: {cell!r} is not a number") from None
         if not math.isfinite(number):
             raise GeometryError(f"{path}:{line}: {cell} is not finite")
         found.append(number)

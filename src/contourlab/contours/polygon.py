@@ -1,4 +1,4 @@
-"""What the polygon of a list of points says of the curve they are from: corners, straight stretches, tangents, how far it can bulge."""
+"""Properties of a curve from the polygon of its points: corners, straight stretches, tangents, largest bulge."""
 
 from __future__ import annotations
 
@@ -8,7 +8,8 @@ from typing import TypeVar
 import numpy as np
 from numpy.typing import NDArray
 
-Array = NDArray[np.float64]
+from contourlab.geometry.curve import Array, angle_between
+
 Kind = TypeVar("Kind", np.float64, np.bool_)
 LONG = 4.0
 """A chord this many times as long as its neighbour is long beside it."""
@@ -17,7 +18,7 @@ LONGER = 2.0
 INLINE = 1e-3
 """Largest turn [rad] within a straight stretch of several chords."""
 NOISE = 50.0
-"""Chords shorter than so many tolerances are not told from noise, and are never straight stretches."""
+"""Chords shorter than so many tolerances may be noise, and are never straight stretches."""
 TINY = 1e-300
 LOOKED_AT = 4
 """Points on the finer side whose turns say how strongly the curve bends there."""
@@ -36,7 +37,7 @@ class Polygon:
         No two in a row alike; of a closed polygon the last is the first.
     closed : bool
     corner_angle : float [rad]
-        A turn by more than this is a corner: what lies on its other side says nothing of this side.
+        A turn by more than this is a corner: its two sides are independent.
     tolerance : float [m]
         How far the points may lie off their curve, 0 where they are exact.
 
@@ -47,7 +48,7 @@ class Polygon:
     turn : ndarray (n,) [rad]
         Of the polygon at each point; 0 at the ends of an open one and at corners.
     corners : list of int
-        In a closed polygon 0 stands for its first and last point.
+        In a closed polygon 0 is its first and last point.
     """
 
     def __init__(self, points: Array, closed: bool, corner_angle: float, tolerance: float) -> None:
@@ -56,7 +57,7 @@ class Polygon:
         self.length = np.linalg.norm(chords, axis=1)
         self.direction = chords / self.length[:, None]
         before, after = self._sides(self.direction)
-        self.turn = _angle(before, after)
+        self.turn = angle_between(before, after)
         if not closed:
             self.turn[[0, -1]] = 0.0
         sharp = self.turn > corner_angle
@@ -68,7 +69,7 @@ class Polygon:
         self._look()
 
     def _sides(self, of_chords: Array) -> tuple[Array, Array]:
-        """Return what the chords before and after each point have; at the ends of an open polygon the other end's stands in."""
+        """Return what the chords before and after each point have; at the ends of an open polygon, that of the other end."""
         return np.concatenate([of_chords[-1:], of_chords]), np.concatenate([of_chords, of_chords[:1]])
 
     def _shifted(self, of_points: NDArray[Kind], by: int) -> NDArray[Kind]:
@@ -104,8 +105,8 @@ class Polygon:
                 bend = np.where(open_, np.maximum(bend, turn), bend)
             self._bends.append(bend)
         # The angle between a chord and the tangent that the finer side has at its start, and at its end.
-        self._off_start = _angle(self._tangents[0][:-1], self.direction)
-        self._off_end = _angle(self._tangents[1][1:], self.direction)
+        self._off_start = angle_between(self._tangents[0][:-1], self.direction)
+        self._off_end = angle_between(self._tangents[1][1:], self.direction)
 
     def _finer(self) -> tuple[Array, Array]:
         """Return how many times a chord is as long as the one before it, and as the one after it; 0 over corners and ends."""
@@ -193,11 +194,6 @@ class Polygon:
             weight = 0.5**step
             found = np.maximum(found, weight * np.maximum(self._shifted(found, step), self._shifted(found, -step)))
         return found
-
-
-def _angle(a: Array, b: Array) -> Array:
-    """Return the angles between unit vectors (n, n_axis): as good at small turns as at half a turn."""
-    return np.asarray(2.0 * np.arctan2(np.linalg.norm(b - a, axis=1), np.linalg.norm(a + b, axis=1)))
 
 
 def _leeway(ratio: Array) -> Array:

@@ -1,4 +1,4 @@
-"""One door for contours in files, chosen by the ending of the name."""
+"""Read contours from files, chosen by their suffix."""
 
 from __future__ import annotations
 
@@ -21,12 +21,12 @@ SUFFIXES = {
     ".csv": ("unit", "tolerance", "scale", "corner_angle", "reverse"),
     ".txt": ("unit", "tolerance", "scale", "corner_angle", "reverse"),
 }
-"""Endings of file names, and what can be said about each kind."""
+"""Suffixes of files, and the options of each kind."""
 
 
 @dataclass(frozen=True, eq=False)
 class ContourReading:
-    """A contour from a file, and what there is to say about how it came about.
+    """A contour from a file, and notes on how it was read.
 
     Attributes
     ----------
@@ -58,7 +58,7 @@ def read_contour(
     ----------
     file : str or Path
     unit : str, optional
-        Of the file's numbers, such as ``"mm"`` or ``"inch"``; goes before what a drawing says itself.
+        Of the file's numbers, such as ``"mm"`` or ``"inch"``; overrides the unit that a drawing states.
     tolerance : float [m], optional
         In drawings the largest gap between ends that meet, 1 um by default. Of points the largest distance at which a smoothing spline
         passes them; by default it passes through them.
@@ -71,7 +71,7 @@ def read_contour(
     axes : {2, 3}, optional
         Of a DXF drawing: 3 for a contour in space.
     ignore : sequence of str
-        Kinds of entities that need not be driven along, such as ``"TEXT"``.
+        Kinds of entities to leave out, such as ``"TEXT"``.
     corner_angle : float [rad], optional
         Points: a turn of their polygon by more than this is a corner, 30 degrees by default.
     reverse : bool
@@ -80,22 +80,14 @@ def read_contour(
     Raises
     ------
     GeometryError
-        If the file cannot be read as what its name says, or what is asked for is not there; says which file and place.
+        If the file cannot be read, or lacks the layer or chain; names file and place.
     UnitError
         If `unit` is no unit of length.
     """
     return study_contour(
-        file,
-        unit=unit,
-        tolerance=tolerance,
-        layer=layer,
-        chain=chain,
-        scale=scale,
-        axes=axes,
-        ignore=ignore,
-        corner_angle=corner_angle,
+        file, unit=unit, tolerance=tolerance, layer=layer, chain=chain, scale=scale, axes=axes, ignore=ignore, corner_angle=corner_angle,
         reverse=reverse,
-    ).path
+    ).path  # fmt: skip
 
 
 def study_contour(
@@ -111,13 +103,13 @@ def study_contour(
     corner_angle: float | None = None,
     reverse: bool = False,
 ) -> ContourReading:
-    """Read a contour as `read_contour` does, and say how it came about."""
+    """Read a contour as `read_contour` does, and note how it was read."""
     path = File(file)
     _check_choices(chain, ignore)
     given = {"layer": layer, "chain": chain, "axes": axes, "ignore": tuple(ignore) or None, "corner_angle": corner_angle}
     suffix = _checked(path, [name for name, value in given.items() if value is not None], scale)
     if axes not in (None, 2, 3):
-        raise GeometryError(f"axes = {axes!r}: 2 or 3 is wanted")
+        raise GeometryError(f"axes = {axes!r}: write 2 or 3")
     if suffix in (".csv", ".txt"):
         angle = CORNER_ANGLE if corner_angle is None else corner_angle
         fit = read_points(path, unit=unit, tolerance=tolerance, corner_angle=angle, scale=scale, reverse=reverse)
@@ -131,26 +123,26 @@ def study_contour(
 
 def _check_choices(chain: object, ignore: object) -> None:
     if chain is not None and (isinstance(chain, bool) or not isinstance(chain, numbers.Integral)):
-        raise GeometryError(f"chain = {chain!r}: a whole number is wanted, counted from 1")
+        raise GeometryError(f"chain = {chain!r}: write a whole number, counted from 1")
     if isinstance(ignore, str):
-        raise GeometryError(f'ignore = "{ignore}": a list is wanted: write ignore = ["{ignore}"]')
+        raise GeometryError(f'ignore = "{ignore}": write a list: ignore = ["{ignore}"]')
     if not isinstance(ignore, Iterable) or not all(isinstance(kind, str) for kind in ignore):
-        raise GeometryError(f'ignore = {ignore!r}: a list of kinds is wanted, such as ["TEXT"]')
+        raise GeometryError(f'ignore = {ignore!r}: write a list of kinds, such as ["TEXT"]')
 
 
 def _checked(path: File, given: Sequence[str], scale: float) -> str:
     suffix = path.suffix.lower()
     if suffix not in SUFFIXES:
-        raise GeometryError(f"{path}: its ending says nothing of its kind: {', '.join(SUFFIXES)} can be read")
+        raise GeometryError(f"{path}: unknown suffix: use one of {', '.join(SUFFIXES)}")
     for name in given:
         if name not in SUFFIXES[suffix]:
-            raise GeometryError(f"{path}: {name} says nothing about a file of this kind: leave it out")
+            raise GeometryError(f"{path}: {name} does not apply to a {suffix} file: leave it out")
     if not (scale > 0.0 and math.isfinite(scale)):
         raise GeometryError(f"scale = {scale!r}: must be > 0 and finite")
     try:
         there = path.is_file()
     except (OSError, ValueError) as error:
-        raise GeometryError(f"{str(path)!r} is no file name: {error}") from error
+        raise GeometryError(f"{str(path)!r} is not a file name: {error}") from error
     if not there:
         raise GeometryError(f"no file {str(path)!r}")
     return suffix

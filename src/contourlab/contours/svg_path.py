@@ -1,10 +1,10 @@
-"""The path data of SVG, as the standard draws them: up to the first error, which is said."""
+"""SVG path data, drawn up to the first error, as the standard demands."""
 
 from __future__ import annotations
 
 import math
 import re
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 
 import numpy as np
 from numpy.typing import NDArray
@@ -21,7 +21,7 @@ _COUNT = {"M": 2, "L": 2, "H": 1, "V": 1, "C": 6, "S": 4, "Q": 4, "T": 2, "A": 7
 
 
 class _DataError(Exception):
-    """The data are wrong from here on."""
+    """Where and why path data stop."""
 
     def __init__(self, at: int, why: str) -> None:
         super().__init__(f"stops at character {at + 1}: {why}")
@@ -40,7 +40,7 @@ def path_shapes(data: str) -> tuple[list[list[Shape]], str | None]:
     list of list of Shape
         Of subpaths that have a length, up to the first error, as the standard draws them.
     str or None
-        ``stops at character 14: a number is wanted``, counted from 1; None where all of it was read.
+        ``stops at character 14: expected a number``, counted from 1; None where all of it was read.
 
     References
     ----------
@@ -64,9 +64,9 @@ def _segments(data: str) -> Iterator[tuple[str, list[float]]]:
     while at < len(data):
         command = data[at]
         if command.upper() not in _COUNT:
-            raise _DataError(at, f"a command is wanted, not {command!r}")
+            raise _DataError(at, f"expected a command, not {command!r}")
         if first and command not in "Mm":
-            raise _DataError(at, f"M or m is wanted before {command!r}")
+            raise _DataError(at, f"expected M or m before {command!r}")
         first = False
         at += 1
         if command in "Zz":
@@ -93,13 +93,13 @@ def _numbers(data: str, at: int, command: str, again: bool) -> tuple[list[float]
             at = _after_blanks(data, at + 1)
         if command == "A" and i in (3, 4):
             if data[at : at + 1] not in ("0", "1"):
-                raise _DataError(at, "a flag is wanted, 0 or 1")
+                raise _DataError(at, "expected a flag, 0 or 1")
             found.append(float(data[at]))
             at += 1
             continue
         met = _NUMBER.match(data, at)
         if met is None:
-            raise _DataError(at, "a number is wanted")
+            raise _DataError(at, "expected a number")
         number = float(met[0])
         if abs(number) > LARGEST:
             raise _DataError(at, f"{met[0]} is too large")
@@ -134,55 +134,45 @@ class _Pen:
         origin = self.here if command.islower() else np.zeros(2)
         kind = command.upper()
         family, self.family = self.family, {"S": "C", "T": "Q"}.get(kind, kind) if kind in "CSQT" else ""
-        if kind in "CSQT":
+        if kind == "H":
+            self._line_to(np.array([origin[0] + numbers[0], self.here[1]]))
+        elif kind == "V":
+            self._line_to(np.array([self.here[0], origin[1] + numbers[0]]))
+        elif kind == "L":
+            self._line_to(origin + np.array(numbers))
+        elif kind == "A":
+            self._arc(origin + np.array(numbers[5:]), *numbers[:5])
+        elif kind in "CSQT":
             points = [origin + pair for pair in np.array(numbers).reshape(-1, 2)]
             if kind in "ST":
                 # Reflected only after a command of its own family; else the first control point is the current point.
                 points.insert(0, 2.0 * self.here - self.control if family == self.family else self.here)
             self._bezier(points)
-            return
-        draws: dict[str, Callable[[Array, list[float]], None]] = {
-            "M": self._move, "L": self._line, "H": self._line, "V": self._line, "A": self._arc, "Z": self._close,
-        }  # fmt: skip
-        if kind == "H":
-            numbers = [numbers[0], self.here[1] - origin[1]]
-        elif kind == "V":
-            numbers = [self.here[0] - origin[0], numbers[0]]
-        draws[kind](origin, numbers)
-
-    def _flush(self) -> None:
-        self.done.append(self.open)
-        self.open = []
-
-    def _move(self, origin: Array, numbers: list[float]) -> None:
-        self._flush()
-        self.here = self.start = origin + np.array(numbers)
-
-    def _line(self, origin: Array, numbers: list[float]) -> None:
-        self._line_to(origin + np.array(numbers))
+        else:
+            if kind == "Z":
+                self._line_to(self.start)
+            self.done.append(self.open)
+            self.open = []
+            if kind == "M":
+                self.here = self.start = origin + np.array(numbers)
 
     def _line_to(self, end: Array) -> None:
         if np.any(end != self.here):
             self.open.append(LineShape(self.here, end))
         self.here = end
 
-    def _close(self, origin: Array, numbers: list[float]) -> None:
-        self._line_to(self.start)
-        self._flush()
-
     def _bezier(self, points: list[Array]) -> None:
         if any(np.any(point != self.here) for point in points):
             self.open.append(SplineShape.bezier(self.here, *points))
         self.control, self.here = points[-2], points[-1]
 
-    def _arc(self, origin: Array, numbers: list[float]) -> None:
-        rx, ry, turn, large, sweep = abs(numbers[0]), abs(numbers[1]), math.radians(numbers[2] % 360.0), numbers[3], numbers[4]
-        end = origin + np.array(numbers[5:])
-        # Beside radii of which the chord is less than their rounding, there is no centre to be found.
+    def _arc(self, end: Array, rx: float, ry: float, turn: float, large: float, sweep: float) -> None:
+        rx, ry = abs(rx), abs(ry)
+        # A chord within the rounding of the radii determines no centre.
         if rx == 0.0 or ry == 0.0 or float(np.abs(end - self.here).max()) <= 1e-14 * max(rx, ry):
             self._line_to(end)
             return
-        self.open.append(_arc_shape(self.here, end, (rx, ry), turn, bool(large), bool(sweep)))
+        self.open.append(_arc_shape(self.here, end, (rx, ry), math.radians(turn % 360.0), bool(large), bool(sweep)))
         self.here = end
 
 

@@ -1,4 +1,4 @@
-"""The part of CSS that says whether an element of a drawing is seen, and how large it is."""
+"""The part of CSS that decides whether an element is visible, and its size."""
 
 from __future__ import annotations
 

@@ -11,23 +11,21 @@ from contourlab.feed.blending import blended
 from contourlab.feed.correspondence import Correspondence
 from contourlab.feed.limits import AxisLimits
 from contourlab.feed.planner import plan
-from contourlab.feed.profile import Motion, Profile
+from contourlab.feed.profile import Profile
 from contourlab.feed.reference import Reference, ReferenceBlock
 from contourlab.feed.route import Route, route_from_path, route_from_program
 from contourlab.feed.uniform import uniform
-from contourlab.feed.verify import LimitReport, Worst, limit_report
+from contourlab.feed.verify import LimitReport, limit_report
 
 __all__ = [
     "AxisLimits",
     "Binding",
     "Correspondence",
     "LimitReport",
-    "Motion",
     "Profile",
     "Reference",
     "ReferenceBlock",
     "Route",
-    "Worst",
     "blended",
     "limit_report",
     "limiting",

@@ -1,4 +1,4 @@
-"""What holds the speed of a motion at each place: the feed that was programmed, a limit of an axis, or a stop."""
+"""What limits the speed of a motion at each place: the programmed feedrate, a limit of an axis, or a stop."""
 
 from __future__ import annotations
 
@@ -7,23 +7,22 @@ from enum import IntEnum
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from contourlab.errors import FeedError
-from contourlab.feed.joints import joints
+from contourlab.feed.junctions import junctions
 from contourlab.feed.limits import AxisLimits
-from contourlab.feed.pieces import joint_speed
+from contourlab.feed.pieces import junction_speed
 from contourlab.feed.profile import Profile
 from contourlab.feed.route import Route
 
 Array = NDArray[np.float64]
 
-NEAR_FEED = 0.98  # of the programmed feedrate: what is as fast is held by it
+NEAR_FEED = 0.98  # of the programmed feedrate: at or above, the feedrate is the limit
 NEAR = 0.9  # of any other limit
 MARGIN = 1e-9  # [m] places this near to a joint are at it
 STILL = 1e-7  # [m/s] rounding of a place next to a stop
 
 
 class Binding(IntEnum):
-    """What holds the speed."""
+    """What limits the speed."""
 
     REST = 0
     """The motion stands still: a corner, a dwell, an exact stop, the start or the end."""
@@ -38,11 +37,11 @@ class Binding(IntEnum):
     CURVATURE_STEP = 5
     """The step of acceleration where the curvature jumps."""
     PLANNER = 6
-    """None of them: the planner keeps some distance, near the narrow places that it looks ahead and back to."""
+    """None of them: the planner keeps a margin near slow places ahead and behind."""
 
 
 def limiting(route: Route, limits: AxisLimits, profile: Profile, arc_length: ArrayLike, *, curvature_step: float = 1.0) -> NDArray[np.int8]:
-    """Tell what holds the speed of a planned motion at some places.
+    """Find what limits the speed of a planned motion at given places.
 
     Parameters
     ----------
@@ -60,8 +59,7 @@ def limiting(route: Route, limits: AxisLimits, profile: Profile, arc_length: Arr
     Returns
     -------
     ndarray (n,) of int8
-        Values of `Binding`. Of several limits the one of which the greatest part is used; a speed within 2 % of the programmed feedrate is
-        held by that.
+        Values of `Binding`: the limit that is used to the greatest part; within 2 % of the programmed feedrate, the feedrate.
 
     Raises
     ------
@@ -74,14 +72,12 @@ def limiting(route: Route, limits: AxisLimits, profile: Profile, arc_length: Arr
     Below 90 % of every limit the planner itself is named.
     """
     limits = limits.for_axes(route.path.n_axis)
-    if not curvature_step >= 0.0:
-        raise FeedError(f"curvature_step = {curvature_step}: give a part of the acceleration limit, >= 0")
     where = np.clip(np.atleast_1d(np.asarray(arc_length, dtype=np.float64)), 0.0, profile.length)
     v, a, j = _along(profile, where)
     _, t, k, c = route.path.derivatives(where, 3)
     turn = 3.0 * k * (v * a)[:, None] + c * v[:, None] ** 3
     index = route.path.curve_index(where)
-    at_joint = _joint_ceiling(route, limits, where, curvature_step)
+    at_joint = _junction_ceiling(route, limits, where, curvature_step)
     with np.errstate(invalid="ignore"):
         used = np.stack(
             [
@@ -101,12 +97,12 @@ def limiting(route: Route, limits: AxisLimits, profile: Profile, arc_length: Arr
     return np.asarray(np.where(v <= STILL, Binding.REST, found), dtype=np.int8)
 
 
-def _joint_ceiling(route: Route, limits: AxisLimits, where: Array, curvature_step: float) -> Array:
+def _junction_ceiling(route: Route, limits: AxisLimits, where: Array, curvature_step: float) -> Array:
     """Return the ceiling of speed of a joint at each place (n,), inf where there is none."""
     breaks = np.asarray(route.path.breaks)
     within = np.mod(where, route.path.length) if route.path.closed else where
     joint = np.clip(np.searchsorted(0.5 * (breaks[1:] + breaks[:-1]), within), 0, breaks.size - 1)
-    ceiling = joint_speed(joints(route), limits, curvature_step)
+    ceiling = junction_speed(junctions(route), limits, curvature_step)
     return np.asarray(np.where(np.abs(within - breaks[joint]) <= MARGIN, ceiling[joint - 1], np.inf))
 
 

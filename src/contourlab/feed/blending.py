@@ -1,4 +1,4 @@
-"""Corners rounded within a tolerance (G64 P): a route of exact corners becomes one that can be driven without a stop."""
+"""Round corners within a tolerance (G64 P), so that the motion need not stop at them."""
 
 from __future__ import annotations
 
@@ -8,14 +8,14 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from contourlab.feed.corner_blend import MOST_TURN, control_points, largest_reach
-from contourlab.feed.corner_choice import quicker_blended
+from contourlab.feed.corner_blend import MOST_TURN, control_points, largest_reach, quicker_blended
 from contourlab.feed.correspondence import Correspondence
 from contourlab.feed.limits import AxisLimits
 from contourlab.feed.merging import merged
 from contourlab.feed.route import Route
 from contourlab.geometry import Arc, Curve, Line, Path
 from contourlab.geometry.blend import blends, halves, quintic_bezier
+from contourlab.geometry.curve import angle_between
 from contourlab.geometry.path import CORNER_ANGLE
 
 Array = NDArray[np.float64]
@@ -47,7 +47,7 @@ def blended(route: Route, limits: AxisLimits | None = None) -> Route:
     route : Route
         With `merge_tolerance` and `corner_tolerance`; the route itself where both are 0 everywhere.
     limits : AxisLimits, optional
-        Of the machine. With them a corner stays where a stop takes less time than its blend; see `contourlab.feed.corner_choice`.
+        Of the machine. With them a corner stays where a stop takes less time than its blend; see `contourlab.feed.corner_blend`.
 
     Returns
     -------
@@ -102,8 +102,7 @@ def _corners(route: Route) -> _Corners:
     path, n = route.path, route.n_curve
     before = np.arange(n if path.closed and n > 1 else n - 1)
     after = (before + 1) % n
-    first, second = path._ends[1][before], path._starts[1][after]
-    turn = 2.0 * np.arctan2(np.linalg.norm(second - first, axis=1), np.linalg.norm(second + first, axis=1))
+    turn = angle_between(path.ends[1][before], path.starts[1][after])
     plain = np.array([type(curve) in (Line, Arc) for curve in path.curves], dtype=bool)
     wanted = (route.corner_tolerance[before] > 0.0) & (route.dwell[before] == 0.0) & ~route.exact_stop[before]
     # A rapid comes to rest before a cut begins or after it has ended: slowing down to a cut within a blend would gain no time.
@@ -129,7 +128,7 @@ def _reach(route: Route, corners: _Corners, span: Array) -> Array:
 
 
 class _Part(NamedTuple):
-    """Curves of the new path: where in the old order they belong, the old curve that speaks for each, and their places on the old path."""
+    """Curves of the new path: their rank in the old order, the old curve that each belongs to, and where they begin on the old path."""
 
     rank: Index
     owner: Index
@@ -170,7 +169,7 @@ def _assembled(route: Route, corners: _Corners, reach: Array, points: Array, spa
 
 
 def _halved(coefficients: Array, wanted: NDArray[np.bool_]) -> tuple[Array, Index, NDArray[np.bool_]]:
-    """Return curves (n, 6, n_axis) with the wanted ones in halves, to which of the n each belongs, and whether it is a second half."""
+    """Halve the chosen curves (n, 6, n_axis); return all curves, the index of each one's original, and whether it is a second half."""
     corner = np.repeat(np.arange(len(wanted)), np.where(wanted, 2, 1))
     second = np.append(False, corner[1:] == corner[:-1])
     found = coefficients[corner]
@@ -186,7 +185,7 @@ def _trimmed(path: Path, corners: _Corners, reach: Array, points: Array, span: A
     cut = stays & ((low > 0.0) | (high < span))
     straight = np.array([type(curve) is Line for curve in path.curves], dtype=bool)
     lines = np.flatnonzero(straight & cut)
-    start, end = path._starts[0].copy(), path._ends[0].copy()
+    start, end = path.starts[0].copy(), path.ends[0].copy()
     uncut: list[Any] = [path.curves[i] for i in lines.tolist()]
     end[lines] = np.reshape([line.end for line in uncut], (-1, path.n_axis))
     # The very points of the blends, so that nothing opens by a rounding.

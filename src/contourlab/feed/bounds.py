@@ -33,7 +33,7 @@ Array = NDArray[np.float64]
 
 
 class Samples(NamedTuple):
-    """Where a piece is looked at: derivatives (n, n_axis), and the programmed ceiling of speed (n,)."""
+    """Samples of a piece: derivatives (n, n_axis), and the programmed ceiling of speed (n,)."""
 
     tangent: Array
     second: Array
@@ -59,7 +59,7 @@ class Bounds(NamedTuple):
     taper: Array
 
 
-CHUNK = 32_768  # samples looked at together
+CHUNK = 32_768  # samples per pass
 SHARES = tuple(
     Share(turning, speeding, turning_jerk, mixed)
     for turning, speeding in ((0.97, 0.9), (0.9, 0.8), (0.8, 0.7), (0.6, 0.8))
@@ -68,13 +68,13 @@ SHARES = tuple(
 
 
 def _ratio(limit: Array, demand: Array) -> Array:
-    """Divide limits by |demand|, with inf where nothing is asked."""
+    """Divide limits by |demand|, with inf where the demand is zero."""
     with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
         return np.where(demand == 0.0, np.inf, limit / np.abs(demand))
 
 
 def speed_limit(samples: Samples, limits: AxisLimits, share: Share) -> Array:
-    """Return the highest speed at each sample, before any thought of speeding up or braking.
+    """Return the highest speed at each sample, without regard to speeding up or braking.
 
     Parameters
     ----------

@@ -1,4 +1,4 @@
-"""Which place of the programmed path belongs to a place of the planned one."""
+"""Map arc length on the planned path to arc length on the programmed one."""
 
 from __future__ import annotations
 
@@ -36,11 +36,11 @@ class Correspondence:
         for name in ("planned", "programmed"):
             values = np.array(getattr(self, name), dtype=float)
             if values.ndim != 1 or values.size < 2 or not np.all(np.diff(values) > 0.0):
-                raise FeedError(f"{name}: a map between paths wants two nodes or more, rising strictly")
+                raise FeedError(f"{name}: give two nodes or more, strictly rising")
             values.flags.writeable = False
             object.__setattr__(self, name, values)
         if self.planned.size != self.programmed.size:
-            raise FeedError(f"{self.planned.size} planned nodes and {self.programmed.size} programmed ones: one for one is wanted")
+            raise FeedError(f"{self.planned.size} planned nodes and {self.programmed.size} programmed ones: give as many of each")
 
     def _laps(self, s: ArrayLike) -> tuple[Array, Array]:
         along, lap = np.atleast_1d(np.asarray(s, dtype=float)), self.planned[-1] - self.planned[0]
@@ -53,17 +53,17 @@ class Correspondence:
         return np.asarray(np.interp(along, self.planned, self.programmed) + lap)
 
     def span(self, s: ArrayLike) -> Array:
-        """Return how long on the programmed path (n,) [m] the interval between nodes is in which planned arc lengths (n,) lie."""
+        """Return the length on the programmed path (n,) [m] of the node interval that holds each planned arc length (n,)."""
         along, _ = self._laps(s)
         i = np.clip(np.searchsorted(self.planned, along, side="right") - 1, 0, self.planned.size - 2)
         return np.asarray(np.diff(self.programmed)[i])
 
     def after(self, first: Correspondence) -> Correspondence:
-        """Return the map that does `first`, then this one."""
+        """Compose: apply `first`, then this map."""
         # A lap of `first` may begin anywhere on a lap of this one: the nodes of two laps are within its reach.
-        mine = np.concatenate([self.planned, self.planned[1:] + (self.planned[-1] - self.planned[0])])
-        mine = mine[(mine > first.programmed[0]) & (mine < first.programmed[-1])]
-        nodes = np.unique(np.concatenate([first.planned, np.interp(mine, first.programmed, first.planned)]))
+        own = np.concatenate([self.planned, self.planned[1:] + (self.planned[-1] - self.planned[0])])
+        own = own[(own > first.programmed[0]) & (own < first.programmed[-1])]
+        nodes = np.unique(np.concatenate([first.planned, np.interp(own, first.programmed, first.planned)]))
         values = self(first(nodes))
         # Nodes that coincide but for rounding are one.
         values = np.minimum(np.maximum.accumulate(values), values[-1])
@@ -74,7 +74,7 @@ class Correspondence:
 
 
 def place_on_programmed(correspondence: Correspondence | None, path: Path, programmed: Path, s: ArrayLike) -> Array:
-    """Return the programmed arc lengths (n,) of planned ones (n,); in proportion where two paths differ and nothing says how."""
+    """Return the programmed arc lengths (n,) of planned ones (n,); in proportion where the paths differ and no map is given."""
     if correspondence is not None:
         return correspondence(s)
     return np.atleast_1d(np.asarray(s, dtype=float)) * (1.0 if programmed is path else programmed.length / path.length)

@@ -1,7 +1,7 @@
 """Recursions along the samples of a stretch. They are compiled by `contourlab.native.door`, and run as plain Python as well.
 
 Arrays over samples have the length n, derivatives of the path the shape (n, n_axis). Two samples may lie at one place, the end of one curve
-and the start of the next, where the curvature jumps. x stands for v^2: between samples the acceleration a is constant, so x is linear in
+and the start of the next, where the curvature jumps. x is v^2: between samples the acceleration a is constant, so x is linear in
 the arc length, x' = 2 a.
 """
 
@@ -82,7 +82,7 @@ def reach(
 ):  # fmt: skip
     """Find the fastest v^2 from rest to rest: backward the speeds from which the rest can be driven, forward the greatest of them.
 
-    Called again with other limits, it works out anew only what they change.
+    Called again with other limits, it recomputes only what they change.
 
     Parameters
     ----------
@@ -149,7 +149,7 @@ def lower(arc_length, faults, factors, half, haste, low, parts, flags):
     ----------
     arc_length (n,)
     faults (m, 7)
-        As filled by `looking.demand`.
+        As filled by `speed_profile.demand`.
     factors (3, m)
         By which each part is to be lowered.
     half [s]

@@ -13,7 +13,7 @@ Array = NDArray[np.float64]
 
 
 def _checked(name: str, value: ArrayLike, unit: str, *, finite: bool) -> Array:
-    """Return `value` as a read-only vector after a look at its range."""
+    """Return `value` as a read-only vector; refuse one out of range."""
     array = np.array(value, dtype=np.float64, ndmin=1)
     if array.ndim != 1:
         raise ParameterError(name, array.tolist(), "one number per axis", unit)
@@ -35,7 +35,7 @@ class AxisLimits:
     acceleration : array_like (n_axis,) [m/s^2], > 0, inf for no limit
     jerk : array_like (n_axis,) [m/s^3], > 0, inf for no limit
 
-    A single number, or a vector of one, stands for all axes.
+    A single number applies to all axes.
 
     Raises
     ------
@@ -73,7 +73,7 @@ class AxisLimits:
         return np.isinf(self.acceleration) & np.isinf(self.jerk)
 
     def for_axes(self, n_axis: int) -> AxisLimits:
-        """Return the limits for `n_axis` axes; limits of one axis stand for all.
+        """Return the limits for `n_axis` axes; limits of one axis apply to all.
 
         Raises
         ------

@@ -20,6 +20,7 @@ from numpy.typing import NDArray
 from contourlab.feed.correspondence import Correspondence
 from contourlab.feed.route import Route
 from contourlab.geometry import Line, Path
+from contourlab.geometry.curve import angle_between
 
 Array = NDArray[np.float64]
 Index = NDArray[np.int64]
@@ -49,7 +50,7 @@ def merged(route: Route) -> Route:
         return route
     path = route.path
     last_curve = path.curves[-1]
-    points = np.concatenate([path._starts[0], last_curve.end[None] if isinstance(last_curve, Line) else path._ends[0][-1:]])
+    points = np.concatenate([path.starts[0], last_curve.end[None] if isinstance(last_curve, Line) else path.ends[0][-1:]])
     first = run_starts(points, _reach(route), linked)
     n = route.n_curve
     last = np.append(first[1:], n) - 1
@@ -137,16 +138,11 @@ def _one_more(
         axis, open_by = _within(axis, open_by, heading, np.full_like(near, _FORWARD))
         total = chord + step
         size = np.linalg.norm(total, axis=1)
-        fits = joins & (open_by >= 0.0) & (size > 0.0) & (_angle(axis, total / size[:, None]) <= open_by)
+        fits = joins & (open_by >= 0.0) & (size > 0.0) & (angle_between(axis, total / size[:, None]) <= open_by)
     fresh = ~fits
     chord = np.where(fresh[:, None], step, total)
     axis = np.where(fresh[:, None], heading, axis)
     return chord, axis, np.where(fresh, _FORWARD, open_by), fresh
-
-
-def _angle(a: Array, b: Array) -> Array:
-    """Return the angles (n,) between unit vectors, good to the last digits of small ones."""
-    return np.asarray(2.0 * np.arctan2(np.linalg.norm(a - b, axis=1), np.linalg.norm(a + b, axis=1)))
 
 
 def _within(axis: Array, wide: Array, other: Array, also: Array) -> tuple[Array, Array]:
@@ -156,7 +152,7 @@ def _within(axis: Array, wide: Array, other: Array, also: Array) -> tuple[Array,
     >>> np.round(np.arctan2(axis[:, 1], axis[:, 0]), 12).tolist(), np.round(wide, 12).tolist()
     ([0.15], [0.05])
     """
-    apart = _angle(axis, other)
+    apart = angle_between(axis, other)
     inner, outer = apart + wide <= also, apart + also <= wide
     half = np.where(inner, wide, np.where(outer, also, 0.5 * (wide + also - apart)))
     # From the first axis towards the second, along the great circle.
@@ -171,7 +167,7 @@ def _within(axis: Array, wide: Array, other: Array, also: Array) -> tuple[Array,
 def _feet(planned: Path, points: Array, first: Index) -> tuple[Array, Array]:
     """Return where the start of each old line falls along the new one of its run, and how far beside it [m]."""
     run = np.searchsorted(first, np.arange(len(points) - 1), side="right") - 1
-    direction, away = planned._starts[1][run], points[:-1] - points[first][run]
+    direction, away = planned.starts[1][run], points[:-1] - points[first][run]
     foot = np.einsum("ij,ij->i", away, direction)
     return foot, np.asarray(np.linalg.norm(away - foot[:, None] * direction, axis=1))
 

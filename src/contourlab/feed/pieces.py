@@ -2,7 +2,7 @@
 
 A line, an arc and a helix are one piece each; lines that follow one another in one direction at one feedrate are
 joined. Other curves are sampled, more densely where they turn more, and cut where the permitted speed has changed by
-the factor `GROUP`. All derivatives are asked for in a few calls for the whole path, never curve by curve.
+the factor `GROUP`. Derivatives are evaluated in a few calls for the whole path, never curve by curve.
 """
 
 from __future__ import annotations
@@ -13,8 +13,9 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from contourlab.errors import FeedError
 from contourlab.feed.bounds import SHARES, Bounds, Samples, piece_bounds, speed_limit
-from contourlab.feed.joints import KINK_TIME, NUDGE, Joints, joints
+from contourlab.feed.junctions import KINK_TIME, NUDGE, Junctions, junctions
 from contourlab.feed.limits import AxisLimits
 from contourlab.feed.route import Route
 from contourlab.geometry import Arc, Curve, Line
@@ -45,7 +46,7 @@ class Pieces:
     bounds : Bounds
     stop : ndarray of bool
         Whether the motion stops at the end of the piece.
-    joint_speed : ndarray [m/s]
+    junction_speed : ndarray [m/s]
         Ceiling of the speed at the end of the piece (inf: that of the neighbours).
     curve : ndarray of int
         The curve at which the piece ends.
@@ -55,7 +56,7 @@ class Pieces:
     length: Array
     bounds: Bounds
     stop: Flags
-    joint_speed: Array
+    junction_speed: Array
     curve: Index
 
 
@@ -67,11 +68,6 @@ class Nodes(NamedTuple):
     tangent: Array
     second: Array
     third: Array
-
-
-def chosen_nodes(nodes: Nodes, rows: Flags | Index) -> Nodes:
-    """Return some of the nodes."""
-    return Nodes(nodes.curve[rows], nodes.place[rows], nodes.tangent[rows], nodes.second[rows], nodes.third[rows])
 
 
 def look(route: Route, curve: Index, place: Array) -> Nodes:
@@ -169,8 +165,10 @@ def _cells(nodes: Nodes, kind: NDArray[np.int8], permitted: Array, smooth_line: 
     return np.flatnonzero(ends)
 
 
-def joint_speed(meet: Joints, limits: AxisLimits, curvature_step: float) -> Array:
+def junction_speed(meet: Junctions, limits: AxisLimits, curvature_step: float) -> Array:
     """Return the ceiling of speed at each joint from the steps of acceleration, |jump| v^2, and of velocity, |kink| v."""
+    if not curvature_step >= 0.0:
+        raise FeedError(f"curvature_step = {curvature_step}: give a part of the acceleration limit, >= 0")
     with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
         square = np.where(meet.jump == 0.0, np.inf, curvature_step * limits.acceleration / np.abs(meet.jump))
         step = min(curvature_step, 1.0) * limits.acceleration * KINK_TIME
@@ -181,20 +179,20 @@ def joint_speed(meet: Joints, limits: AxisLimits, curvature_step: float) -> Arra
 
 
 class Survey(NamedTuple):
-    """What a route is like: its joints, and by curve the kind and the ceiling of speed at its end."""
+    """Properties of a route: its junctions, and for each curve its kind and the ceiling of speed at its end."""
 
-    meet: Joints
+    meet: Junctions
     kind: NDArray[np.int8]  # 0 line, 1 arc or helix, 2 any other, 3 blend of a corner
-    joint_speed: Array
+    junction_speed: Array
 
     @property
     def stop(self) -> Flags:
         """Whether the motion stops at the end of each curve (n_curve,); where a closed path closes, it does so after the last lap."""
-        return np.asarray(self.meet.stop | (self.joint_speed == 0.0))
+        return np.asarray(self.meet.stop | (self.junction_speed == 0.0))
 
 
 def survey(route: Route, limits: AxisLimits, curvature_step: float) -> Survey:
-    """Look at a route.
+    """Find junctions, kinds of curves and ceilings of speed.
 
     Parameters
     ----------
@@ -208,10 +206,10 @@ def survey(route: Route, limits: AxisLimits, curvature_step: float) -> Survey:
     -------
     Survey
     """
-    meet = joints(route)
+    meet = junctions(route)
     kind = np.array([_kind(curve) for curve in route.path.curves], dtype=np.int8)
-    ceiling = joint_speed(meet, limits, curvature_step)
-    # To slow down for a kink and not to stop there gains nothing.
+    ceiling = junction_speed(meet, limits, curvature_step)
+    # Slowing down for a kink without stopping gains nothing.
     slow = np.any(meet.kink != 0.0, axis=1) & (ceiling < WORTH * np.minimum(route.feedrate, np.roll(route.feedrate, -1)))
     meet = meet._replace(stop=meet.stop | slow, kink=np.where(slow[:, None], 0.0, meet.kink))
     return Survey(meet, kind, ceiling)
@@ -255,5 +253,5 @@ def cut(route: Route, seen: Survey, limits: AxisLimits, wanted: Flags) -> Pieces
     stop_ends[0, 0] = stop_ends[-1, 1] = True
     length = end - start
     bounds = piece_bounds(Samples(*(part[rows] for part in samples)), begins, length, stop_ends, limits)
-    ceiling = np.where(within, np.inf, seen.joint_speed[curve])
+    ceiling = np.where(within, np.inf, seen.junction_speed[curve])
     return Pieces(start, length, bounds, stop, ceiling, curve)

@@ -21,8 +21,8 @@ from contourlab.feed.profile import Profile
 from contourlab.feed.reference import Reference, lap_ranges, whole_samples
 from contourlab.feed.route import Route
 from contourlab.feed.scurve import N_SPAN, move_spans, peak_speed, reachable_speed
+from contourlab.feed.segments import Stretches, ranges, sampled, stretches
 from contourlab.feed.smooth import shaped
-from contourlab.feed.stretches import Stretches, ranges, sampled, stretches
 
 Array = NDArray[np.float64]
 Index = NDArray[np.intp]
@@ -44,7 +44,7 @@ def _border_speeds(pieces: Pieces) -> tuple[Array, Array]:
     start to its end within its limits: forward for speeding up, backward for braking.
     """
     bounds = pieces.bounds
-    ceiling = np.minimum(np.minimum(bounds.speed, np.append(bounds.speed[1:], 0.0)), pieces.joint_speed)
+    ceiling = np.minimum(np.minimum(bounds.speed, np.append(bounds.speed[1:], 0.0)), pieces.junction_speed)
     ceiling = np.where(pieces.stop, 0.0, ceiling)
     ceiling[-1] = 0.0
     # Pieces between two stops need no look-ahead; only the others are walked over.
@@ -158,7 +158,7 @@ def _repeated(pieces: Pieces, laps: int, lap_length: float, n_curve: int) -> Pie
         np.tile(pieces.length, laps),
         Bounds(*(np.tile(part, laps) for part in pieces.bounds)),
         np.tile(pieces.stop, laps),
-        np.tile(pieces.joint_speed, laps),
+        np.tile(pieces.junction_speed, laps),
         np.concatenate([pieces.curve + lap * n_curve for lap in range(laps)]),
     )
 
@@ -178,8 +178,6 @@ def plan_profile(route: Route, limits: AxisLimits, *, laps: int = 1, curvature_s
     """
     if laps < 1 or (laps > 1 and not route.path.closed):
         raise FeedError(f"laps = {laps}: give at least 1, and more than 1 only for a closed path")
-    if not curvature_step >= 0.0:
-        raise FeedError(f"curvature_step = {curvature_step}: give a part of the acceleration limit, >= 0")
     lap_length = float(route.path.length)
     limits = limits.for_axes(route.path.n_axis)
     free = np.flatnonzero(limits.unbounded)

@@ -1,4 +1,4 @@
-"""The reference of the servo loops: position, velocity and acceleration at each sample, made when asked for."""
+"""The reference of the servo loops: position, velocity and acceleration at each sample, computed on demand."""
 
 from __future__ import annotations
 
@@ -18,9 +18,9 @@ from contourlab.geometry import Path
 
 Array = NDArray[np.float64]
 CHUNK = 4096
-"""How many samples are worked out at once."""
+"""Samples computed at once."""
 KEPT_BLOCKS = 4
-"""How many blocks a reference keeps for the next run along it: a study runs the same ones many times."""
+"""Blocks kept for the next run: a study runs the same reference many times."""
 
 
 class ReferenceBlock(NamedTuple):
@@ -54,7 +54,7 @@ class Recorded(NamedTuple):
 
 
 def checked_period(servo_period: float) -> float:
-    """Return the servo period as a float after a look at its range."""
+    """Return the servo period as a float; refuse one out of range."""
     if not (servo_period > 0.0 and np.isfinite(servo_period)):
         raise FeedError(f"servo_period = {servo_period!r}: must be finite and > 0 s, for example 0.001")
     return float(servo_period)
@@ -99,17 +99,17 @@ def along_path(path: Path, arc_length: Array, speed: Array, acceleration: Array,
 
 @dataclass(frozen=True, eq=False, kw_only=True)
 class Reference:
-    """What the axes are asked to do, sample by sample; sample k belongs to the time ``k * servo_period``.
+    """Set points of the axes, sample by sample; sample k belongs to the time ``k * servo_period``.
 
-    Nothing of the program's length is held but the profile's spans: ask for the samples with `block`, in any
-    order. Made by `plan`, `uniform` or `Reference.from_samples`.
+    Memory holds only the spans of the profile; `block` computes samples, in any order. Made by `plan`, `uniform` or
+    `Reference.from_samples`.
 
     Parameters
     ----------
     servo_period : float [s]
     n_sample : int
     path, programmed : Path
-        The path that is followed, and the one that the program asked for.
+        The path that is followed, and the programmed one.
     profile : Profile or None
         The motion along the path; None where the positions were recorded.
     source_lines : ndarray (n_curve,) of int
@@ -149,7 +149,7 @@ class Reference:
         ----------
         start, stop : int, 0 <= start <= stop <= n_sample
         fill : callable, optional
-            Another way of working out planned samples, as the compiled engine has: called with the reference, start, stop, and the rows
+            Computes planned samples instead, as the compiled engine does: called with the reference, start, stop, and the rows
             (3 n_axis + 2, n) to fill.
 
         Returns
@@ -234,7 +234,7 @@ class Reference:
 
     @property
     def digest(self) -> str:
-        """Stable hash of all that decides the samples."""
+        """Stable hash of everything that determines the samples."""
         text = hashlib.sha256()
         text.update(np.array([self.servo_period, self.n_sample, self.duration]).tobytes())
         text.update(self.path.digest.encode() + b"/" + self.programmed.digest.encode())
@@ -259,7 +259,7 @@ class Reference:
         source_lines: ArrayLike | None = None,
         correspondence: Correspondence | None = None,
     ) -> Reference:
-        """Wrap positions that another planner or a log gave.
+        """Wrap positions from another planner or a log.
 
         Parameters
         ----------

@@ -1,10 +1,10 @@
-"""A path with what the program says about driving along it."""
+"""A path with feedrates, dwells and tolerances for each of its curves."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
-from typing import Any, NamedTuple
+from dataclasses import dataclass, replace
+from typing import Any, Literal, NamedTuple, TypeAlias
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -12,11 +12,12 @@ from numpy.typing import ArrayLike, NDArray
 from contourlab.errors import FeedError, ProgramError
 from contourlab.feed.correspondence import Correspondence, place_on_programmed
 from contourlab.geometry import Arc, BSpline, Curve, Line, Nurbs, Path
-from contourlab.geometry.spline_cut import cut_where_curvature_jumps
+from contourlab.geometry.nurbs import cut_where_curvature_jumps
 from contourlab.program import Arc as ArcMove
 from contourlab.program import Dwell, Program, Spline, Traverse
 
 Array = NDArray[np.float64]
+PathControl: TypeAlias = Literal["program", "exact_path", "exact_stop", "blend"]
 _PER_CURVE: dict[str, Any] = {
     "feedrate": float,
     "rapid": bool,
@@ -26,7 +27,7 @@ _PER_CURVE: dict[str, Any] = {
     "merge_tolerance": float,
     "exact_stop": bool,
 }
-"""What a route says of each curve."""
+"""Data of each curve, and their types."""
 
 
 def _per_curve(name: str, value: ArrayLike, n_curve: int, dtype: Any) -> NDArray[Any]:
@@ -40,7 +41,7 @@ def _per_curve(name: str, value: ArrayLike, n_curve: int, dtype: Any) -> NDArray
 
 @dataclass(frozen=True, eq=False)
 class Route:
-    """A path and, for each of its curves, how it is to be driven.
+    """A path and how to drive along each of its curves.
 
     Parameters
     ----------
@@ -92,8 +93,9 @@ class Route:
         good = (self.feedrate > 0.0) & (np.isfinite(self.feedrate) | self.rapid)
         if not np.all(good):
             worst = int(np.argmin(good))
+            line = f" (line {self.source_line[worst]})" if self.source_line[worst] else ""
             raise FeedError(
-                f"feedrate of curve {worst}{_line(int(self.source_line[worst]))} is {self.feedrate[worst]:g} m/s: "
+                f"feedrate of curve {worst}{line} is {self.feedrate[worst]:g} m/s: "
                 "it must be finite and > 0 (inf on rapid curves only)"
             )
         if not (np.all(np.isfinite(self.dwell) & (self.dwell >= 0.0)) and 0.0 <= self.dwell_before < np.inf):
@@ -111,10 +113,6 @@ class Route:
     def programmed_arc_length(self, s: ArrayLike) -> Array:
         """Return the arc lengths (n,) [m] on `programmed` that belong to arc lengths (n,) [m] on `path`."""
         return place_on_programmed(self.correspondence, self.path, self.programmed, s)
-
-
-def _line(source_line: int) -> str:
-    return f" (line {source_line})" if source_line else ""
 
 
 def route_from_path(path: Path, feedrate: float, *, dwell: float = 0.0, programmed: Path | None = None) -> Route:
@@ -197,7 +195,7 @@ def _arc(move: ArcMove, columns: list[int]) -> Curve:
 
 
 class _Row(NamedTuple):
-    """What a route says of one move's curve."""
+    """Data of one move's curve."""
 
     feedrate: float
     rapid: bool
@@ -237,7 +235,7 @@ def route_from_program(program: Program, axes: Sequence[str] = ("x", "y", "z"), 
     Raises
     ------
     ProgramError
-        If the program moves an axis that is not among `axes`; says the line.
+        If the program moves an axis that is not among `axes`; names the line.
     FeedError
         If the program moves nothing, or `axes` is wrong.
     """
@@ -262,7 +260,7 @@ def route_from_program(program: Program, axes: Sequence[str] = ("x", "y", "z"), 
         if isinstance(move, Spline):
             for piece in _spline(move, columns):
                 bent[len(rows)] = piece
-                ends.append((move.start, move.end))  # of no consequence beside a curve
+                ends.append((move.start, move.end))  # replaced by the curve
                 rows.append(row._replace(exact_stop=False))
                 dwell.append(0.0)
             rows[-1] = row
@@ -277,12 +275,48 @@ def route_from_program(program: Program, axes: Sequence[str] = ("x", "y", "z"), 
     if not rows:
         raise FeedError(f"{program.name}: the program moves no axis: there is nothing to drive along")
     path = Path(_curves(np.array(ends)[:, :, columns], bent))
-    says: dict[str, Any] = {name: np.array(column) for name, column in zip(_Row._fields, zip(*rows, strict=True), strict=True)}
-    return Route(path, dwell=np.array(dwell), programmed=path, dwell_before=before, **says)
+    per_curve: dict[str, Any] = {name: np.array(column) for name, column in zip(_Row._fields, zip(*rows, strict=True), strict=True)}
+    return Route(path, dwell=np.array(dwell), programmed=path, dwell_before=before, **per_curve)
 
 
 def _curves(ends: Array, bent: dict[int, Curve]) -> list[Curve]:
-    """Return a line between each pair of ends (n, 2, n_axis), but where there is another curve."""
+    """Return a line between each pair of ends (n, 2, n_axis), or the given curve."""
     straight = [i for i in range(len(ends)) if i not in bent]
     lines = dict(zip(straight, Line.many(ends[straight, 0], ends[straight, 1]), strict=True)) if straight else {}
     return [bent[i] if i in bent else lines[i] for i in range(len(ends))]
+
+
+def controlled(route: Route, control: PathControl, corner_tolerance: float, merge_tolerance: float | None = None) -> Route:
+    """Return a route that meets all its corners in one way.
+
+    Parameters
+    ----------
+    route : Route
+    control : {"program", "exact_path", "exact_stop", "blend"}
+        ``"program"`` leaves the route as it is; ``"exact_path"`` (G61) meets every corner exactly and stops where the direction jumps;
+        ``"exact_stop"`` (G61.1) stops at the end of every curve; ``"blend"`` (G64) rounds every corner.
+    corner_tolerance : float [m], >= 0
+        How far a blend may leave its corner.
+    merge_tolerance : float [m], >= 0, optional
+        How far points of merged lines may lie off; as `corner_tolerance` where it is not given.
+
+    Raises
+    ------
+    FeedError
+        If the control is unknown.
+
+    Notes
+    -----
+    `contourlab.feed.blended` does the rounding and the merging.
+    """
+    if control == "program":
+        return route
+    none = np.zeros(route.n_curve)
+    if control == "exact_path":
+        return replace(route, corner_tolerance=none, merge_tolerance=none, exact_stop=none.astype(bool))
+    if control == "exact_stop":
+        return replace(route, corner_tolerance=none, merge_tolerance=none, exact_stop=np.ones(route.n_curve, dtype=bool))
+    if control == "blend":
+        merge = corner_tolerance if merge_tolerance is None else merge_tolerance
+        return replace(route, corner_tolerance=none + corner_tolerance, merge_tolerance=none + merge, exact_stop=none.astype(bool))
+    raise FeedError(f"path control {control!r}: one of program, exact_path, exact_stop, blend")

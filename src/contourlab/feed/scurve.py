@@ -161,7 +161,7 @@ def move_spans(
     none = np.zeros_like(peak)
     duration = np.stack([up.rise_time, up.hold_time, up.taper_time, cruise_time, down.taper_time, down.hold_time, down.rise_time], -1)
     a0 = np.stack([none, up.peak, up.peak, none, none, -down.peak, -down.peak], -1)
-    # An infinite jerk acts for no time at all; zero stands for it, so that no product of the two is formed.
+    # An infinite jerk acts for no time at all; zero replaces it, so that no product of the two is formed.
     rise, taper = np.where(np.isinf(rise), 0.0, rise), np.where(np.isinf(taper), 0.0, taper)
     j = np.stack([rise, none, -taper, none, -taper, none, rise], -1)
     low = start + 0.5 * up.peak * up.rise_time
@@ -170,13 +170,8 @@ def move_spans(
     step = duration * (v0 + duration * (a0 / 2.0 + duration * j / 6.0))
     s0 = np.zeros_like(step)
     np.cumsum(step[:, :3], axis=1, out=s0[:, 1:4])
-    # The second half is laid from the far end, which is known exactly.
+    # The second half starts from the far end, which is known exactly.
     s0[:, 4] = length - down.distance
     s0[:, 5] = s0[:, 4] + step[:, 4]
     s0[:, 6] = length - step[:, 6]
     return duration, s0, v0, a0, j
-
-
-def spans_end(duration: Array, s0: Array, v0: Array, a0: Array, j: Array) -> Array:
-    """Return the progress at the end of each span [m], for the shapes of `move_spans`."""
-    return s0 + duration * (v0 + duration * (a0 / 2.0 + duration * j / 6.0))

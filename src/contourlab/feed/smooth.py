@@ -10,7 +10,7 @@ For many stretches at once, each from rest to rest:
    average keeps to the ceiling of the speed, each narrow of it is widened beforehand by what the average takes in there; and each
    summit of the speed is cut off where it lasts T, so that the acceleration can change its sign.
 3. The result is held against the true limits in every span and at every sample. Around a place where it breaks one, the limits used in
-   step 1 are lowered, and all is done again; what lies elsewhere does not change. At last the path itself is asked.
+   step 1 are lowered, and all is done again; what lies elsewhere does not change. A final check evaluates the path itself.
 
 Only a stretch that has passed step 3 is handed back. Every step is linear in the number of samples.
 """
@@ -18,8 +18,8 @@ Only a stretch that has passed step 3 is handed back. Every step is linear in th
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
 from functools import cache
+from types import SimpleNamespace
 from typing import NamedTuple
 
 import numpy as np
@@ -27,7 +27,7 @@ from numpy.typing import NDArray
 
 from contourlab.feed.kernels import LOWERED, MOVED
 from contourlab.feed.limits import AxisLimits
-from contourlab.feed.stretches import Samples
+from contourlab.feed.segments import Samples
 from contourlab.geometry import Path
 
 Array = NDArray[np.float64]
@@ -41,11 +41,11 @@ ROUNDS = 60  # corrections at most
 BEND = 4000.0  # slowing down by a step accelerates by 6 v h/D^2: D is as long as keeps that below 6/BEND of the limit
 BLOCK = 50  # periods in a part of a stretch that keeps a time grid of its own; it is slowed down by half a step at an average
 HASTE = 2.5  # rounds after which a correction counts twice, then three times: what is left is stubborn
-PER_SPAN = 4  # places looked at in each span, besides the samples ...
-PER_SPAN_MOST = 24  # ... or at which the path is asked, where there are many samples in each
-MOST_SPANS = (8, 10_000)  # a sample, and besides: where the jerk is plentiful, T is no shorter than this asks for
+PER_SPAN = 4  # places checked in each span, besides the samples ...
+PER_SPAN_MOST = 24  # ... or at which the path is evaluated, where spans hold many samples
+MOST_SPANS = (8, 10_000)  # a sample, and besides: where the jerk is plentiful, T is no shorter than this gives
 MANY = (5_000, 200_000)  # samples above which only the two, and the one, most likely periods are tried
-CHUNK = 32_768  # places looked at together
+CHUNK = 32_768  # places per pass
 
 
 class Shaped(NamedTuple):
@@ -69,33 +69,23 @@ class Shaped(NamedTuple):
         return np.asarray(np.add.reduceat(self.spans[:, 0], self.begin[:-1]))
 
 
-class _Kernels(NamedTuple):
-    """The compiled recursions of `kernels`."""
-
-    reach: Callable[..., None]
-    spread: Callable[..., None]
-    flatten: Callable[..., None]
-    demand: Callable[..., None]
-    clock: Callable[..., None]
-    steps: Callable[..., None]
-    lower: Callable[..., None]
-
-
 @cache
-def _kernels() -> _Kernels:
-    from contourlab.feed import kernels, looking
+def _kernels() -> SimpleNamespace:
+    """Return the compiled recursions of `kernels` and `speed_profile`, by name."""
+    from contourlab.feed import kernels, speed_profile
     from contourlab.native.door import kernel  # the compiler is loaded when something is planned
 
     f, m, i = "f8[:]", "f8[:,:]", "i8[:]"
-    return _Kernels(
-        kernel(kernels.reach, " ".join([f, m, m, m, f, f, f, f, f, f, "f8", f, f, f, f, i])),
-        kernel(kernels.spread, " ".join([f, f, "f8", f, i])),
-        kernel(kernels.flatten, " ".join([f, f, "f8", f])),
-        kernel(looking.demand, " ".join([f, m, m, m, f, i, m, i, f, f, f, "i8", "f8", i, "f8[:,:,:]", f, f, m, i])),
-        kernel(looking.clock, " ".join([f, f, i, i, i, "f8", f, f, i])),
-        kernel(looking.steps, " ".join([f, f, f, i, i, f, i, i, "f8", f])),
-        kernel(kernels.lower, " ".join([f, m, m, "f8", "f8", f, m, i])),
-    )
+    signatures = {
+        kernels.reach: [f, m, m, m, f, f, f, f, f, f, "f8", f, f, f, f, i],
+        kernels.spread: [f, f, "f8", f, i],
+        kernels.flatten: [f, f, "f8", f],
+        speed_profile.demand: [f, m, m, m, f, i, m, i, f, f, f, "i8", "f8", i, "f8[:,:,:]", f, f, m, i],
+        speed_profile.clock: [f, f, i, i, i, "f8", f, f, i],
+        speed_profile.steps: [f, f, f, i, i, f, i, i, "f8", f],
+        kernels.lower: [f, m, m, "f8", "f8", f, m, i],
+    }
+    return SimpleNamespace(**{step.__name__: kernel(step, " ".join(types)) for step, types in signatures.items()})
 
 
 class _Blocks(NamedTuple):
@@ -139,7 +129,7 @@ class _Planner:
     """Arrays that the rounds of one period share; `parts` are those of the limits that may be used at each sample:
 
     of the acceleration, of the jerk for changes of the tangential acceleration, of the speed. There are tens of samples to a line of a
-    program: these arrays decide how long a program can be, so each has its reason, and what is worked out from them goes as soon as it can.
+    program: these arrays limit the length of a program, so each has its reason, and intermediate arrays are freed early.
     """
 
     def __init__(self, path: Path, samples: Samples, limits: AxisLimits, period: float) -> None:
@@ -192,10 +182,10 @@ class _Planner:
         return peak, faults[: int(count[0])]
 
     def changed(self, faults: Array) -> NDArray[np.int64]:
-        """Return at which samples a motion is to be looked at: in blocks that have changed or had faults, and in their neighbours."""
+        """Return the samples to check: blocks that have changed or had faults, and their neighbours."""
         different = self.flags & MOVED != 0
         different[faults[:, 0].astype(np.intp)] = True
-        # A block's last sample is the next one's first; each block is looked at with the one before and the one behind it.
+        # A block's last sample is the next one's first; each block is checked with its neighbours.
         edges = np.append(self.blocks.first, different.size)
         blocks = np.add.reduceat(different, edges[:-1]) > 0
         ends = different[self.blocks.last]
@@ -222,7 +212,7 @@ class _Planner:
     def divide(self, square: Array) -> None:
         """Divide the stretches into blocks of about `BLOCK` periods, each of a whole number of steps.
 
-        So what is corrected in one of them leaves the time grid of all others where it was, and they need not be looked at again.
+        A correction in one block then leaves the time grid of the others unchanged, and they need no new check.
         """
         first, last = self.blocks.first, self.blocks.last
         time, lasting, _ = self._clock(square, self.blocks)
@@ -337,7 +327,7 @@ def _corrected(planner: _Planner) -> Shaped:
         spans, begin = planner.spans(square)
         peak, faults = planner.look(spans, begin, planner.changed(faults))
         if len(faults) == 0 or round_ == ROUNDS - 1:
-            # Good by the samples, which are cheap to ask; the path itself has the last word.
+            # Good by the samples, which are cheap; the path itself decides.
             peak, faults = planner.look(spans, begin, np.ones_like(planner.flags))
             by_path, more = _by_path(planner, spans, begin)
             peak, faults = np.maximum(peak, by_path), np.concatenate([faults, more])
@@ -376,7 +366,7 @@ def shaped(path: Path, samples: Samples, limits: AxisLimits) -> list[Shaped]:
     periods = sorted({max(part * unit, shortest) for part in PERIODS}) if unit > 0.0 else [0.0, shortest]
     n_tried = 3 - int(np.searchsorted(MANY, samples.arc_length.size))
     if n_tried < 3 and len(periods) > n_tried:
-        # What a motion takes before its corrections tells well enough which periods are worth them.
+        # The time before corrections shows well enough which periods are worth correcting.
         trials = [_Planner(path, samples, limits, period).duration() for period in periods]
         periods = [periods[k] for k in np.argsort(trials)[:n_tried]]
     return [_corrected(_Planner(path, samples, limits, period)) for period in periods]

@@ -60,15 +60,7 @@ def uniform(path: Path, frequency: float, laps: int, servo_period: float) -> Ref
     ranges = tuple((lap * per_lap, (lap + 1) * per_lap) for lap in range(laps)) if whole else ((0, n_sample),)
     zero = np.zeros(1)
     length = float(path.length)
-    profile = Profile(
-        t0=zero.copy(),
-        s0=zero.copy(),
-        v0=np.array([length * frequency]),
-        a0=zero.copy(),
-        j=zero.copy(),
-        duration=laps / frequency,
-        length=laps * length,
-    )
+    profile = Profile(zero, zero, np.array([length * frequency]), zero, zero, duration=laps / frequency, length=laps * length)
     none = np.zeros(len(path.curves), dtype=np.int64)
     return Reference(
         servo_period=period,

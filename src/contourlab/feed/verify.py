@@ -1,26 +1,26 @@
-"""The independent judge of a reference: what a drive gets, held against the limits of its axis.
+"""The independent judge of a reference: what each drive gets, against the limits of its axis.
 
-It looks at nothing but the position samples and their differences over the servo period, so it judges planned,
-imported and measured references alike and does not trust a planner's own derivatives. Differences are weighted means
+It uses only position samples and their differences over the servo period. So it judges planned, imported and measured
+references alike, and does not trust a planner's own derivatives. Differences are weighted means
 of the derivatives over the samples they span, hence never above the true peak.
 """
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
-from contourlab.feed.joints import KINK_TIME, MOST_KINK, curvature_jump, direction_jump
+from contourlab.feed.junctions import KINK_TIME, MOST_KINK, curvature_jump, direction_jump
 from contourlab.feed.limits import AxisLimits
 from contourlab.feed.reference import Reference
 from contourlab.geometry import Path
 
 Array = NDArray[np.float64]
 
-BLOCK = 65536  # samples looked at together
+BLOCK = 65536  # samples per pass
 
 
 @dataclass(frozen=True)
@@ -69,7 +69,7 @@ class LimitReport:
         Steps of acceleration where the curvature jumps (line to arc), held against the acceleration limit: there no
         finite jerk limit can hold short of a stop. Without a jerk limit no step is an offence, its limit is inf.
     kink : tuple of Worst
-        Steps of velocity [m/s] where the direction jumps by a little (`contourlab.feed.joints.MOST_KINK`), held against what the
+        Steps of velocity [m/s] where the direction jumps by a little (`contourlab.feed.junctions.MOST_KINK`), held against what the
         acceleration limit gives in `KINK_TIME`; the acceleration is without those places.
     n_step, n_kink : int
         How many such places were driven through.
@@ -92,11 +92,6 @@ class LimitReport:
         return (*self.velocity, *self.acceleration, *self.jerk, *self.curvature_step, *self.kink)
 
 
-def _jump_places(path: Path) -> Array:
-    """Return the arc lengths in [0, length) where the curvature jumps, corners among them [m]."""
-    return _joints_at(path, np.any(curvature_jump(path) != 0.0, axis=1))
-
-
 class _Kinks(NamedTuple):
     """Where the direction jumps by little: arc lengths (n,) in [0, length) [m], and by how much each axis' does (n, n_axis)."""
 
@@ -115,10 +110,10 @@ def _kinks(path: Path) -> _Kinks:
     jump = direction_jump(path)
     angle = np.linalg.norm(jump, axis=1)
     wanted = (angle > 0.0) & (angle <= MOST_KINK)
-    return _Kinks(_joints_at(path, wanted), np.abs(np.roll(jump, 1, axis=0)[np.roll(wanted, 1)]))
+    return _Kinks(_junctions_at(path, wanted), np.abs(np.roll(jump, 1, axis=0)[np.roll(wanted, 1)]))
 
 
-def _joints_at(path: Path, wanted: NDArray[np.bool_]) -> Array:
+def _junctions_at(path: Path, wanted: NDArray[np.bool_]) -> Array:
     """Return the arc lengths in [0, length) of the ends of some curves [m]."""
     return np.asarray(np.asarray(path.breaks)[:-1][np.roll(wanted, 1)], dtype=np.float64)
 
@@ -147,17 +142,15 @@ class _Record:
         self.sample = np.where(better, samples[row], self.sample)
 
 
-def _told(record: _Record, reference: Reference) -> tuple[Worst, ...]:
-    """Say where each worst value was."""
+def _located(record: _Record, reference: Reference) -> tuple[Worst, ...]:
+    """Return each worst value with its place."""
     entries = []
     for axis, (value, sample) in enumerate(zip(record.value.tolist(), record.sample.tolist(), strict=True)):
         worst = Worst(axis, value, float(record.limit[axis]), float(record.allowance[axis]))
         if sample >= 0:
             block = reference.block(sample, sample + 1)
-            place = tuple(float(x) for x in block.position[0])
-            line = int(reference.source_line(block.arc_length)[0])
-            time = sample * reference.servo_period
-            worst = Worst(axis, value, worst.limit, worst.allowance, sample, time, place, line)
+            place, line = tuple(block.position[0].tolist()), int(reference.source_line(block.arc_length)[0])
+            worst = replace(worst, sample=sample, time=sample * reference.servo_period, position=place, source_line=line)
         entries.append(worst)
     return tuple(entries)
 
@@ -189,7 +182,7 @@ def limit_report(reference: Reference, limits: AxisLimits) -> LimitReport:
 
     Notes
     -----
-    Sample k stands for the differences p[k+1] - p[k], p[k+1] - 2 p[k] + p[k-1] and p[k+2] - 3 p[k+1] + 3 p[k] - p[k-1].
+    Sample k labels the differences p[k+1] - p[k], p[k+1] - 2 p[k] + p[k-1] and p[k+2] - 3 p[k+1] + 3 p[k] - p[k-1].
     A curvature step between k and k+1 is the second difference at k+2 less the one at k-1, the nearest that lie
     clear of it; three servo periods of permitted jerk are allowed for. At a kink the velocity of an axis jumps by the
     jump of the path's direction times the speed, which is the least that the samples around show, less what the
@@ -211,12 +204,12 @@ def limit_report(reference: Reference, limits: AxisLimits) -> LimitReport:
         _Record(step_limit, eased + 4.0 * noise / period**2),
         _Record(limits.acceleration * KINK_TIME, MOST_KINK * noise / period),
     )
-    places = _jump_places(reference.path), _kinks(reference.path)
+    places = _junctions_at(reference.path, np.any(curvature_jump(reference.path) != 0.0, axis=1)), _kinks(reference.path)
     n_step = n_kink = 0
     for start in range(0, reference.n_sample, BLOCK):
         steps, kinks = _look(reference, start, min(start + BLOCK, reference.n_sample), records, places, wide)
         n_step, n_kink = n_step + steps, n_kink + kinks
-    velocity, acceleration, jerk, step, kink = (_told(record, reference) for record in records)
+    velocity, acceleration, jerk, step, kink = (_located(record, reference) for record in records)
     return LimitReport(velocity, acceleration, jerk, step, kink, n_step, n_kink)
 
 

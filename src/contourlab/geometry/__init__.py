@@ -2,15 +2,14 @@
 
 from contourlab.geometry.arc import Arc
 from contourlab.geometry.blend import Blend
-from contourlab.geometry.conics import Ellipse, EllipticalArc, Lemniscate, Lissajous, Spiral, Star
+from contourlab.geometry.conics import Ellipse, EllipticalArc, Lemniscate, Spiral, Star
 from contourlab.geometry.curve import Curve
-from contourlab.geometry.foot import FootPoint
 from contourlab.geometry.library import contour, contour_names, contour_parameters
 from contourlab.geometry.line import Line
 from contourlab.geometry.nurbs import BSpline, Nurbs
 from contourlab.geometry.path import Path
-from contourlab.geometry.rework import backwards, with_ends
 from contourlab.geometry.table import PathTable
+from contourlab.geometry.transform import backwards, with_ends
 
 __all__ = [
     "Arc",
@@ -19,10 +18,8 @@ __all__ = [
     "Curve",
     "Ellipse",
     "EllipticalArc",
-    "FootPoint",
     "Lemniscate",
     "Line",
-    "Lissajous",
     "Nurbs",
     "Path",
     "PathTable",

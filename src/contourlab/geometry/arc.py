@@ -6,13 +6,10 @@ import math
 from collections.abc import Sequence
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from contourlab.errors import GeometryError
-from contourlab.geometry.curve import Curve, Together, ends, of_each, rows, vector
-
-Array = NDArray[np.float64]
-Index = NDArray[np.int64]
+from contourlab.geometry.curve import Array, Curve, Index, Together, of_each, positive, rows, vector
 
 
 class Arc(Curve):
@@ -61,8 +58,7 @@ class Arc(Curve):
             if axis.size != n:
                 raise GeometryError(f"{name} has {axis.size} coordinates, the centre has {n}")
         self.radius, self.start_angle, self.sweep = float(radius), float(start_angle), float(sweep)
-        if not (self.radius > 0.0 and math.isfinite(self.radius)):
-            raise GeometryError(f"radius = {radius!r}: must be > 0 and finite")
+        positive(radius=radius)
         if not math.isfinite(self.start_angle):
             raise GeometryError(f"start_angle = {start_angle!r}: must be finite")
         if self.sweep == 0.0 or not math.isfinite(self.sweep):
@@ -141,7 +137,7 @@ class Arc(Curve):
             self.centre + low * rise, self.radius, self.start_angle + self.rate * low, self.sweep * share, self.u, self.v, self.rise * share
         )
 
-    def derivatives(self, s: ArrayLike, order: int = 3) -> NDArray[np.float64]:
+    def derivatives(self, s: ArrayLike, order: int = 3) -> Array:
         along = np.atleast_1d(np.asarray(s, dtype=float))
         angle = self.start_angle + self.rate * along
         c, d = np.cos(angle)[:, None], np.sin(angle)[:, None]
@@ -212,9 +208,6 @@ class Arcs(Together):
         inside = (along >= low) & (along <= high)
         gaps = [((points - self.derivatives(slot, end, 0)[0].T) ** 2).sum(axis=1) for end in (low, high)]
         return np.asarray(np.where(inside, along, np.where(gaps[0] <= gaps[1], low, high)))
-
-    def marks(self) -> tuple[Array, Index]:
-        return ends(self.length)
 
     def smallest_radii(self) -> Array:
         return np.asarray(1.0 / (self.radius * self.rate**2))

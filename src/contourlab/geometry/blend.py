@@ -1,4 +1,4 @@
-"""Quintic curves by arc length, made and evaluated in thousands: what rounds the corners of a path."""
+"""Quintic curves by arc length that round the corners of a path, made and evaluated in thousands."""
 
 from __future__ import annotations
 
@@ -9,10 +9,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from contourlab.errors import GeometryError
-from contourlab.geometry.curve import Curve, Together, by_arc_length, ends, rows
-
-Array = NDArray[np.float64]
-Index = NDArray[np.int64]
+from contourlab.geometry.curve import Array, Curve, Index, Together, by_arc_length, clenshaw, rows
 
 ACCURACY = 1e-12
 """Largest error of an arc length, as a part of the blend's length; a blend that misses it is divided."""
@@ -25,7 +22,7 @@ _GAUSS, _GAUSS_WEIGHTS = np.polynomial.legendre.leggauss(20)
 _PROBES = np.array([-0.985, -0.91, -0.57, -0.23, 0.11, 0.42, 0.78, 0.96])
 
 
-def _to_series(n: int) -> tuple[Array, Array]:
+def _toclenshaw(n: int) -> tuple[Array, Array]:
     """Return Chebyshev's extreme points, both ends among them, and the matrix from values there to a Chebyshev series."""
     k = np.arange(n)
     angle = np.pi * k / (n - 1)
@@ -35,8 +32,8 @@ def _to_series(n: int) -> tuple[Array, Array]:
     return np.cos(angle), matrix
 
 
-_SPEED_NODES, _SPEED_MATRIX = _to_series(_SPEED_TERMS)
-_NODES, _MATRIX = _to_series(_TERMS)
+_SPEED_NODES, _SPEED_MATRIX = _toclenshaw(_SPEED_TERMS)
+_NODES, _MATRIX = _toclenshaw(_TERMS)
 
 
 def quintic_bezier(points: ArrayLike) -> Array:
@@ -96,15 +93,6 @@ def _speeds(c: Array, u: Array) -> Array:
     return np.asarray(np.sqrt(square))
 
 
-def _series(c: Array, x: Array) -> Array:
-    """Return Chebyshev series with coefficients c (terms, n) at x (m, n), by Clenshaw's recursion."""
-    b1, b2 = np.zeros(np.broadcast_shapes(x.shape, c.shape[1:])), np.zeros(1)
-    twice = 2.0 * x
-    for row in c[:0:-1]:
-        b1, b2 = twice * b1 - b2 + row, b1
-    return np.asarray(x * b1 - b2 + c[0])
-
-
 def _measured(c: Array) -> tuple[Array, Array, NDArray[np.bool_]]:
     """Return the lengths (n,) of quarters c (6, n_axis, n), the series (terms, n) of u over arc length, and which are good.
 
@@ -125,14 +113,14 @@ def _measured(c: Array) -> tuple[Array, Array, NDArray[np.bool_]]:
         wanted = 0.5 * (1.0 + _NODES)[1:-1, None] * length
         x = np.repeat(_NODES[1:-1, None], c.shape[2], axis=1)
         for _ in range(7):
-            step = (_series(arc, x) - wanted) / np.maximum(0.5 * _speeds(c, 0.5 * (1.0 + x)), 1e-3 * length)
+            step = (clenshaw(arc, x) - wanted) / np.maximum(0.5 * _speeds(c, 0.5 * (1.0 + x)), 1e-3 * length)
             x = np.clip(x - step, -1.0, 1.0)
             if not np.any(np.abs(step[:, good]) > 1e-9):
                 break
         x = np.concatenate([np.ones((1, c.shape[2])), x, -np.ones((1, c.shape[2]))])
         inverse = _MATRIX @ x
         probe = np.broadcast_to(_PROBES[:, None], (_PROBES.size, c.shape[2]))
-        off = np.abs(_series(arc, np.clip(_series(inverse, probe), -1.0, 1.0)) - 0.5 * (1.0 + probe) * length)
+        off = np.abs(clenshaw(arc, np.clip(clenshaw(inverse, probe), -1.0, 1.0)) - 0.5 * (1.0 + probe) * length)
         good &= (off <= ACCURACY * length).all(axis=0)
     return length, inverse, good
 
@@ -181,7 +169,7 @@ class Blend(Curve):
     def __init__(self, coefficients: ArrayLike) -> None:
         c = np.array(coefficients, dtype=float)
         if c.ndim != 2 or c.shape[0] != 6 or c.shape[1] < 1 or not np.isfinite(c).all():
-            raise GeometryError(f"coefficients of shape {c.shape}: six finite ones are wanted for each coordinate, (6, n_axis)")
+            raise GeometryError(f"coefficients of shape {c.shape}: must be finite, (6, n_axis)")
         borders, inverse, good = _inverted(c[None])
         if not good[0]:
             raise GeometryError("a blend without length, or too uneven for its series: make it with blends(), which divides it")
@@ -219,7 +207,7 @@ class Blends(Together):
         quarter = (along >= border[1]) * 1 + (along >= border[2]) + (along >= border[3])
         low, high = np.take_along_axis(border, quarter + np.arange(2)[:, None], axis=0)
         x = np.clip((2.0 * along - low - high) / (high - low), -1.0, 1.0)
-        part = 0.5 * (1.0 + _series(self.inverse[:, 4 * slot + quarter], x))
+        part = 0.5 * (1.0 + clenshaw(self.inverse[:, 4 * slot + quarter], x))
         return np.asarray(0.25 * (quarter + np.clip(part, 0.0, 1.0)))
 
     def derivatives(self, slot: Index, along: Array, order: int) -> Array:
@@ -231,9 +219,6 @@ class Blends(Together):
             return found
         raw = _powers(self.coefficients[:, :, slot], self.parameter(slot, along), max(order, 1))
         return by_arc_length(raw.transpose(0, 2, 1), order).transpose(0, 2, 1)
-
-    def marks(self) -> tuple[Array, Index]:
-        return ends(self.length)
 
     def smallest_radii(self) -> Array:
         n, u = self.length.size, np.linspace(0.0, 1.0, 65)
@@ -267,7 +252,7 @@ def blends(coefficients: ArrayLike) -> tuple[list[Blend], Index]:
     """
     c = np.array(coefficients, dtype=float)
     if c.ndim != 3 or c.shape[1] != 6 or c.shape[2] < 1:
-        raise GeometryError(f"coefficients of shape {c.shape}: (n, 6, n_axis) is wanted")
+        raise GeometryError(f"coefficients of shape {c.shape}: must be (n, 6, n_axis)")
     usable = np.isfinite(c).all(axis=(1, 2)) & (c[:, 1:] != 0.0).any(axis=(1, 2))
     if not usable.all():
         raise GeometryError(f"blend {int(np.argmin(usable))} has no length, or coordinates that are not finite")
@@ -281,7 +266,7 @@ def blends(coefficients: ArrayLike) -> tuple[list[Blend], Index]:
         c, owner, begin = halves(c[~good]), np.repeat(owner[~good], 2), np.repeat(begin[~good], 2)
         begin[1::2] += 0.5 ** (depth + 1)
     if len(c):
-        raise GeometryError(f"blend {int(owner[0])} has a cusp, where it stands still: no arc length can be told there")
+        raise GeometryError(f"blend {int(owner[0])} has a cusp, where arc length is undefined")
     if not made:
         return [], owner
     owner, begin, c, borders, inverse = (np.concatenate(column) for column in zip(*made, strict=True))

@@ -3,14 +3,12 @@
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 
 from contourlab.geometry.arc import Arc
-from contourlab.geometry.curve import Curve
+from contourlab.geometry.curve import Array, Curve
 from contourlab.geometry.line import Line
 from contourlab.geometry.path import Path
 
-Array = NDArray[np.float64]
 _SAMPLES = 513
 _HALVINGS = 45
 

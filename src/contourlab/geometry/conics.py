@@ -5,19 +5,11 @@ from __future__ import annotations
 import math
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from contourlab.errors import GeometryError
-from contourlab.geometry.curve import vector
+from contourlab.geometry.curve import Array, positive, vector
 from contourlab.geometry.parametric import Parametric
-
-Array = NDArray[np.float64]
-
-
-def _positive(name: str, value: float) -> float:
-    if not (value > 0.0 and math.isfinite(value)):
-        raise GeometryError(f"{name} = {value!r}: must be > 0 and finite")
-    return float(value)
 
 
 class Ellipse(Parametric):
@@ -30,14 +22,12 @@ class Ellipse(Parametric):
     """
 
     n_axis = 2
+    n_joint = 9
 
     def __init__(self, a: float, b: float) -> None:
-        self.a, self.b = _positive("a", a), _positive("b", b)
-        self.first, self.last = 0.0, 2.0 * math.pi
+        positive(a=a, b=b)
+        self.a, self.b = float(a), float(b)
         self.measure()
-
-    def joints(self) -> Array:
-        return np.linspace(self.first, self.last, 9)
 
     def raw(self, u: Array, order: int) -> Array:
         c, s = np.cos(u), np.sin(u)
@@ -74,17 +64,15 @@ class EllipticalArc(Parametric):
         if n < 2 or self.p.size != n or self.q.size != n:
             raise GeometryError(f"centre, p and q have {n}, {self.p.size} and {self.q.size} coordinates: two or more, the same for all")
         size = np.linalg.norm([self.p, self.q], axis=1)
-        # The area of the parallelogram; a needle thinner than this cannot be told from a line that is run to and fro.
+        # The area of the parallelogram; a thinner needle is indistinguishable from a line run to and fro.
         area = math.sqrt(max(0.0, float((size[0] * size[1]) ** 2 - (self.p @ self.q) ** 2)))
         if not area > 1e-7 * float(size.max()) ** 2:
             raise GeometryError(f"an ellipse with the half-diameters {self.p.tolist()} and {self.q.tolist()} has no width")
         self.first, self.last = float(start), float(end)
         if not (math.isfinite(self.first) and math.isfinite(self.last) and self.last > self.first):
             raise GeometryError(f"an elliptical arc from {start!r} to {end!r} rad: the parameter must rise, between finite numbers")
+        self.n_joint = max(1, math.ceil((self.last - self.first) / (0.25 * math.pi) - 1e-9)) + 1
         self.measure()
-
-    def joints(self) -> Array:
-        return np.linspace(self.first, self.last, max(1, math.ceil((self.last - self.first) / (0.25 * math.pi) - 1e-9)) + 1)
 
     def raw(self, u: Array, order: int) -> Array:
         c, s = np.cos(u)[:, None], np.sin(u)[:, None]
@@ -107,14 +95,12 @@ class Lemniscate(Parametric):
     """
 
     n_axis = 2
+    n_joint = 9
 
     def __init__(self, a: float) -> None:
-        self.a = _positive("a", a)
-        self.first, self.last = 0.0, 2.0 * math.pi
+        positive(a=a)
+        self.a = float(a)
         self.measure()
-
-    def joints(self) -> Array:
-        return np.linspace(self.first, self.last, 9)
 
     def raw(self, u: Array, order: int) -> Array:
         c, s, c2, s2 = np.cos(u), np.sin(u), np.cos(2.0 * u), np.sin(2.0 * u)
@@ -153,8 +139,9 @@ class Lissajous(Parametric):
     def __init__(self, axes: float, amplitude: float, lowest: float, phase: float) -> None:
         for name, value, low, high in (("axes", axes, 2, 9), ("lowest", lowest, 1, 20)):
             if not (low <= value <= high and float(value).is_integer()):
-                raise GeometryError(f"{name} = {value!r}: a whole number from {low} to {high} is wanted")
-        self.n_axis, self.amplitude, self.lowest, self.phase = int(axes), _positive("amplitude", amplitude), int(lowest), float(phase)
+                raise GeometryError(f"{name} = {value!r}: must be a whole number from {low} to {high}")
+        positive(amplitude=amplitude)
+        self.n_axis, self.amplitude, self.lowest, self.phase = int(axes), float(amplitude), int(lowest), float(phase)
         if not math.isfinite(self.phase):
             raise GeometryError(f"phase = {phase!r} rad: must be finite")
         if abs(math.cos(self.lowest * self.phase)) < 0.1:
@@ -163,11 +150,8 @@ class Lissajous(Parametric):
                 "lowest times phase must stay clear of 90 and of 270 degrees by six degrees"
             )
         self._turns = float(self.lowest) + np.arange(self.n_axis)
-        self.first, self.last = 0.0, 2.0 * math.pi
+        self.n_joint = 4 * int(self._turns[-1]) + 1
         self.measure()
-
-    def joints(self) -> Array:
-        return np.linspace(self.first, self.last, 4 * int(self._turns[-1]) + 1)
 
     def raw(self, u: Array, order: int) -> Array:
         k = self._turns
@@ -192,17 +176,15 @@ class Star(Parametric):
     n_axis = 2
 
     def __init__(self, radius: float, lobes: float, depth: float) -> None:
-        self.radius, self.depth = _positive("radius", radius), float(depth)
+        positive(radius=radius)
+        self.radius, self.depth = float(radius), float(depth)
         if not float(lobes).is_integer() or lobes < 2 or not 0.0 <= self.depth < 1.0:
             raise GeometryError(
-                f"star of {lobes} lobes, depth {depth}: a whole number >= 2 of lobes and a depth from 0 to below 1 are wanted"
+                f"star of {lobes} lobes, depth {depth}: lobes must be a whole number >= 2, depth from 0 to below 1"
             )
         self.lobes = int(lobes)
-        self.first, self.last = 0.0, 2.0 * math.pi
+        self.n_joint = 4 * self.lobes + 1
         self.measure()
-
-    def joints(self) -> Array:
-        return np.linspace(self.first, self.last, 4 * self.lobes + 1)
 
     def raw(self, u: Array, order: int) -> Array:
         n, k = self.lobes, self.depth
@@ -234,16 +216,15 @@ class Spiral(Parametric):
     n_axis = 2
 
     def __init__(self, inner_radius: float, pitch: float, turns: float) -> None:
-        self.pitch, self.turns, self.inner_radius = _positive("pitch", pitch), _positive("turns", turns), float(inner_radius)
+        positive(pitch=pitch, turns=turns)
+        self.pitch, self.turns, self.inner_radius = float(pitch), float(turns), float(inner_radius)
         if not (self.inner_radius >= 0.0 and math.isfinite(self.inner_radius)):
             raise GeometryError(f"inner_radius = {inner_radius!r}: must be >= 0 and finite")
         if self.turns > 1000.0:
             raise GeometryError(f"turns = {turns!r}: must be at most 1000")
         self.first, self.last = 0.0, 2.0 * math.pi * self.turns
+        self.n_joint = max(1, math.ceil(4.0 * self.turns)) + 1
         self.measure()
-
-    def joints(self) -> Array:
-        return np.linspace(self.first, self.last, max(1, math.ceil(4.0 * self.turns)) + 1)
 
     def raw(self, u: Array, order: int) -> Array:
         growth = self.pitch / (2.0 * math.pi)

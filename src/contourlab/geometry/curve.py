@@ -1,4 +1,4 @@
-"""What a curve is: a smooth map from arc length to position."""
+"""The interface of curves: smooth maps from arc length to position."""
 
 from __future__ import annotations
 
@@ -46,12 +46,12 @@ class Curve(ABC):
 
     @classmethod
     def together(cls, curves: Sequence[Any]) -> Together:
-        """Return what evaluates many curves of this kind at once; a kind that comes in thousands brings its own."""
+        """Return an evaluator of many curves of this kind at once; kinds that come in thousands have their own."""
         return Together(curves)
 
     @abstractmethod
     def describe(self) -> tuple[object, ...]:
-        """Return all the numbers that make the curve, for its digest."""
+        """Return all numbers that define the curve, for its digest."""
 
     def position(self, s: ArrayLike) -> Array:
         """Return positions (n, n_axis) [m]."""
@@ -64,7 +64,7 @@ class Curve(ABC):
 
 
 class Together:
-    """Many curves of one kind, evaluated at once. This one asks each curve by itself; a kind of its own arrays does better.
+    """Many curves of one kind, evaluated at once. This one evaluates curve by curve; kinds with arrays of their own are faster.
 
     Parameters
     ----------
@@ -102,21 +102,23 @@ class Together:
         # Sorted once, so that the cost is that of the samples and not of samples times curves.
         ranked = np.argsort(slot, kind="stable")
         begins = np.flatnonzero(np.append(True, np.diff(slot[ranked]) > 0)) if slot.size else np.zeros(0, dtype=np.int64)
-        for mine in np.split(ranked, begins[1:]) if slot.size else ():
-            found[:, :, mine] = self.curves[int(slot[mine[0]])].derivatives(along[mine], order).transpose(0, 2, 1)
+        for chosen in np.split(ranked, begins[1:]) if slot.size else ():
+            found[:, :, chosen] = self.curves[int(slot[chosen[0]])].derivatives(along[chosen], order).transpose(0, 2, 1)
         return found
 
     def closest(self, slot: Index, points: Array, low: Array, high: Array, middle: Array) -> Array:
         """Return the arc lengths (n,) between `low` and `high` closest to points (n, n_axis), of curves that are `direct`.
 
-        `middle` (n,) says which of several is wanted: the nearest to it.
+        Of several, the one nearest to `middle` (n,).
         """
         raise NotImplementedError
 
     def marks(self) -> tuple[Array, Index]:
-        """Return arc lengths at which a table of each curve has to be cut, its ends among them, one curve after another; and how many."""
-        each = [np.asarray(getattr(curve, "_marks", (0.0, curve.length)), dtype=float) for curve in self.curves]
-        return np.concatenate(each), np.array([len(marks) for marks in each])
+        """Return the arc lengths at which a table must cut each curve, ends included, curve after curve; and how many each has."""
+        if not hasattr(self.curves[0], "marks"):
+            return np.column_stack([np.zeros_like(self.length), self.length]).ravel(), np.full(self.length.size, 2)
+        marks = [curve.marks for curve in self.curves]
+        return np.concatenate(marks), np.array([len(of_curve) for of_curve in marks])
 
     def smallest_radii(self) -> Array:
         """Return the smallest curvature radius (n_curve,) [m] of each curve."""
@@ -129,13 +131,8 @@ def rows(curves: Sequence[Any], name: str) -> Array:
 
 
 def of_each(values: Array, slot: Index) -> Array:
-    """Return numbers (..., n_curve) of the curves in `slot`; those of one curve are broadcast, not gathered: circles are asked often."""
+    """Return numbers (..., n_curve) of the curves in `slot`; those of a single curve are broadcast, not gathered: circles are frequent."""
     return values if values.shape[-1] == 1 else values[..., slot]
-
-
-def ends(length: Array) -> tuple[Array, Index]:
-    """Return both ends of each curve, and how many: what `Together.marks` says of curves without marks inside."""
-    return np.column_stack([np.zeros_like(length), length]).ravel(), np.full(length.size, 2)
 
 
 def vector(values: ArrayLike, name: str) -> Array:
@@ -151,7 +148,7 @@ def vector(values: ArrayLike, name: str) -> Array:
     except (TypeError, ValueError):
         found = np.empty(0)
     if found.ndim != 1 or found.size < 1 or not np.isfinite(found).all():
-        raise GeometryError(f"{name} = {values!r}: a vector of finite coordinates is wanted")
+        raise GeometryError(f"{name} = {values!r}: must be a vector of finite coordinates")
     return found
 
 
@@ -183,3 +180,30 @@ def by_arc_length(raw: Array, order: int) -> Array:
     w = ((4.0 * along**2 / square**3 - change / square**2)[:, None]) * p  # d3u/ds3
     found[3] = raw[3] * p**3 + 3.0 * raw[2] * p * q + first * w
     return found
+
+
+def clenshaw(c: Array, x: Array) -> Array:
+    """Return Chebyshev series with coefficients c (terms, ...) at x, by Clenshaw's recursion; c[k] and x broadcast."""
+    b1, b2 = np.zeros(np.broadcast_shapes(x.shape, c.shape[1:])), np.zeros(1)
+    twice = 2.0 * x
+    for row in c[:0:-1]:
+        b1, b2 = twice * b1 - b2 + row, b1
+    return np.asarray(x * b1 - b2 + c[0])
+
+
+def angle_between(a: Array, b: Array) -> Array:
+    """Return the angles (n,) [rad] between unit vectors (n, n_axis), exact for small and for large ones."""
+    return np.asarray(2.0 * np.arctan2(np.linalg.norm(b - a, axis=1), np.linalg.norm(a + b, axis=1)))
+
+
+def positive(**values: float) -> None:
+    """Refuse values that are not finite and > 0.
+
+    Raises
+    ------
+    GeometryError
+        Names the value.
+    """
+    for name, value in values.items():
+        if not 0.0 < value < float("inf"):
+            raise GeometryError(f"{name} = {value!r}: must be > 0 and finite")

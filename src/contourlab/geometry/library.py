@@ -13,7 +13,7 @@ from contourlab.errors import GeometryError
 from contourlab.geometry import butterfly as butterfly_data
 from contourlab.geometry.arc import Arc
 from contourlab.geometry.conics import Ellipse, Lemniscate, Lissajous, Spiral, Star
-from contourlab.geometry.curve import Curve
+from contourlab.geometry.curve import Curve, positive
 from contourlab.geometry.line import Line
 from contourlab.geometry.nurbs import Nurbs
 from contourlab.geometry.path import Path
@@ -21,8 +21,7 @@ from contourlab.geometry.path import Path
 
 def circle(radius: float = 0.02, start_angle: float = 0.0, clockwise: float = 0.0) -> Path:
     """Circle around the origin; `clockwise` 1 turns its sense. The papers use 20 mm and 25 mm."""
-    if not (radius > 0.0 and math.isfinite(radius)):
-        raise GeometryError(f"radius = {radius!r}: must be > 0 m and finite")
+    positive(radius=radius)
     return Path([Arc((0.0, 0.0), radius, start_angle, -2.0 * math.pi if clockwise else 2.0 * math.pi)], closed=True)
 
 
@@ -38,8 +37,7 @@ def lemniscate(a: float = 0.04) -> Path:
 
 def diamond(side: float = 0.04) -> Path:
     """Square on its corner around the origin: four lines at 45 degrees, four corners."""
-    if not (side > 0.0 and math.isfinite(side)):
-        raise GeometryError(f"side = {side!r}: must be > 0 m and finite")
+    positive(side=side)
     h = side / math.sqrt(2.0)
     corners = [(h, 0.0), (0.0, h), (-h, 0.0), (0.0, -h), (h, 0.0)]
     return Path([Line(a, b) for a, b in pairwise(corners)], closed=True)
@@ -52,16 +50,14 @@ def star(radius: float = 0.03, lobes: float = 5, depth: float = 0.3) -> Path:
 
 def butterfly(scale: float = 1.0) -> Path:
     """The butterfly NURBS of the literature, Hu et al. 2023, doi 10.1007/s00170-023-12427-5; 383 mm long at scale 1."""
-    if not (scale > 0.0 and math.isfinite(scale)):
-        raise GeometryError(f"scale = {scale!r}: must be > 0 and finite")
+    positive(scale=scale)
     points = 1e-3 * scale * np.array(butterfly_data.POINTS)
     return Path([Nurbs(butterfly_data.DEGREE, points, butterfly_data.KNOTS, butterfly_data.WEIGHTS)], closed=True)
 
 
 def line_line_circle(scale: float = 1.0) -> Path:
     """Two lines and a full circle: (0, 0), (40, 30), (60, 30) mm, then counter-clockwise around (90, 30); UBC course MECH 467."""
-    if not (scale > 0.0 and math.isfinite(scale)):
-        raise GeometryError(f"scale = {scale!r}: must be > 0 and finite")
+    positive(scale=scale)
     m = 1e-3 * scale
     curves = [
         Line((0.0, 0.0), (40 * m, 30 * m)),
@@ -71,26 +67,20 @@ def line_line_circle(scale: float = 1.0) -> Path:
     return Path(curves)
 
 
-def _positive(**values: float) -> None:
-    for name, value in values.items():
-        if not (value > 0.0 and math.isfinite(value)):
-            raise GeometryError(f"{name} = {value!r}: must be > 0 m and finite")
-
-
 def _round_of(corners: list[tuple[float, float]]) -> Path:
     return Path([Line(a, b) for a, b in pairwise([*corners, corners[0]])], closed=True)
 
 
 def square(side: float = 0.04) -> Path:
     """Square around the origin, sides along the axes, counter-clockwise from its lower left corner: four lines, four corners."""
-    _positive(side=side)
+    positive(side=side)
     h = 0.5 * side
     return _round_of([(-h, -h), (h, -h), (h, h), (-h, h)])
 
 
 def rectangle(width: float = 0.06, height: float = 0.04, corner_radius: float = 0.0) -> Path:
     """Rectangle around the origin, corners rounded by `corner_radius`, counter-clockwise from the lower left end of its lower side."""
-    _positive(width=width, height=height)
+    positive(width=width, height=height)
     if not 0.0 <= corner_radius < 0.5 * min(width, height):
         raise GeometryError(
             f"corner_radius = {corner_radius!r} m: must be >= 0 and below half of the shorter side; a racetrack has round ends"
@@ -111,7 +101,7 @@ def rectangle(width: float = 0.06, height: float = 0.04, corner_radius: float = 
 
 def racetrack(length: float = 0.04, radius: float = 0.02) -> Path:
     """Two straights of `length` and two half circles around the origin, counter-clockwise from the left end of the lower straight."""
-    _positive(length=length, radius=radius)
+    positive(length=length, radius=radius)
     h, quarter = 0.5 * length, 0.5 * math.pi
     curves = [
         Line((-h, -radius), (h, -radius)),
@@ -124,9 +114,9 @@ def racetrack(length: float = 0.04, radius: float = 0.02) -> Path:
 
 def polygon(sides: float = 6, radius: float = 0.02) -> Path:
     """Regular polygon in a circle of `radius` around the origin, counter-clockwise from the corner at (radius, 0)."""
-    _positive(radius=radius)
+    positive(radius=radius)
     if not (float(sides).is_integer() and 3 <= sides <= 100_000):
-        raise GeometryError(f"sides = {sides!r}: a whole number from 3 to 100000 is wanted")
+        raise GeometryError(f"sides = {sides!r}: must be a whole number from 3 to 100000")
     n = int(sides)
     return _round_of([(radius * math.cos(2.0 * math.pi * k / n), radius * math.sin(2.0 * math.pi * k / n)) for k in range(n)])
 
@@ -138,7 +128,7 @@ def spiral(inner_radius: float = 0.005, pitch: float = 0.005, turns: float = 3) 
 
 def helix(radius: float = 0.02, pitch: float = 0.005, turns: float = 3) -> Path:
     """Helix around the z axis from (radius, 0, 0), counter-clockwise and up by `pitch` a turn: a contour of three axes."""
-    _positive(radius=radius, turns=turns)
+    positive(radius=radius, turns=turns)
     if not math.isfinite(pitch):
         raise GeometryError(f"pitch = {pitch!r} m: must be finite")
     return Path([Arc((0.0, 0.0, 0.0), radius, 0.0, 2.0 * math.pi * turns, rise=(0.0, 0.0, pitch * turns))])
@@ -149,22 +139,9 @@ def lissajous(axes: float = 3, amplitude: float = 0.02, lowest: float = 1, phase
     return Path([Lissajous(axes, amplitude, lowest, phase)], closed=True)
 
 
-_MAKERS: dict[str, Callable[..., Path]] = {
-    "circle": circle,
-    "ellipse": ellipse,
-    "lemniscate": lemniscate,
-    "diamond": diamond,
-    "star": star,
-    "butterfly": butterfly,
-    "line-line-circle": line_line_circle,
-    "square": square,
-    "rectangle": rectangle,
-    "racetrack": racetrack,
-    "polygon": polygon,
-    "spiral": spiral,
-    "helix": helix,
-    "lissajous": lissajous,
-}
+_CONTOURS = (circle, ellipse, lemniscate, diamond, star, butterfly, line_line_circle, square, rectangle, racetrack, polygon, spiral, helix,
+             lissajous)  # fmt: skip
+_MAKERS: dict[str, Callable[..., Path]] = {maker.__name__.replace("_", "-"): maker for maker in _CONTOURS}
 _LENGTHS = ("radius", "a", "b", "side", "width", "height", "corner_radius", "length", "inner_radius", "pitch", "amplitude")
 _UNITS = {**dict.fromkeys(_LENGTHS, "m"), "start_angle": "rad", "phase": "rad"}
 

@@ -5,13 +5,10 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from contourlab.errors import GeometryError
-from contourlab.geometry.curve import Curve, Together, ends, of_each, rows, vector
-
-Array = NDArray[np.float64]
-Index = NDArray[np.int64]
+from contourlab.geometry.curve import Array, Curve, Index, Together, of_each, rows, vector
 
 
 class Line(Curve):
@@ -55,7 +52,7 @@ class Line(Curve):
         length = np.sqrt(((b - a) ** 2).sum(axis=1))
         good = (length > 0.0) & np.isfinite(length)
         if not good.all():
-            return [cls(a[i], b[i]) for i in (int(np.argmin(good)),)]  # says what is wrong with it
+            return [cls(a[i], b[i]) for i in (int(np.argmin(good)),)]  # raises with the reason
         direction = (b - a) / length[:, None]
         found = []
         for row in zip(a, b, direction, length.tolist(), strict=True):
@@ -69,7 +66,7 @@ class Line(Curve):
     def together(cls, curves: Sequence[Line]) -> Lines:
         return Lines(curves)
 
-    def derivatives(self, s: ArrayLike, order: int = 3) -> NDArray[np.float64]:
+    def derivatives(self, s: ArrayLike, order: int = 3) -> Array:
         along = np.atleast_1d(np.asarray(s, dtype=float))
         found = np.zeros((order + 1, along.size, self.n_axis))
         found[0] = self.start + along[:, None] * self.direction
@@ -104,9 +101,6 @@ class Lines(Together):
     def closest(self, slot: Index, points: Array, low: Array, high: Array, middle: Array) -> Array:
         start, direction = self.start.T[slot], self.direction.T[slot]
         return np.asarray(np.clip(np.einsum("ij,ij->i", points - start, direction), low, high))
-
-    def marks(self) -> tuple[Array, Index]:
-        return ends(self.length)
 
     def smallest_radii(self) -> Array:
         return np.full(self.length.size, np.inf)

@@ -1,14 +1,20 @@
-"""B-splines and their rational form, NURBS."""
+"""B-splines and NURBS, and cuts where their curvature jumps.
+
+At a knot of multiplicity m a spline of degree p has p - m continuous derivatives: with m >= p - 1 its curvature may jump. They become
+junctions of a path, because a planner has to know them.
+"""
 
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from contourlab.errors import GeometryError
+from contourlab.geometry.curve import Array, Curve, Index, by_arc_length
 from contourlab.geometry.parametric import Parametric
 
-Array = NDArray[np.float64]
+JUMP = 1e-7
+"""Of the curvature, or of one over the curve's length: smaller jumps are rounding."""
 
 
 class _Spline:
@@ -46,7 +52,7 @@ def _checked(degree: int, points: ArrayLike, knots: ArrayLike) -> tuple[Array, A
     if c.ndim != 2 or not (np.isfinite(c).all() and np.isfinite(t).all()):
         raise GeometryError("control points must be finite and of the shape (n, n_axis), knots finite")
     if degree < 1 or len(c) <= degree or t.shape != (len(c) + degree + 1,):
-        raise GeometryError(f"degree {degree} with {len(c)} control points wants {len(c) + degree + 1} knots, {t.size} given")
+        raise GeometryError(f"degree {degree} with {len(c)} control points needs {len(c) + degree + 1} knots, not {t.size}")
     inner = t[degree : len(c) + 1]
     if np.any(np.diff(t) < 0.0) or not inner[-1] > inner[0]:
         raise GeometryError("knots must not fall, and must span an interval")
@@ -80,7 +86,7 @@ class BSpline(Parametric):
         return np.array([self._spline(u, k) for k in range(order + 1)])
 
     def _speed(self, u: Array) -> Array:
-        # The length is integrated from this alone: positions need not be worked out for it.
+        # The length is integrated from this alone: positions are not needed.
         return np.asarray(np.linalg.norm(self._spline(u.ravel(), 1), axis=1).reshape(u.shape))
 
     def describe(self) -> tuple[object, ...]:
@@ -107,7 +113,7 @@ class Nurbs(Parametric):
         self.points, self.knots = _checked(self.degree, points, knots)
         self.weights = np.array(weights, dtype=float)
         if self.weights.shape != (len(self.points),) or not (np.isfinite(self.weights).all() and (self.weights > 0.0).all()):
-            raise GeometryError("one weight > 0 for each control point is wanted")
+            raise GeometryError("give one weight > 0 for each control point")
         self.n_axis = self.points.shape[1]
         # Held from the first point, so that a small curve far from the origin keeps its digits.
         lifted = np.column_stack([(self.points - self.points[0]) * self.weights[:, None], self.weights])
@@ -132,3 +138,74 @@ class Nurbs(Parametric):
 
     def describe(self) -> tuple[object, ...]:
         return ("nurbs", self.degree, *self.points.ravel().tolist(), *self.knots.tolist(), *self.weights.tolist())
+
+
+def inner_knots(degree: int, t: Array) -> tuple[Array, Index]:
+    """Return the knots inside the curve, and their multiplicities."""
+    inner, count = np.unique(t[(t > t[degree]) & (t < t[-degree - 1])], return_counts=True)
+    return inner, count
+
+
+def cut_where_curvature_jumps(curve: BSpline | Nurbs) -> list[Curve]:
+    """Return a spline in pieces in which the curvature is continuous; the spline itself where it is so throughout.
+
+    Parameters
+    ----------
+    curve : BSpline or Nurbs
+
+    Returns
+    -------
+    list of Curve
+        End to end.
+    """
+    degree, t = curve.degree, curve.knots
+    inner, count = inner_knots(degree, t)
+    inner = inner[count >= max(degree - 1, 1)]
+    if not inner.size:
+        return [curve]
+    before, after = (by_arc_length(curve.raw(u, 2), 2)[2] for u in (np.nextafter(inner, -np.inf), inner))
+    size = np.maximum(np.maximum(np.linalg.norm(before, axis=1), np.linalg.norm(after, axis=1)), 1.0 / curve.length)
+    places = inner[np.linalg.norm(after - before, axis=1) > JUMP * size]
+    if not places.size:
+        return [curve]
+    if isinstance(curve, BSpline):
+        return [BSpline(degree, points, knots) for points, knots in split_at(degree, curve.points, t, places)]
+    lifted = np.column_stack([curve.points * curve.weights[:, None], curve.weights])
+    pieces = split_at(degree, lifted, t, places)
+    return [Nurbs(degree, points[:, :-1] / points[:, -1:], knots, points[:, -1]) for points, knots in pieces]
+
+
+def _insert(degree: int, points: Array, t: Array, u: float) -> tuple[Array, Array]:
+    """Insert a knot once: Boehm's algorithm; The NURBS Book, 2nd ed., eq. (5.15)."""
+    k, count = int(np.searchsorted(t, u, side="right")) - 1, int(np.count_nonzero(t == u))
+    i = np.arange(k - degree + 1, k - count + 1)
+    alpha = ((u - t[i]) / (t[i + degree] - t[i]))[:, None]
+    between = alpha * points[i] + (1.0 - alpha) * points[i - 1]
+    fresh = np.concatenate([points[: k - degree + 1], between, points[k - count :]])
+    return fresh, np.concatenate([t[: k + 1], [u], t[k + 1 :]])
+
+
+def split_at(degree: int, points: Array, t: Array, places: Array) -> list[tuple[Array, Array]]:
+    """Cut a spline at parameters inside it.
+
+    Parameters
+    ----------
+    degree : int
+    points : ndarray (n, m)
+        Control points; of a rational spline times their weights, with the weights beside them.
+    t : ndarray (n + degree + 1,)
+    places : ndarray of float
+        Rising.
+
+    Returns
+    -------
+    list of (points, knots)
+    """
+    found: list[tuple[Array, Array]] = []
+    for u in places:
+        while np.count_nonzero(t == u) < degree:
+            points, t = _insert(degree, points, t, float(u))
+        k = int(np.searchsorted(t, u))  # the first of `degree` equal knots; the curve passes through point k - 1
+        found.append((points[:k], np.append(t[: k + degree], u)))
+        points, t = points[k - 1 :], np.concatenate([[u], t[k:]])
+    return [*found, (points, t)]

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from abc import abstractmethod
 from functools import cached_property
 
@@ -9,10 +10,8 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from contourlab.errors import GeometryError
-from contourlab.geometry.curve import Curve, by_arc_length
+from contourlab.geometry.curve import Array, Curve, Index, by_arc_length, clenshaw
 
-Array = NDArray[np.float64]
-Index = NDArray[np.int64]
 Flags = NDArray[np.bool_]
 _NODES, _WEIGHTS = np.polynomial.legendre.leggauss(12)
 _TERMS = 12
@@ -29,14 +28,6 @@ _CHUNK = 4096
 """Pieces that are inverted at a time."""
 
 
-def _clenshaw(coefficients: Array, x: Array) -> Array:
-    """Return Chebyshev series (n, m) at places (n, k), all at a time."""
-    b1, b2 = np.zeros_like(x), np.zeros_like(x)
-    for k in range(coefficients.shape[1] - 1, 0, -1):
-        b1, b2 = 2.0 * x * b1 - b2 + coefficients[:, k, None], b1
-    return np.asarray(x * b1 - b2 + coefficients[:, 0, None])
-
-
 def _unit(vectors: Array) -> Array:
     return np.asarray(vectors / np.linalg.norm(vectors, axis=1, keepdims=True))
 
@@ -48,8 +39,9 @@ class Parametric(Curve):
     1e-14 of the curve; the parameter of an arc length is found by Newton steps inside its interval, to the last digit.
     """
 
-    first: float
-    last: float
+    first: float = 0.0
+    last: float = 2.0 * math.pi
+    n_joint: int = 2
 
     @abstractmethod
     def raw(self, u: Array, order: int) -> Array:
@@ -57,10 +49,10 @@ class Parametric(Curve):
 
     def joints(self) -> Array:
         """Return parameters at which higher derivatives may jump, ends included."""
-        return np.array([self.first, self.last])
+        return np.linspace(self.first, self.last, self.n_joint)
 
     def measure(self) -> None:
-        """Work out the length; a subclass calls it once its data stand."""
+        """Compute the length; a subclass calls it when its data are set."""
         left, right = self.joints()[:-1], self.joints()[1:]
         done: list[tuple[float, float, float]] = []
         whole = self._lengths(left, right)
@@ -77,15 +69,15 @@ class Parametric(Curve):
             if left.size == 0:
                 break
         else:
-            raise GeometryError(f"{type(self).__name__}: its length does not converge; the curve has a point where it stands still")
+            raise GeometryError(f"{type(self).__name__}: its length does not converge: the curve has a cusp")
         done.sort()
         self._knots = np.array([d[0] for d in done] + [done[-1][1]])
-        self._marks = np.concatenate([[0.0], np.cumsum([d[2] for d in done])])
-        self.length = float(self._marks[-1])
+        self.marks = np.concatenate([[0.0], np.cumsum([d[2] for d in done])])
+        self.length = float(self.marks[-1])
         self._check_smooth()
 
     def _check_smooth(self) -> None:
-        """Refuse corners, gaps and points of rest inside the curve: by arc length they would be jumps that no one is told of."""
+        """Refuse corners, gaps and points of rest inside the curve: by arc length they would be hidden jumps."""
         name, slow = type(self).__name__, self._speed(self._knots) <= 1e-6 * self.length / (self.last - self.first)
         if slow.any():
             raise GeometryError(
@@ -115,9 +107,9 @@ class Parametric(Curve):
         left, right = self._knots[i], self._knots[i + 1]
         middle, half = 0.5 * (left + right), 0.5 * (right - left)
         speed, rise, holds = self._rise(left, right)
-        x = 2.0 * wanted / np.diff(self._marks)[i, None] - 1.0
+        x = 2.0 * wanted / np.diff(self.marks)[i, None] - 1.0
         for _ in range(12):
-            step = (_clenshaw(rise, x) - wanted) / np.maximum(_clenshaw(speed, x) * half[:, None], 1e-300)
+            step = (clenshaw(rise.T[:, :, None], x) - wanted) / np.maximum(clenshaw(speed.T[:, :, None], x) * half[:, None], 1e-300)
             x = np.clip(x - step, -1.0, 1.0)
             if np.abs(step).max(initial=0.0) <= 4e-16:
                 break
@@ -130,18 +122,18 @@ class Parametric(Curve):
     def _rise(self, left: Array, right: Array) -> tuple[Array, Array, Flags]:
         """Return Chebyshev series of speed and length over intervals of the parameter, and whether they hold as its integral does.
 
-        So the curve is asked for at a few places of an interval, and not at a dozen places in each Newton step.
+        The curve is then evaluated at a few places of an interval, not at a dozen in each Newton step.
         """
         middle, half = 0.5 * (left + right), 0.5 * (right - left)
         speed = self._speed(middle[:, None] + half[:, None] * _RISE_NODES)
         rise = half[:, None] * (speed @ _TO_RISE.T)
         probes = middle[:, None] + half[:, None] * _PROBES
         exact = self._lengths(np.repeat(left, _PROBES.size), probes.ravel()).reshape(probes.shape)
-        gap = np.abs(_clenshaw(rise, np.broadcast_to(_PROBES, probes.shape)) - exact)
+        gap = np.abs(clenshaw(rise.T[:, :, None], np.broadcast_to(_PROBES, probes.shape)) - exact)
         return speed @ _TO_SPEED.T, rise, np.asarray((gap <= 1e-15 * self.length).all(axis=1))
 
     def _solve_by_quadrature(self, left: Array, right: Array, wanted: Array, start: Array) -> Array:
-        """Return the same where no series holds: where the curve nearly stands still."""
+        """Return the same where no series converges: near a cusp."""
         u, lengths = start.ravel(), wanted.ravel()
         for _ in range(12):
             step = (self._lengths(left, u) - lengths) / np.maximum(self._speed(u), 1e-300)
@@ -155,8 +147,8 @@ class Parametric(Curve):
         """Chebyshev coefficients of the parameter over arc length, on pieces halved until they hold to 1e-14 of the length."""
         starts: list[Array] = []
         held: list[Array] = []
-        for first in range(0, len(self._marks) - 1, _CHUNK):
-            marks = self._marks[first : first + _CHUNK + 1]
+        for first in range(0, len(self.marks) - 1, _CHUNK):
+            marks = self.marks[first : first + _CHUNK + 1]
             self._invert(marks[:-1], marks[1:], starts, held)
         begin, rows = np.concatenate(starts), np.concatenate(held)
         order = np.argsort(begin)
@@ -169,10 +161,10 @@ class Parametric(Curve):
         at = np.concatenate([_CHEBYSHEV, _PROBES])
         for _ in range(30):
             middle, half = 0.5 * (left + right), 0.5 * (right - left)
-            i = np.clip(np.searchsorted(self._marks, middle, side="right") - 1, 0, len(self._marks) - 2)
-            found = self._solve(i, middle[:, None] + half[:, None] * at - self._marks[i, None])
+            i = np.clip(np.searchsorted(self.marks, middle, side="right") - 1, 0, len(self.marks) - 2)
+            found = self._solve(i, middle[:, None] + half[:, None] * at - self.marks[i, None])
             coefficients, exact = found[:, :_TERMS] @ _TO_CHEBYSHEV.T, found[:, _TERMS:]
-            gap = np.abs(_clenshaw(coefficients, np.broadcast_to(_PROBES, exact.shape)) - exact)
+            gap = np.abs(clenshaw(coefficients.T[:, :, None], np.broadcast_to(_PROBES, exact.shape)) - exact)
             speed = self._speed(exact)
             good = (gap * speed <= np.maximum(1e-14 * self.length, rounding * speed)).all(axis=1) | (half <= 1e-9 * self.length)
             starts.append(left[good])
@@ -186,13 +178,13 @@ class Parametric(Curve):
         """Return the parameters (n,) of arc lengths (n,), good to 1e-13 of the length."""
         along = np.clip(np.atleast_1d(np.asarray(s, dtype=float)), 0.0, self.length)
         if along.size <= 2 and np.all((along == 0.0) | (along == self.length)):
-            # Ends are asked for wherever curves are joined: they are known before the inverse is.
+            # Ends are needed wherever curves are joined, and need no inverse.
             return np.where(along == 0.0, self.first, self.last)
         begin, rows = self._inverse
         i = np.clip(np.searchsorted(begin, along, side="right") - 1, 0, len(rows) - 1)
         low, high = begin[i], begin[i + 1]
         x = np.clip((2.0 * along - low - high) / (high - low), -1.0, 1.0)
-        return np.asarray(np.clip(_clenshaw(rows[i], x[:, None])[:, 0], self.first, self.last))
+        return np.asarray(np.clip(clenshaw(rows[i].T, x), self.first, self.last))
 
     def smallest_radius(self) -> float:
         # The stretches are short where the curve turns sharply; samples evenly spread would step over a cusp-like tail.

@@ -4,30 +4,27 @@ from __future__ import annotations
 
 import hashlib
 import struct
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from functools import cached_property
-from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from contourlab.errors import GeometryError
 from contourlab.geometry.arc import Arcs
-from contourlab.geometry.curve import Curve, Together
+from contourlab.geometry.curve import Array, Curve, Index
+from contourlab.geometry.curve_sequence import CurveSequence
+from contourlab.geometry.foot_point import FootPoint, foot_point
 from contourlab.geometry.line import Lines
+from contourlab.geometry.table import PathTable, path_table
 
-if TYPE_CHECKING:
-    from contourlab.geometry.foot import FootPoint
-    from contourlab.geometry.table import PathTable
-
-Array = NDArray[np.float64]
 JOIN_TOLERANCE = 1e-9
 """Largest gap [m] between the end of a curve and the start of the next."""
 CORNER_ANGLE = 1e-6
 """Smallest jump of the tangent [rad] that is a corner."""
 
 
-class Path:
+class Path(CurveSequence):
     """Curves joined end to end, by arc length from 0 to `length`.
 
     Parameters
@@ -42,10 +39,6 @@ class Path:
     GeometryError
         If there is no curve, dimensions differ, or there is a gap; the message names the place.
 
-    Notes
-    -----
-    Curves of one kind are held together (`Curve.together`), so that evaluating n samples over m of them costs n + m.
-
     >>> from contourlab.geometry.line import Line
     >>> square = Path([Line((0, 0), (1, 0)), Line((1, 0), (1, 1))])
     >>> square.length, square.corners.tolist()
@@ -53,100 +46,25 @@ class Path:
     """
 
     def __init__(self, curves: Sequence[Curve], closed: bool = False) -> None:
-        self.curves = tuple(curves)
-        if not self.curves:
-            raise GeometryError("a path of no curves")
-        self.n_axis = self.curves[0].n_axis
-        self.closed = closed
-        if any(curve.n_axis != self.n_axis for curve in self.curves):
-            raise GeometryError("the curves of a path must all have the same number of coordinates")
-        self.breaks = np.concatenate([[0.0], np.cumsum([curve.length for curve in self.curves])])
-        self.length = float(self.breaks[-1])
-        self._gather()
-        self._ends = self._at(np.arange(len(self.curves)), np.array([c.length for c in self.curves]), 1)
-        self._starts = self._at(np.arange(len(self.curves)), np.zeros(len(self.curves)), 1)
-        self._check_joints()
-
-    @property
-    def is_planar(self) -> bool:
-        """Whether the path has two coordinates, so that its errors have a side."""
-        return self.n_axis == 2
-
-    def _gather(self) -> None:
-        """Put the curves of each kind together: a curve is then a kind and a slot."""
-        kinds: dict[type[Curve], list[int]] = {}
-        for i, curve in enumerate(self.curves):
-            kinds.setdefault(type(curve), []).append(i)
-        self._kind = np.zeros(len(self.curves), dtype=np.int64)
-        self._slot = np.zeros(len(self.curves), dtype=np.int64)
-        self._sets: list[Together] = []
-        for number, (kind, members) in enumerate(kinds.items()):
-            self._kind[members], self._slot[members] = number, np.arange(len(members))
-            self._sets.append(kind.together([self.curves[i] for i in members]))
-
-    @property
-    def kinds(self) -> list[tuple[Together, NDArray[np.int64]]]:
-        """The curves by kind: what evaluates them at once, and their numbers along the path in its order."""
-        return [(each, np.flatnonzero(self._kind == k)) for k, each in enumerate(self._sets)]
-
-    def kind_of(self, curve: NDArray[np.int64]) -> Iterator[tuple[Together, NDArray[np.int64], NDArray[np.int64]]]:
-        """Yield, for numbers of curves (n,), by kind: what evaluates them, which of the n are meant, and their slots."""
-        if len(self._sets) == 1:
-            yield self._sets[0], np.arange(curve.size), self._slot[curve]
-            return
-        kind, slot = self._kind[curve], self._slot[curve]
-        for k, each in enumerate(self._sets):
-            on = np.flatnonzero(kind == k)
-            if on.size:
-                yield each, on, slot[on]
-
-    def _check_joints(self) -> None:
-        gap = np.linalg.norm(self._ends[0][:-1] - self._starts[0][1:], axis=1)
+        super().__init__(curves, closed)
+        gap = np.linalg.norm(self.ends[0][:-1] - self.starts[0][1:], axis=1)
         if gap.size and gap.max() > JOIN_TOLERANCE:
             i = int(np.argmax(gap > JOIN_TOLERANCE))
-            raise GeometryError(f"curve {i + 2} begins {gap[i]:.3g} m away from the end of curve {i + 1}, at {self._ends[0][i].tolist()}")
-        if self.closed and np.linalg.norm(self._ends[0][-1] - self._starts[0][0]) > JOIN_TOLERANCE:
+            raise GeometryError(f"curve {i + 2} begins {gap[i]:.3g} m away from the end of curve {i + 1}, at {self.ends[0][i].tolist()}")
+        if self.closed and np.linalg.norm(self.ends[0][-1] - self.starts[0][0]) > JOIN_TOLERANCE:
             raise GeometryError("a closed path must end where it begins")
 
     @cached_property
     def corners(self) -> Array:
-        """Arc lengths at which the tangent jumps, rising; on a closed path 0 stands for the closing point."""
-        turn = np.linalg.norm(self._ends[1][:-1] - self._starts[1][1:], axis=1)
+        """Arc lengths at which the tangent jumps, rising; on a closed path 0 is the closing point."""
+        turn = np.linalg.norm(self.ends[1][:-1] - self.starts[1][1:], axis=1)
         found = self.breaks[1:-1][turn > CORNER_ANGLE]
-        if self.closed and np.linalg.norm(self._ends[1][-1] - self._starts[1][0]) > CORNER_ANGLE:
+        if self.closed and np.linalg.norm(self.ends[1][-1] - self.starts[1][0]) > CORNER_ANGLE:
             found = np.concatenate([[0.0], found])
         return np.asarray(found)
 
-    def local(self, s: ArrayLike) -> tuple[NDArray[np.int64], Array]:
-        """Return, for arc lengths (n,), the curve each lies on and the arc length along that curve."""
-        along = np.atleast_1d(np.asarray(s, dtype=float))
-        along = along - self.length * np.floor(along / self.length) if self.closed else np.clip(along, 0.0, self.length)
-        index = np.clip(np.searchsorted(self.breaks, along, side="right") - 1, 0, len(self.curves) - 1)
-        return index, along - self.breaks[index]
-
-    def curve_index(self, s: ArrayLike) -> NDArray[np.int64]:
-        """Return on which curve each arc length (n,) lies; a joint belongs to the curve that begins there."""
-        return self.local(s)[0]
-
-    def derivatives(self, s: ArrayLike, order: int = 3) -> Array:
-        """Return position and derivatives by arc length: ndarray (order + 1, n, n_axis), order 0 to 3.
-
-        On a closed path `s` wraps around; on an open one it is held to the ends.
-        """
-        index, along = self.local(s)
-        return self._at(index, along, order)
-
-    def _at(self, index: NDArray[np.int64], along: Array, order: int) -> Array:
-        """Evaluate at places `along` the curves `index`: a view (order + 1, n, n_axis) of memory that holds each coordinate in one row."""
-        if len(self._sets) == 1:
-            return self._sets[0].derivatives(self._slot[index], along, order).transpose(0, 2, 1)
-        found = np.empty((order + 1, self.n_axis, along.size))
-        for each, on, slot in self.kind_of(index):
-            found[:, :, on] = each.derivatives(slot, along[on], order)
-        return found.transpose(0, 2, 1)
-
-    def coefficients(self, index: NDArray[np.int64]) -> tuple[Array, NDArray[np.bool_]]:
-        """Return what lines and arcs have in common, for the engine: position = base + d s + u cos(a + b s) + v sin(a + b s).
+    def coefficients(self, index: Index) -> tuple[Array, NDArray[np.bool_]]:
+        """Return the common form of lines and arcs, for the engine: position = base + d s + u cos(a + b s) + v sin(a + b s).
 
         Parameters
         ----------
@@ -176,10 +94,6 @@ class Path:
                 continue
             plain[on] = True
         return found, plain
-
-    def position(self, s: ArrayLike) -> Array:
-        """Return positions (n, n_axis) [m]."""
-        return np.asarray(self.derivatives(s, 0)[0])
 
     def tangent(self, s: ArrayLike) -> Array:
         """Return unit tangents (n, n_axis)."""
@@ -212,15 +126,11 @@ class Path:
         return np.asarray(np.divide(np.einsum("ij,ij->i", second, third), size, out=np.zeros_like(size), where=size > 0.0))
 
     def foot_point(self, points: ArrayLike, around: ArrayLike, window: ArrayLike) -> FootPoint:
-        """Return the closest points of the path; see `contourlab.geometry.foot`."""
-        from contourlab.geometry.foot import foot_point
-
+        """Return the closest points of the path; see `contourlab.geometry.foot_point`."""
         return foot_point(self, points, around, window)
 
     def table(self, tolerance: float = 1e-10, *, pieces: int = 1) -> PathTable:
         """Return the path as quintic pieces for the engine; see `contourlab.geometry.table`."""
-        from contourlab.geometry.table import path_table
-
         return path_table(self, tolerance, pieces)
 
     @cached_property

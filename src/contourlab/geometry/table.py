@@ -11,14 +11,12 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from contourlab.errors import GeometryError
-from contourlab.geometry.curve import Together
-from contourlab.geometry.path import Path
+from contourlab.geometry.curve import Array, Index, Together
+from contourlab.geometry.curve_sequence import CurveSequence
 
-Array = NDArray[np.float64]
-Index = NDArray[np.int64]
 MOST_CELLS = 8_000_000
 _FREE_CELLS = 1 << 20
 """A table of so many cells is taken without a thought; a larger one has to be worth its memory by its pieces."""
@@ -86,12 +84,12 @@ class PathTable:
         return np.array(found)
 
 
-def path_table(path: Path, tolerance: float, pieces: int = 1) -> PathTable:
+def path_table(path: CurveSequence, tolerance: float, pieces: int = 1) -> PathTable:
     """Return the table of a path.
 
     Parameters
     ----------
-    path : Path
+    path : CurveSequence
     tolerance : float [m], > 0
     pieces : int
         At least so many pieces, evenly spread.
@@ -113,7 +111,7 @@ def path_table(path: Path, tolerance: float, pieces: int = 1) -> PathTable:
     if len(parts) > 1:
         order = np.lexsort([a, index])
         index, a, b = index[order], a[order], b[order]
-    coefficients = _hermite(path._at(index, a, 2), path._at(index, b, 2), b - a)
+    coefficients = _hermite(path.at(index, a, 2), path.at(index, b, 2), b - a)
     start = np.concatenate([path.breaks[index] + a, [path.length]])
     cell, inverse, halvings = _cells(start, path.length)
     return PathTable(start, coefficients, cell, inverse, bound, path.length, path.closed, halvings)
@@ -132,7 +130,7 @@ def _hermite(low: Array, high: Array, h: Array) -> Array:
 
 
 def _spread(n: Index) -> tuple[Index, Index]:
-    """Return, for n pieces of each of several, whose each piece is, and the how manieth of it."""
+    """Number the pieces of several curves, n each: return the owner of each piece, and its number within the owner."""
     owner = np.repeat(np.arange(n.size), n)
     return owner, np.arange(owner.size) - np.repeat(np.cumsum(n) - n, n)
 
@@ -153,7 +151,7 @@ def _first_pieces(curves: Together, tolerance: float, longest: float) -> tuple[I
     owner, _ = _spread(count)
     inner = owner[1:] == owner[:-1]
     slot, low, high = owner[:-1][inner], marks[:-1][inner], marks[1:][inner]
-    # Each stretch is divided by itself: marks of two kinds laid over each other would leave slivers between them.
+    # Divide each stretch by itself: two overlaid sets of marks would leave slivers.
     n = np.maximum(np.ceil((high - low) / longest - 1e-9), 1.0)
     stretch, part = _spread(n.astype(np.int64))
     step = ((high - low) / n)[stretch]

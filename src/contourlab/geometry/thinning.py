@@ -1,4 +1,4 @@
-"""Which points of a long polygon it takes so that no other is further than a tolerance from it."""
+"""Thin a long polygon: keep the fewest points found that leave no other further away than a tolerance."""
 
 # mypy: disable-error-code="no-untyped-def, no-untyped-call"
 from __future__ import annotations
@@ -13,7 +13,7 @@ from contourlab.errors import GeometryError
 
 
 def polygon_corners(points: NDArray[np.float64], tolerance: float) -> NDArray[np.int64]:
-    """Return which points a polygon needs so that no other is further than a tolerance from it, each line as long as it can be found.
+    """Return the points that a polygon needs so that no other is further away than a tolerance; each line is as long as the search finds.
 
     Parameters
     ----------

@@ -1,4 +1,4 @@
-"""How an estimator sees a path: functions of arc length that compile, with the numbers and tables they need.
+"""The view of a path for estimators: compiled functions of arc length, with their parameters and tables.
 
 Any path is a table of quintic pieces; a circle is also known in closed form, which is faster and exact.
 """
@@ -41,9 +41,9 @@ def view_of(path: Path, tolerance: float = 1e-10, pieces: int | None = None, ana
     tolerance : float [m], > 0
         Largest distance of the table from the path.
     pieces : int, optional
-        At least so many pieces.
+        Least number of pieces.
     analytic : bool
-        Whether a circle is seen in closed form.
+        Whether a circle is evaluated in closed form.
 
     Returns
     -------
@@ -101,7 +101,7 @@ def _quintic(table: Any, base: float, h: float) -> Any:
 
 
 def _gather(n_axis: int) -> Callable[..., Any]:
-    """Return a function that evaluates all axes of a piece, written out so that no loop stands inside a lane."""
+    """Return a function that evaluates all axes of a piece, unrolled, so that a lane holds no loop."""
     lines = [f"    a{j} = quintic(table, base + {6.0 * j}, h)" for j in range(n_axis)]
     values = ", ".join(f"({', '.join(f'a{j}[{d}]' for j in range(n_axis))},)" for d in range(3))
     scope: dict[str, Any] = {"quintic": _quintic, "__name__": __name__}
@@ -133,7 +133,7 @@ def _find(par: Any, along: float, cell: float) -> float:
 
 @cache
 def _finder(halvings: int) -> Callable[[Any, float, float], float]:
-    """Return what finds the piece among those of a cell in so many halvings, always the same number: lanes go the same way."""
+    """Return a search for the piece within a cell, in a fixed number of halvings: all lanes take the same steps."""
 
     def find(par: Any, along: float, cell: float) -> float:
         first, last = lookup(par.path_cell, cell), lookup(par.path_cell, cell + 1.0)

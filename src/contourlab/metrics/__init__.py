@@ -1,6 +1,6 @@
 """Metrics: the judge of a run, from positions and the path alone; it knows no controller."""
 
-from contourlab.metrics.circle_backlash import CircleBacklash, QuadrantStep, backlash_from_circle, backlash_of_runs
+from contourlab.metrics.circle_backlash import CircleBacklash, backlash_from_circle, backlash_of_runs
 from contourlab.metrics.circles import (
     Bidirectional,
     CircleFigures,
@@ -9,7 +9,7 @@ from contourlab.metrics.circles import (
     circles_of,
     minimum_zone,
 )
-from contourlab.metrics.figures import AxisFigures, ErrorFigures, Metrics, Place, evaluation_window, summarise
+from contourlab.metrics.figures import AxisFigures, ErrorFigures, Metrics, evaluation_window, summarise
 from contourlab.metrics.judge import judge
 from contourlab.metrics.lost_motion import LostMotion, lost_motion_from_pair
 from contourlab.metrics.positioning import ReversalTest, bidirectional_positioning, reversal_test
@@ -23,8 +23,6 @@ __all__ = [
     "ErrorFigures",
     "LostMotion",
     "Metrics",
-    "Place",
-    "QuadrantStep",
     "ReversalFigures",
     "ReversalTest",
     "Spike",

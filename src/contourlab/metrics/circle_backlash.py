@@ -1,4 +1,4 @@
-"""Backlash of both axes from a circular test: the steps at the quadrants, told apart from what else shapes a circle.
+"""Backlash of both axes from a circular test: the steps at the quadrants, separated from all else that shapes a circle.
 
 With the angle phi, s = 1 counter-clockwise and -1 clockwise, and the two axes x and y, the radial deviation of a circle is, to first order,
 the sum of known signatures:
@@ -72,7 +72,7 @@ class QuadrantStep:
 
 @dataclass(frozen=True, eq=False)
 class CircleBacklash:
-    """What the radial deviation of a circle, run in one sense or both, is made of.
+    """Parts of the radial deviation of a circle, run in one sense or both.
 
     Attributes
     ----------
@@ -134,7 +134,7 @@ def backlash_from_circle(
     axes : (str, str)
         Names.
     before, after : float [rad]
-        Of a reversal: from how long before to how long after it samples are left out of the fit, and looked at for its spike; >= 0,
+        Samples from `before` to `after` a reversal are left out of the fit, and searched for its spike; >= 0,
         together at most 60 degrees.
 
     Raises
@@ -173,9 +173,9 @@ def backlash_of_runs(
         raise ParameterError("before and after", f"{before:g} and {after:g}", "0 or more, and together 60 degrees at most", "rad")
     senses = {run.clockwise for run in runs}
     if not runs or len(senses) != len(runs):
-        raise ResultError(f"{len(runs)} runs in {len(senses)} senses: one in each sense, or one alone, is wanted")
+        raise ResultError(f"{len(runs)} runs in {len(senses)} senses: give one run, or one in each sense")
     if max(run.radius for run in runs) - min(run.radius for run in runs) > 1e-9:
-        raise ResultError("runs of different radii: runs around one circle are wanted")
+        raise ResultError("the runs have different radii: give runs around one circle")
     radius = runs[0].radius
     pieces = [_signatures(run) for run in runs]
     kept = [_outside(run, before, after) for run in runs]
@@ -208,14 +208,14 @@ def backlash_of_runs(
 
 
 def _run(position: ArrayLike, centre: ArrayLike, radius: float) -> CircleFigures:
-    """Return one run with its angles and radial deviations; its other figures are not asked for here."""
+    """Return one run with its angles and radial deviations; without the other figures."""
     points, middle = np.asarray(position, dtype=float), np.asarray(centre, dtype=float)
     if points.ndim != 2 or points.shape[1] != 2 or middle.shape != (2,):
-        raise ResultError(f"points of shape {points.shape} around a centre of shape {middle.shape}: (n, 2) and (2,) are wanted")
+        raise ResultError(f"points of shape {points.shape} around a centre of shape {middle.shape}: must be (n, 2) and (2,)")
     if not 0.0 < radius < math.inf:
         raise ParameterError("radius", radius, "finite and > 0", "m")
     if len(points) < LEAST_SAMPLES:
-        raise ResultError(f"a circle of {len(points)} samples; at least {LEAST_SAMPLES} are wanted")
+        raise ResultError(f"a circle of {len(points)} samples: give at least {LEAST_SAMPLES}")
     if not (np.isfinite(points).all() and np.isfinite(middle).all()):
         raise ResultError("points or centre hold numbers that are not finite")
     out = points - middle
@@ -225,7 +225,7 @@ def _run(position: ArrayLike, centre: ArrayLike, radius: float) -> CircleFigures
     angle = np.arctan2(out[:, 1], out[:, 0])
     turned = float(np.unwrap(angle)[-1] - angle[0])
     if abs(turned) < 2.0 * math.pi - WIDEST_HOLE:
-        raise ResultError(f"points that go round by {math.degrees(turned):.4g} degrees: a full circle in one sense is wanted")
+        raise ResultError(f"points that go round by {math.degrees(turned):.4g} degrees: give a full circle in one sense")
     away = distance - radius
     figures = (math.nan, math.nan, float(away.max()), float(away.min()), float(away.mean()))
     return CircleFigures("", turned < 0.0, radius, angle, away, *figures)
@@ -281,7 +281,7 @@ def _outside(run: CircleFigures, before: float, after: float) -> NDArray[np.bool
     use = np.ones(run.angle.shape, dtype=bool)
     for i in range(4):
         past = _past(run, 0.5 * math.pi * i)
-        # At the very angle of a reversal the signature is neither here nor there.
+        # At the angle of a reversal itself the signature is undefined.
         use &= ~((past >= -before) & (past <= after)) & (past != 0.0)
     return use
 
@@ -290,12 +290,12 @@ def _check_cover(run: CircleFigures, use: NDArray[np.bool_], left_out: float) ->
     """Refuse a run that leaves a part of the circle out."""
     angles = np.sort(np.mod(run.angle[use], 2.0 * math.pi))
     if len(angles) < LEAST_SAMPLES // 2:
-        raise ResultError(f"{len(angles)} samples outside the reversals; at least {LEAST_SAMPLES // 2} are wanted")
+        raise ResultError(f"{len(angles)} samples outside the reversals: give at least {LEAST_SAMPLES // 2}")
     holes = np.diff(angles, append=angles[0] + 2.0 * math.pi)
     over = np.diff(np.floor(angles / (0.5 * math.pi)), append=4.0) > 0.0
     hole = float((holes - left_out * over).max())
     if hole > WIDEST_HOLE:
-        raise ResultError(f"{math.degrees(hole):.3g} degrees without a sample that counts: samples all round the circle are wanted")
+        raise ResultError(f"{math.degrees(hole):.3g} degrees without a sample that counts: give samples all around the circle")
 
 
 def _quadrants(

@@ -1,4 +1,4 @@
-"""Circles by ISO 230-4: circular deviation, radial deviation, and what two runs in opposite senses say together.
+"""Circles by ISO 230-4: circular deviation, radial deviation, and the figures of two runs in opposite senses.
 
 The standard wants a ball bar or grid encoder; its annex allows the machine's own feedback, which is what a simulation has. Formulas as they
 are commonly given for ISO 230-4:2005 (2022 calls the deviations errors):
@@ -153,7 +153,7 @@ def circle_figures(points: Array, centre: Array, radius: float, clockwise: bool,
         If there are fewer than 8 points.
     """
     if len(points) < 8:
-        raise ResultError(f"{name}: a circle of {len(points)} samples; at least 8 are wanted")
+        raise ResultError(f"{name}: a circle of {len(points)} samples: give at least 8")
     out = points - centre
     deviation = np.linalg.norm(out, axis=1) - radius
     around = np.linalg.norm(points - least_squares_centre(points), axis=1)
@@ -164,7 +164,7 @@ def circle_figures(points: Array, centre: Array, radius: float, clockwise: bool,
 
 
 def bidirectional(one: CircleFigures, other: CircleFigures) -> Bidirectional:
-    """Return what two runs around one circle in opposite senses say together.
+    """Return the joint figures of two runs around one circle in opposite senses.
 
     Raises
     ------
@@ -173,7 +173,7 @@ def bidirectional(one: CircleFigures, other: CircleFigures) -> Bidirectional:
         centre is for the caller to see, as `pairs` does.
     """
     if one.clockwise == other.clockwise or abs(one.radius - other.radius) > 1e-9:
-        raise ResultError("two runs around one circle in opposite senses are wanted")
+        raise ResultError("give two runs around one circle in opposite senses")
 
     def points(run: CircleFigures) -> Array:
         return np.asarray((run.radius + run.deviation)[:, None] * np.column_stack([np.cos(run.angle), np.sin(run.angle)]))

@@ -1,4 +1,4 @@
-"""What a loop asks of its drives, reduced to figures while the lanes run, so that no signal has to be kept."""
+"""The commands of a loop, reduced to figures while the lanes run, so that no signal is kept."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ def effort_step(n_axis: int) -> Step:
 
     Notes
     -----
-    ``sum_square`` adds the squares of what all drives accepted, ``largest`` is the largest command that any was asked for, ``limited``
+    ``sum_square`` adds the squares of what all drives accepted, ``largest`` is the largest command to any drive, ``limited``
     counts the ticks at which any did not take all of it.
     """
     body = "".join(_AXIS.format(i=i) for i in range(n_axis))

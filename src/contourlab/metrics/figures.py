@@ -1,4 +1,4 @@
-"""A run in figures."""
+"""Figures of a run."""
 
 from __future__ import annotations
 
@@ -11,7 +11,6 @@ from numpy.typing import NDArray
 
 from contourlab.errors import ResultError
 from contourlab.feed import Reference
-from contourlab.metrics.coverage import left_out
 from contourlab.result import Result
 
 Array = NDArray[np.float64]
@@ -79,11 +78,11 @@ class Metrics:
     saturation : tuple of float
         Part of the samples, 0 to 1, at which the drive held a command back, for each axis.
     left_out : float [m]
-        Longest piece of the programmed path that the tool never came to; see `contourlab.metrics.coverage`.
+        Longest piece of the programmed path that the tool never came to; see `left_out`.
     feedrate_mean : float [m/s]
         Mean speed of the tool along its path.
     feedrate_ripple : float
-        Standard deviation of the tool's speed over the speed asked for, at the samples where the reference holds its feed.
+        Standard deviation of the tool's speed over the reference's, at samples where the latter is constant.
     cycle_time : float [s]
         Of the whole motion.
     """
@@ -142,31 +141,17 @@ def summarise(result: Result, reference: Reference, window: tuple[int, int] | No
     chosen, basis = (window, "window") if window else evaluation_window(reference, result.n_sample, result.start)
     start, stop = chosen
     if not 0 <= start < stop <= result.n_sample:
-        raise ResultError(f"window {start} .. {stop} of a result of {result.n_sample} samples: a part of it is wanted")
+        raise ResultError(f"window {start} .. {stop} of a result of {result.n_sample} samples: choose a part of it")
     cut = slice(start, stop)
     period = result.servo_period
-
-    def error(name: str) -> ErrorFigures:
-        return _error_figures(result, reference, name, start, stop)
-
     tracking = result["tracking_error"][cut]
     axes = tuple(AxisFigures(float(np.sqrt(np.mean(e**2))), float(np.abs(e).max())) for e in tracking.T)
     held = tuple(float(np.mean(row)) for row in _held_back(result, cut).T)
     mean, ripple = _feedrate(result, cut)
     cycle = (result.n_sample - 1) * period
-    return Metrics(
-        chosen,
-        basis,
-        error("part_error"),
-        error("contour_error"),
-        error("planning_deviation"),
-        axes,
-        held,
-        left_out(result, reference, chosen)[0],
-        mean,
-        ripple,
-        cycle,
-    )
+    names = ("part_error", "contour_error", "planning_deviation")
+    part, contour, planning = (_error_figures(result, reference, name, start, stop) for name in names)
+    return Metrics(chosen, basis, part, contour, planning, axes, held, left_out(result, reference, chosen)[0], mean, ripple, cycle)
 
 
 def _error_figures(result: Result, reference: Reference, name: str, start: int, stop: int) -> ErrorFigures:
@@ -209,7 +194,40 @@ def _feedrate(result: Result, cut: slice) -> tuple[float, float]:
     if len(tool) < 3:
         return math.nan, math.nan
     speed = np.linalg.norm(np.diff(tool, axis=0), axis=1) / result.servo_period
-    asked = result["feedrate"][cut][:-1] if "feedrate" in result else speed
-    steady = (np.abs(np.gradient(asked)) <= 1e-9 * asked) & (asked > 0.0)
-    ripple = float(np.std(speed[steady] / asked[steady])) if np.count_nonzero(steady) > 2 else math.nan
+    wanted = result["feedrate"][cut][:-1] if "feedrate" in result else speed
+    steady = (np.abs(np.gradient(wanted)) <= 1e-9 * wanted) & (wanted > 0.0)
+    ripple = float(np.std(speed[steady] / wanted[steady])) if np.count_nonzero(steady) > 2 else math.nan
     return float(speed.mean()), ripple
+
+
+def left_out(result: Result, reference: Reference, window: tuple[int, int]) -> tuple[float, float]:
+    """Return the longest piece [m] of the commanded part of the programmed path without a foot point of the tool.
+
+    Parameters
+    ----------
+    result : Result
+        With the judge's ``foot_arc_length``.
+    reference : Reference
+    window : (int, int)
+        Samples [start, stop) that count. On a whole lap what lies before its start counts for the end of the lap.
+
+    Returns
+    -------
+    longest, at_end : float [m]
+        The longest piece of all, and the one at the end of the motion; the latter is 0 on a whole lap.
+
+    Notes
+    -----
+    A tool that follows leaves out no more than the path between two samples, what it cuts off at a corner, and how far it is from its
+    reference at the ends of the motion.
+    """
+    cut = slice(*window)
+    path = reference.programmed
+    foot = result["foot_arc_length"][cut]
+    commanded = reference.programmed_arc_length(result["arc_length"][cut])
+    if path.closed and np.ptp(commanded) > (1.0 - 2.0 / len(commanded)) * path.length:
+        foot = np.sort(np.mod(foot, path.length))
+        return float(max(np.diff(foot).max(initial=0.0), foot[0] + path.length - foot[-1])), 0.0
+    low, high = commanded.min(), commanded.max()
+    seen = np.concatenate([[low], np.sort(np.clip(foot, low, high)), [high]])
+    return float(np.diff(seen).max()), float(high - seen[-2])

@@ -1,8 +1,8 @@
-"""The judge: three errors kept apart, from true positions and the path alone.
+"""The judge: three separate errors, from true positions and the path alone.
 
-- `planning_deviation`: planned path to programmed path, at the reference's place: what blending costs;
-- `contour_error`: tool to planned path: what the servo loops cost;
-- `part_error`: tool to programmed path: what the part gets, and what a tolerance is held against.
+- `planning_deviation`: planned path to programmed path, at the reference: the cost of blending;
+- `contour_error`: tool to planned path: the cost of the servo loops;
+- `part_error`: tool to programmed path: the error of the part, which a tolerance limits.
 
 Each is the exact shortest distance, found around the reference's progress, so that the right branch is taken where a path meets itself.
 It has a side in the plane (positive to the left of the direction of travel) and is a magnitude in space.
@@ -26,7 +26,7 @@ def reach(path: Path, tracking: Array) -> float:
     """Return the window [m] in which a foot point is sought: three times the largest tracking error, and 0.1 mm.
 
     The foot point of a tool that is e away from its reference lies within 2 e of it on a straight path, and a little further on a bent one.
-    On a closed path half the length says all there is.
+    On a closed path half the length is enough.
     """
     largest = float(np.linalg.norm(tracking, axis=1).max(initial=0.0))
     wanted = 3.0 * largest + _MARGIN
@@ -41,7 +41,7 @@ def judge(result: Result, reference: Reference) -> Result:
     result : Result
         With ``tool_position``, ``reference`` and ``arc_length``.
     reference : Reference
-        What was asked for; its planned and its programmed path.
+        With its planned and its programmed path.
 
     Raises
     ------
@@ -97,7 +97,7 @@ def _check_finite(result: Result, name: str) -> None:
     if not good.all():
         where = np.argwhere(~good)[0]
         axis = f" of axis {result.axes[where[1]]}" if len(where) == 2 else ""
-        raise ResultError(f"{name}{axis} is not finite at sample {int(where[0]) + result.start}: there is nothing to judge it by")
+        raise ResultError(f"{name}{axis} is not finite at sample {int(where[0]) + result.start}: it cannot be judged")
 
 
 def _errors(path: Path, points: Array, around: Array, window: float | Array) -> tuple[Array, Array]:

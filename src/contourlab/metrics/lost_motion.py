@@ -26,7 +26,7 @@ LEAST_CELL = 0.25
 
 @dataclass(frozen=True, eq=False)
 class LostMotion:
-    """What motor and load say about the play between them.
+    """The play between a motor and its load.
 
     Attributes
     ----------
@@ -101,7 +101,7 @@ def lost_motion_from_pair(
     stiffness : float [N/m], optional
         Behind the motor, k > 0.
     bins : int
-        In how many places along the axis the lost motion is looked at, >= 1.
+        Number of places along the axis at which the lost motion is evaluated, >= 1.
 
     Notes
     -----
@@ -114,7 +114,7 @@ def lost_motion_from_pair(
     ------
     ResultError
         If the records differ in length, have numbers that are not finite, never go both ways far enough over the same place, or hold a
-        force from which the stiffness cannot be told.
+        force that does not determine the stiffness.
     ParameterError
         If bins, stiffness or friction are out of range, or friction is given without stiffness.
     """
@@ -124,7 +124,7 @@ def lost_motion_from_pair(
     cells, passes = _cells(motor, apart, push, bins)
     design = _design(cells)
     found, deviation = _solved(design, cells.apart)
-    gap, gap_deviation, k = _told_apart(cells, design, found, deviation, force is not None, friction, stiffness)
+    gap, gap_deviation, k = _gap_and_stiffness(cells, design, found, deviation, force is not None, friction, stiffness)
     place, lost_at, deviation_at = _by_place(cells)
     return LostMotion(
         lost_motion=found[0],
@@ -148,7 +148,7 @@ def _records(motor: ArrayLike, load: ArrayLike, force: ArrayLike | None) -> tupl
     f = np.zeros(m.shape) if force is None else np.asarray(force, dtype=float)
     if m.ndim != 1 or not m.shape == p.shape == f.shape:
         shapes = f"{m.shape} and {p.shape}" + ("" if force is None else f" and {f.shape}")
-        raise ResultError(f"motor and load of shapes {shapes}: one number a sample, and as many of each, are wanted")
+        raise ResultError(f"motor and load of shapes {shapes}: give one number a sample, as many of each")
     if not m.size:
         raise ResultError("motor and load hold no samples")
     if not (np.isfinite(m).all() and np.isfinite(p).all() and np.isfinite(f).all()):
@@ -205,7 +205,7 @@ def _steps(motor: Array, width: float, values: tuple[Array, ...]) -> tuple[Array
     in common, with either of them it would.
     """
     if len(motor) < 2 or not np.ptp(motor) > 0.0:
-        raise ResultError("the motor does not move: a record of it going back and forth is wanted")
+        raise ResultError("the motor does not move: record it going back and forth")
     step = np.diff(motor)
     side = np.sign(step)
     if width > 0.0:
@@ -224,11 +224,11 @@ def _common(place: Array, side: Array, width: float) -> tuple[float, float]:
         way = "backwards" if len(forward) else "forwards"
         raise ResultError(
             f"the motor never goes {way} by more than {MARGIN:g} times the range of motor less load, {1e6 * width / MARGIN:.6g} um: "
-            "longer strokes both ways, or a load scale that agrees with the motor's, are wanted"
+            "use longer strokes both ways, or a load scale that agrees with the motor's"
         )
     low, high = max(float(forward.min()), float(backward.min())), min(float(forward.max()), float(backward.max()))
     if not high > low:
-        raise ResultError("forwards and backwards the motor goes over different places: both ways over one place are wanted")
+        raise ResultError("forwards and backwards the motor goes over different places: go both ways over one place")
     return low, high
 
 
@@ -237,7 +237,7 @@ def _both_ways(cells: _Cells) -> _Cells:
     forward, backward = (np.unique(cells.bin[cells.side == s]) for s in (1.0, -1.0))
     kept = np.isin(cells.bin, np.intersect1d(forward, backward))
     if not kept.any():
-        raise ResultError("no place is passed in both directions: both ways over one place, or fewer bins, are wanted")
+        raise ResultError("no place is passed in both directions: go both ways over one place, or use fewer bins")
     return _Cells(cells.apart[kept], cells.side[kept], cells.bin[kept], cells.force[kept], cells.middle)
 
 
@@ -257,7 +257,7 @@ def _solved(design: Array, values: Array) -> tuple[list[float], list[float]]:
     return found.tolist(), (scatter * np.linalg.norm(inverse, axis=1)).tolist()
 
 
-def _told_apart(
+def _gap_and_stiffness(
     cells: _Cells,
     design: Array,
     found: list[float],
@@ -276,11 +276,11 @@ def _told_apart(
         return gap[0], spread[0], stiffness
     own = cells.force - design @ np.linalg.lstsq(design, cells.force, rcond=None)[0]
     if not float(np.linalg.norm(own)) > 0.02 * float(np.linalg.norm(cells.force)):
-        raise ResultError("the force varies in its direction alone: windup cannot be told from the gap without a stiffness")
+        raise ResultError("the force varies in its direction alone: give a stiffness to separate windup from the gap")
     both, spread = _solved(np.column_stack([design, cells.force]), cells.apart)
     if not both[-1] > 0.0:
         raise ResultError(
-            f"motor less load falls as the force rises, by {-both[-1]:.3g} m/N: a force that is positive where it pushes forwards is wanted"
+            f"motor less load falls as the force rises, by {-both[-1]:.3g} m/N: give a force that is positive where it pushes forwards"
         )
     return both[0], spread[0], 1.0 / both[-1]
 

@@ -1,4 +1,4 @@
-"""Bidirectional positioning by ISO 230-2: the same targets approached from both sides, and what the two approaches differ by.
+"""Bidirectional positioning by ISO 230-2: the same targets approached from both sides, and the difference between the approaches.
 
 Formulas as they are commonly given for ISO 230-2:2014. With x_ij the deviation of approach j to target i, arrows for the direction:
 
@@ -79,23 +79,23 @@ def reversal_test(
     least_approach: float = 0.0,
     tolerance: float = 1e-6,
 ) -> ReversalTest:
-    """Return the bidirectional positioning of a record in which an axis went to targets from both sides and stood there for a while.
+    """Return the bidirectional positioning of an axis that went to targets from both sides and rested there.
 
     Parameters
     ----------
     reference : array_like (n,) [m]
-        What was asked for, or the position of the motor: its stands are the targets.
+        Set point, or position of the motor; the targets are where it rests.
     position : array_like (n,) [m]
         Of the load or table.
     dwell : int
-        Samples that a stand has at least, >= 2. The deviation is the mean of position less reference over the second half of a stand.
+        Least samples of a rest, >= 2. The deviation is the mean of position less reference over the second half of a rest.
     standstill : float [m]
         Range within which the reference counts as standing, >= 0: 0 for one that is computed, a few counts for an encoder.
     least_approach : float [m]
         How far away the reference has to have been last for its direction of approach to count, >= 0; for one that swings into its target,
         more than what it swings by.
     tolerance : float [m]
-        How far apart the stands of one target may be, > 0.
+        Largest distance between the rests at one target, > 0.
 
     Raises
     ------
@@ -106,7 +106,7 @@ def reversal_test(
     """
     r, p = np.asarray(reference, dtype=float), np.asarray(position, dtype=float)
     if r.ndim != 1 or r.shape != p.shape:
-        raise ResultError(f"reference and position of shapes {r.shape} and {p.shape}: one number a sample, as many of each, are wanted")
+        raise ResultError(f"reference and position of shapes {r.shape} and {p.shape}: give one number a sample, as many of each")
     if not (np.isfinite(r).all() and np.isfinite(p).all()):
         raise ResultError("reference or position hold numbers that are not finite")
     if dwell != int(dwell) or dwell < 2:
@@ -123,7 +123,7 @@ def reversal_test(
             found.append((level, float(np.mean(p[half] - r[half])), way))
     if not found:
         raise ResultError(
-            f"no approach to a stand of {dwell} samples or more: a reference that moves to its targets and stands there is wanted"
+            f"no approach to a stand of {dwell} samples or more: give a reference that moves to its targets and rests there"
         )
     target, deviation, direction = np.array(found).T
     return bidirectional_positioning(target, deviation, direction, tolerance=tolerance)
@@ -145,7 +145,7 @@ def bidirectional_positioning(target: ArrayLike, deviation: ArrayLike, direction
     x, away, way = (np.asarray(values, dtype=float) for values in (target, deviation, direction))
     if x.ndim != 1 or not x.shape == away.shape == way.shape:
         raise ResultError(
-            f"targets, deviations and directions of shapes {x.shape}, {away.shape} and {way.shape}: as many of each are wanted"
+            f"targets, deviations and directions of shapes {x.shape}, {away.shape} and {way.shape}: give as many of each"
         )
     if not all(np.isfinite(values).all() for values in (x, away, way)):
         raise ResultError("targets, deviations or directions hold numbers that are not finite")
@@ -157,7 +157,7 @@ def bidirectional_positioning(target: ArrayLike, deviation: ArrayLike, direction
     sets = [(x[g].mean(), away[g][way[g] > 0.0], away[g][way[g] < 0.0]) for g in groups if len(g)]
     both = [one for one in sets if len(one[1]) and len(one[2])]
     if not both:
-        raise ResultError(f"{len(sets)} targets, none of them approached from both sides: approaches up and down to one target are wanted")
+        raise ResultError(f"{len(sets)} targets, none of them approached from both sides: approach each target up and down")
     return _figures(both)
 
 

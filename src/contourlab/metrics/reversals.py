@@ -229,17 +229,9 @@ def _spike(result: Result, errors: _Errors, velocity: Array, stretch: tuple[int,
         right += 1
     period = result.servo_period
     time = (k + result.start) * period
-    return Spike(
-        result.axes[j],
-        time,
-        k + result.start,
-        _quadrant(velocity, j),
-        float(away[peak, 0] if away.shape[1] == 1 else size[peak]),
-        time + peak * period,
-        (right - left + 1) * period,
-        int(np.sign(velocity[j])),
-        angle,
-    )
+    height = float(away[peak, 0] if away.shape[1] == 1 else size[peak])
+    spike = (height, time + peak * period, (right - left + 1) * period, int(np.sign(velocity[j])), angle)
+    return Spike(result.axes[j], time, k + result.start, _quadrant(velocity, j), *spike)
 
 
 def _quadrant(velocity: Array, j: int) -> int:

@@ -1,4 +1,4 @@
-"""The judge of a batch: contour error reduced to figures while the lanes run, so that no signal has to be kept.
+"""The judge of a batch: contour error reduced to figures while the lanes run, so that no signal is kept.
 
 It is a step like those of the components and runs in the same lanes, but it is no part of the loop: it reads true positions and the
 path, and nothing reads it.
@@ -36,10 +36,10 @@ _ITERATIONS = 3
 
 
 def corner_parts(path: Path) -> tuple[dict[str, float], dict[str, NDArray[np.float64]]]:
-    """Return parameters and tables that tell the judge the corner nearest to any place, the ends of an open path among them.
+    """Return parameters and tables from which the judge finds the corner nearest to any place, ends of an open path included.
 
     Nothing where there is none. The path is cut into cells of one length; with corners closer together than a cell the one nearest to its
-    middle stands for all.
+    middle represents all.
     """
     corners = np.unique(path.corners) if path.closed else np.unique(np.concatenate([[0.0], path.corners, [path.length]]))
     if not corners.size:

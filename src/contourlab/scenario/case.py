@@ -12,7 +12,7 @@ import numpy as np
 
 from contourlab.errors import FeedError, ProgramError, ScenarioError
 from contourlab.feed import AxisLimits, Reference, Route, blended, plan, route_from_path, uniform
-from contourlab.feed.path_control import controlled
+from contourlab.feed.route import controlled
 from contourlab.loop import Change, Controller, Machine
 from contourlab.scenario.learning import LearningSettings
 from contourlab.scenario.motion_check import check_motion

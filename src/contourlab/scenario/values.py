@@ -10,7 +10,7 @@ from typing import Any, Literal, TypeAlias
 
 from contourlab.contours import ContourReading, study_contour
 from contourlab.feed import Route, route_from_program
-from contourlab.feed.path_control import PathControl
+from contourlab.feed.route import PathControl
 from contourlab.geometry import Path, contour
 from contourlab.program import Program, Reading
 from contourlab.scenario.placing import placed

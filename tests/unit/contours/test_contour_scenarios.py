@@ -86,7 +86,7 @@ def test_a_third_axis_is_held_still_or_takes_its_coordinate(tmp_path: File) -> N
         ('file = "part.dxf"\nlayer = "cut"', "contour.file", "nothing on layer 'cut': there are 0, words"),
         ('file = "part.dxf"\nname = "circle"', "contour.name", "both given"),
         ('file = "part.dxf"\ncorner_angle = "200 deg"', "contour.corner_angle", "out of range"),
-        ('file = "part.dxf"\ncorner_angle = "20 deg"', "contour.file", "corner_angle says nothing"),
+        ('file = "part.dxf"\ncorner_angle = "20 deg"', "contour.file", "corner_angle does not apply"),
         ('file = "part.step"', "contour.file", r"\.dxf, \.svg"),
         ("file = 3", "contour.file", "text in quotes"),
         ("", "contour", "key name is missing.*or file"),

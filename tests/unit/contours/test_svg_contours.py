@@ -162,7 +162,7 @@ def test_an_arc_of_no_radius_is_a_line(tmp_path: File) -> None:
     path = read_contour(svg(tmp_path, '<path d="M0,0 A 0 5 0 0 1 10 0 A 5 5 0 0 1 10 0 V 5"/>'))
     assert path.length == pytest.approx(15 * MM)
     assert [type(curve) for curve in path.curves] == [Line, Line]
-    assert read_svg(svg(tmp_path, '<path d="M5,5 Z"/>')).notes == ("Path, element 1: has no length",)
+    assert read_svg(svg(tmp_path, '<path d="M5,5 Z"/>')).notes == ("path, element 1: has no length",)
 
 
 @pytest.mark.parametrize(
@@ -171,7 +171,7 @@ def test_an_arc_of_no_radius_is_a_line(tmp_path: File) -> None:
         ("<svg", "is no SVG drawing"),
         ("<html/>", "its root is <html>"),
         ('<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 1"/>', "viewBox"),
-        ('<svg xmlns="http://www.w3.org/2000/svg" width="3em"/>', 'width = "3em" is no size'),
+        ('<svg xmlns="http://www.w3.org/2000/svg" width="3em"/>', 'width = "3em" is not a size'),
         ('<svg xmlns="http://www.w3.org/2000/svg"/>', "holds no contour"),
     ],
 )

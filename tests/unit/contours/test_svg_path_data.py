@@ -101,17 +101,17 @@ def test_drawing_goes_on_from_the_start_of_a_closed_subpath() -> None:
 @pytest.mark.parametrize(
     ("data", "drawn", "trouble"),
     [
-        ("M 1 1 L foo", 0, "stops at character 9: a number is wanted"),
-        ("M0 0L5 5 x", 1, "stops at character 10: a command is wanted, not 'x'"),
-        ("M0 0L5 5 6", 1, "stops at character 11: a number is wanted"),
-        ("M0 0L5 5,", 1, "stops at character 10: a number is wanted"),
-        ("M0 0L5 5,L6 6", 1, "stops at character 10: a number is wanted"),
-        ("M0 0L,5 5", 0, "stops at character 6: a number is wanted"),
-        ("M0 0 1 1,,2 2", 1, "stops at character 10: a number is wanted"),
-        ("L5 5", 0, "stops at character 1: M or m is wanted before 'L'"),
-        ("M0 0H5A1 1 0 2 0 3 3", 1, "stops at character 14: a flag is wanted, 0 or 1"),
+        ("M 1 1 L foo", 0, "stops at character 9: expected a number"),
+        ("M0 0L5 5 x", 1, "stops at character 10: expected a command, not 'x'"),
+        ("M0 0L5 5 6", 1, "stops at character 11: expected a number"),
+        ("M0 0L5 5,", 1, "stops at character 10: expected a number"),
+        ("M0 0L5 5,L6 6", 1, "stops at character 10: expected a number"),
+        ("M0 0L,5 5", 0, "stops at character 6: expected a number"),
+        ("M0 0 1 1,,2 2", 1, "stops at character 10: expected a number"),
+        ("L5 5", 0, "stops at character 1: expected M or m before 'L'"),
+        ("M0 0H5A1 1 0 2 0 3 3", 1, "stops at character 14: expected a flag, 0 or 1"),
         ("M0 0H5V1e99", 1, "stops at character 8: 1e99 is too large"),
-        ("M0 0h5 none", 1, "stops at character 8: a command is wanted, not 'n'"),
+        ("M0 0h5 none", 1, "stops at character 8: expected a command, not 'n'"),
     ],
 )
 def test_data_are_drawn_up_to_the_first_error(data: str, drawn: int, trouble: str) -> None:
@@ -125,9 +125,9 @@ def test_an_error_is_noted_with_its_element(tmp_path: File) -> None:
     assert len(drawing.chains) == 1
     assert drawing.chains[0].length == pytest.approx(5 * MM)
     assert drawing.notes == (
-        "Path 'a': stops at character 15: a number is wanted",
-        "Path, element 2: stops at character 1: M or m is wanted before 'h'",
-        "Path, element 3: has no length",
+        "path 'a': stops at character 15: expected a number",
+        "path, element 2: stops at character 1: expected M or m before 'h'",
+        "path, element 3: has no length",
     )
 
 

@@ -128,7 +128,7 @@ def test_position_tangent_and_curvature_go_on_where_a_blend_meets_its_curves(n_a
     path = found.path
     curve = np.arange(found.n_curve - 1)
     span = np.diff(path.breaks)
-    before, after = path._at(curve, span[:-1], 3), path._at(curve + 1, 0.0 * span[1:], 3)
+    before, after = path.at(curve, span[:-1], 3), path.at(curve + 1, 0.0 * span[1:], 3)
     round_ = np.array([isinstance(c, Blend) for c in path.curves])
     joint = round_[1:] | round_[:-1]
     assert joint.sum() > 80
@@ -308,7 +308,7 @@ def test_the_cost_grows_with_the_corners_alone(monkeypatch: pytest.MonkeyPatch) 
 
 @pytest.mark.parametrize(("planned", "programmed"), [([0.0], [0.0]), ([0.0, 1.0, 1.0], [0.0, 1.0, 2.0]), ([0.0, 1.0], [0.0, 1.0, 2.0])])
 def test_a_map_that_does_not_rise_is_refused(planned: list[float], programmed: list[float]) -> None:
-    with pytest.raises(FeedError, match=r"rising strictly|one for one"):
+    with pytest.raises(FeedError, match=r"strictly rising|as many of each"):
         Correspondence(np.array(planned), np.array(programmed))
 
 

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from scipy.optimize import linprog
 
-from contourlab.feed import kernels, looking
+from contourlab.feed import kernels, speed_profile
 from contourlab.feed.smooth import _kernels
 from contourlab.geometry import contour
 
@@ -142,7 +142,7 @@ def test_derivatives_between_samples_are_those_of_a_cubic() -> None:
     ends, here = np.array([0.2, 0.9]), np.zeros((3, 1, 1))
     k, c = bend(ends)[:, None], bend.deriv()(ends)[:, None]
     for part in (0.1, 0.5, 0.8):
-        looking._between(np.zeros((2, 1)), k, c, 0, 0.7, part, here)
+        speed_profile._between(np.zeros((2, 1)), k, c, 0, 0.7, part, here)
         assert here[1, 0, 0] == pytest.approx(bend(0.2 + 0.7 * part), rel=1e-12)
         assert here[2, 0, 0] == pytest.approx(bend.deriv()(0.2 + 0.7 * part), rel=1e-12)
 

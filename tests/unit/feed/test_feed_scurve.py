@@ -7,7 +7,12 @@ import math
 import numpy as np
 import pytest
 
-from contourlab.feed.scurve import move_spans, peak_speed, ramp_distance, ramps, reachable_speed, spans_end
+from contourlab.feed.scurve import move_spans, peak_speed, ramp_distance, ramps, reachable_speed
+
+
+def spans_end(duration: np.ndarray, s0: np.ndarray, v0: np.ndarray, a0: np.ndarray, j: np.ndarray) -> np.ndarray:
+    """Return the progress at the end of each span [m]."""
+    return s0 + duration * (v0 + duration * (a0 / 2.0 + duration * j / 6.0))
 
 
 def vec(*values: float) -> np.ndarray:

@@ -162,7 +162,7 @@ def test_what_has_no_arc_length_is_refused_by_its_number(points: Array, said: st
 def test_wrong_shapes_are_refused() -> None:
     with pytest.raises(GeometryError, match=r"coefficients of shape \(5, 2\)"):
         Blend(np.ones((5, 2)))
-    with pytest.raises(GeometryError, match=r"coefficients of shape \(6, 2\): \(n, 6, n_axis\)"):
+    with pytest.raises(GeometryError, match=r"coefficients of shape \(6, 2\)"):
         blends(np.ones((6, 2)))
     assert blends(np.ones((0, 6, 2)))[0] == []
 

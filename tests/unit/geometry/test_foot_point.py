@@ -286,8 +286,8 @@ def test_a_point_on_the_path_is_at_distance_nothing() -> None:
 @pytest.mark.parametrize(
     ("points", "around", "window", "message"),
     [
-        ([(0.0, 0.0)], [0.0, 1.0], 1.0, r"points of shape \(1, 2\) with 2 values of progress: \(2, 2\) is wanted"),
-        ([(0.0, 0.0, 0.0)], [0.0], 1.0, r"\(1, 2\) is wanted"),
+        ([(0.0, 0.0)], [0.0, 1.0], 1.0, r"points of shape \(1, 2\) with 2 values of progress: must be \(2, 2\)"),
+        ([(0.0, 0.0, 0.0)], [0.0], 1.0, r"must be \(1, 2\)"),
         ([(0.0, 0.0)], [0.0], 0.0, "window = 0.0: must be > 0"),
         ([(0.0, 0.0)], [0.0], math.nan, "window = nan"),
         ([(0.0, math.nan)], [0.0], 1.0, "must be finite"),

@@ -135,7 +135,7 @@ def test_a_gap_is_refused_with_its_place() -> None:
 
 
 def test_what_is_no_path_is_refused() -> None:
-    with pytest.raises(GeometryError, match="no curves"):
+    with pytest.raises(GeometryError, match="at least one curve"):
         Path([])
     with pytest.raises(GeometryError, match="same number of coordinates"):
         Path([Line((0.0, 0.0), (1.0, 0.0)), Line((1.0, 0.0, 0.0), (1.0, 1.0, 0.0))])

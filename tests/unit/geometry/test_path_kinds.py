@@ -57,7 +57,7 @@ def test_a_path_says_what_its_curves_say() -> None:
     rng = np.random.default_rng(2)
     index = rng.integers(0, len(path.curves), 500)
     along = rng.uniform(0.0, 1.0, 500) * np.diff(path.breaks)[index]
-    found = path._at(index, along, 3)
+    found = path.at(index, along, 3)
     for i in range(500):
         # A curve by itself adds up in another order.
         np.testing.assert_allclose(found[:, i], path.curves[index[i]].derivatives(along[i])[:, 0], rtol=1e-13, atol=1e-10)

@@ -171,7 +171,7 @@ def test_a_double_knot_that_leaves_no_corner_is_fine() -> None:
 @pytest.mark.parametrize(
     ("arguments", "message"),
     [
-        ((3, POINTS, KNOTS[:-1]), "degree 3 with 7 control points wants 11 knots, 10 given"),
+        ((3, POINTS, KNOTS[:-1]), "degree 3 with 7 control points needs 11 knots"),
         ((0, POINTS, KNOTS), "degree 0"),
         ((3, POINTS[:3], KNOTS[:7]), "3 control points"),
         ((3, POINTS, sorted(KNOTS, reverse=True)), "knots must not fall"),

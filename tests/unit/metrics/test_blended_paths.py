@@ -13,7 +13,7 @@ from contourlab.feed import Reference, Route, blended
 from contourlab.geometry import Arc, Line, Path
 from contourlab.metrics import judge
 from contourlab.metrics.circles import circles_of
-from contourlab.metrics.coverage import left_out
+from contourlab.metrics.figures import left_out
 
 
 def rounded(curves: list[Any], tolerance: float, closed: bool = False) -> Route:
@@ -88,17 +88,17 @@ def test_a_circle_of_the_program_is_found_though_corners_before_it_are_rounded()
 
 
 def test_the_work_of_the_judge_grows_with_the_samples(monkeypatch: pytest.MonkeyPatch) -> None:
-    from contourlab.geometry import foot
+    from contourlab.geometry import foot_point
 
     pairs = [0]
-    plain = foot.curves_in_reach
+    plain = foot_point.curves_in_reach
 
     def counted(*arguments: Any) -> Any:
         found = plain(*arguments)
         pairs[-1] += found[0].size
         return found
 
-    monkeypatch.setattr(foot, "curves_in_reach", counted)
+    monkeypatch.setattr(foot_point, "curves_in_reach", counted)
     for n in (100, 200, 400):
         route = rounded(staircase(n, 1e-3), 1e-5)
         s = np.linspace(0.0, route.path.length, 20 * n)

@@ -57,7 +57,7 @@ FAULTS = [
     ("[controller.axes.y.observer]", "[controller.axes.z.observer]", "controller.axes.z", "no axis 'z'"),
     ('name = "circle"', 'name = "circel"', "contour.name", "'circle'"),
     ('radius = "20 mm"', 'radios = "20 mm"', "contour.radios", "'radius'"),
-    ('radius = "20 mm"', 'radius = "0 mm"', "contour", "> 0 m"),
+    ('radius = "20 mm"', 'radius = "0 mm"', "contour", "> 0"),
     ('radius = "20 mm"', "radius = 20", "contour.radius", "no unit"),
     ('radius = "20 mm"', 'radius = "1e30 mm"', "contour.radius", "between 1 um and 100 m"),
     ('radius = "20 mm"', 'radius = "0.9 um"', "contour.radius", "between 1 um and 100 m"),

@@ -8,7 +8,7 @@ import typer
 
 
 def explain(
-    code: Annotated[str | None, typer.Argument(metavar="[CODE]", help="Code of a finding, such as CL104; without it, list them all.")] = None,
+    code: Annotated[str | None, typer.Argument(metavar="[CODE]", help="Code of a finding, such as CL104. Without it, list all.")] = None,
     as_json: Annotated[bool, typer.Option("--json", help="Print JSON alone on standard output.")] = False,
 ) -> None:
     """Explain a finding: what it means, and what to do about it."""

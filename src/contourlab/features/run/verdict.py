@@ -12,7 +12,7 @@ from contourlab.feed import Reference
 from contourlab.findings import finding
 from contourlab.loop import Controller, Machine
 from contourlab.metrics import evaluation_window
-from contourlab.metrics.coverage import left_out
+from contourlab.metrics.figures import left_out
 from contourlab.report.shapes import Verdict, Worst
 from contourlab.result import Result
 

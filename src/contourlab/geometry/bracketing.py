@@ -5,12 +5,10 @@ from __future__ import annotations
 from collections.abc import Callable
 
 import numpy as np
-from numpy.typing import NDArray
 
+from contourlab.geometry.curve import Array, Index
 from contourlab.geometry.table import PathTable
 
-Array = NDArray[np.float64]
-Index = NDArray[np.int64]
 Near = Callable[[Index, Array, int], Array]
 Width = Callable[[Index, Array, Array], Array]
 _MOST_CELLS = 1 << 21

@@ -1,4 +1,4 @@
-"""Where the curves of a path meet: exact stops, jumps of curvature, and small jumps of direction."""
+"""Junctions of the curves of a path: exact stops, jumps of curvature, and small jumps of direction."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from contourlab.geometry.path import CORNER_ANGLE
 
 Array = NDArray[np.float64]
 
-NUDGE = 1e-7  # of a curve's length: the ends are looked at from inside the curve
+NUDGE = 1e-7  # of a curve's length: the ends are evaluated from inside the curve
 MOST_KINK = 0.1
 """Larger jumps of direction [rad] are corners, and stops."""
 KINK_TIME = 1e-5
@@ -21,13 +21,23 @@ KINK_TIME = 1e-5
 JUMP = 1e-6  # [1/m], and as a part of the curvature: jumps below this are rounding
 
 
-class Joints(NamedTuple):
+class Junctions(NamedTuple):
     """Where curves meet; arrays (n_curve,), entry i for the end of curve i (the last: the end of the path)."""
 
     stop: NDArray[np.bool_]  # exact stop
     jump: Array  # (n_curve, n_axis) [1/m] step of d2r/ds2
     kink: Array  # (n_curve, n_axis) step of dr/ds where the motion does not stop
     room: Array  # [m] the shorter of the two curves that meet
+
+
+def _sides(path: Path, order: int) -> tuple[Array, Array]:
+    """Return a derivative by arc length (n_curve, n_axis) at the end of each curve, and at the start of the next."""
+    breaks = np.asarray(path.breaks)
+    inside = np.diff(breaks) * NUDGE
+    after, before = path.derivatives(breaks[:-1] + inside, order + 1), path.derivatives(breaks[1:] - inside, order + 1)
+    # One Taylor term takes the values from just inside a curve to its ends.
+    first = after[order] - inside[:, None] * after[order + 1]
+    return before[order] + inside[:, None] * before[order + 1], np.roll(first, -1, axis=0)
 
 
 def curvature_jump(path: Path) -> Array:
@@ -40,48 +50,33 @@ def curvature_jump(path: Path) -> Array:
     Returns
     -------
     ndarray (n_curve, n_axis) [1/m]
-        From the end of a curve to the start of the next; the last row leads back to the first curve, and is zero on
-        an open path.
+        From the end of a curve to the start of the next; the last row leads back to the first curve, and is zero on an open path.
     """
-    breaks = np.asarray(path.breaks)
-    inside = np.diff(breaks) * NUDGE
-    after, before = path.derivatives(breaks[:-1] + inside, 3), path.derivatives(breaks[1:] - inside, 3)
-    # One Taylor term takes the values from just inside a curve to its ends.
-    first = after[2] - inside[:, None] * after[3]
-    last = before[2] + inside[:, None] * before[3]
-    following = np.roll(first, -1, axis=0)
+    last, following = _sides(path, 2)
     jump = following - last
     scale = np.maximum(1.0, np.maximum(np.linalg.norm(following, axis=1), np.linalg.norm(last, axis=1)))
     jump[np.abs(jump) < JUMP * scale[:, None]] = 0.0
-    if not path.closed:
-        jump[-1] = 0.0
-    return np.asarray(jump)
+    return _of_closed(path, jump)
 
 
 def direction_jump(path: Path) -> Array:
-    """Return the step of dr/ds at the end of each curve.
+    """Return the step of dr/ds (n_curve, n_axis) at the end of each curve, as `curvature_jump` does; zero where curves are tangent.
 
-    Parameters
-    ----------
-    path : Path
-
-    Returns
-    -------
-    ndarray (n_curve, n_axis)
-        From the end of a curve to the start of the next; zero where they are tangent. The last row leads back to the first curve, and is
-        zero on an open path. Its length is the angle [rad] where that is small.
+    Its length is the angle [rad] where that is small.
     """
-    breaks = np.asarray(path.breaks)
-    inside = np.diff(breaks) * NUDGE
-    after, before = path.derivatives(breaks[:-1] + inside, 2), path.derivatives(breaks[1:] - inside, 2)
-    jump = np.roll(after[1] - inside[:, None] * after[2], -1, axis=0) - (before[1] + inside[:, None] * before[2])
+    last, following = _sides(path, 1)
+    jump = following - last
     jump[np.linalg.norm(jump, axis=1) <= CORNER_ANGLE] = 0.0
+    return _of_closed(path, jump)
+
+
+def _of_closed(path: Path, jump: Array) -> Array:
     if not path.closed:
         jump[-1] = 0.0
     return np.asarray(jump)
 
 
-def joints(route: Route) -> Joints:
+def junctions(route: Route) -> Junctions:
     """Find exact stops, and jumps of curvature and direction that are driven through.
 
     The motion stops where the direction jumps by more than `MOST_KINK`, at a dwell, where rapid and feed moves meet, where the route asks
@@ -93,17 +88,16 @@ def joints(route: Route) -> Joints:
 
     Returns
     -------
-    Joints
+    Junctions
 
     Notes
     -----
-    Decimals of a program leave small jumps of direction where none are meant. As controls do under exact path mode, the motion goes through
-    where the velocity of no axis jumps by more than its acceleration limit makes up for in
-    `KINK_TIME`, or on the way to the next joint where that is shorter.
+    Rounded coordinates leave small jumps of direction. As controls do in exact path mode, the motion passes them where the velocity of no
+    axis jumps by more than its acceleration limit makes up for in `KINK_TIME`, or on the way to the next junction if that is shorter.
     """
     turn = direction_jump(route.path)
     angle = np.linalg.norm(turn, axis=1)
     stop = (route.dwell > 0.0) | route.exact_stop | (route.rapid != np.roll(route.rapid, -1)) | (angle > MOST_KINK)
     stop[-1] |= not route.path.closed
     length = np.diff(np.asarray(route.path.breaks))
-    return Joints(stop, curvature_jump(route.path), np.where(stop[:, None], 0.0, turn), np.minimum(length, np.roll(length, -1)))
+    return Junctions(stop, curvature_jump(route.path), np.where(stop[:, None], 0.0, turn), np.minimum(length, np.roll(length, -1)))

@@ -1,6 +1,6 @@
-"""The exact foot point: the closest point of a path, found anew for each sample, for the judge.
+"""The exact foot point, for the judge: the closest point of a path, searched afresh for each sample.
 
-Within a window around each sample's progress along the path, every curve in reach is asked for its closest point: lines and flat arcs in
+Within a window around each sample's progress along the path, every curve in reach gives its closest point: lines and flat arcs in
 closed form, other curves by samples and a Newton iteration held in its bracket. The nearest wins; among equals the one nearest to the
 progress, which keeps to the right branch where the path crosses itself.
 """
@@ -10,16 +10,15 @@ from __future__ import annotations
 from typing import Any, NamedTuple
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from contourlab.errors import GeometryError
-from contourlab.geometry.path import Path
-from contourlab.geometry.reach import curves_in_reach
-from contourlab.geometry.search import Bends, brackets
-from contourlab.geometry.table import PathTable
+from contourlab.geometry.bracketing import Bends, brackets
+from contourlab.geometry.broad_phase import curves_in_reach
+from contourlab.geometry.curve import Array, Index
+from contourlab.geometry.curve_sequence import CurveSequence
+from contourlab.geometry.table import PathTable, path_table
 
-Array = NDArray[np.float64]
-Index = NDArray[np.int64]
 _CHUNK = 1 << 17
 
 
@@ -40,12 +39,12 @@ class FootPoint(NamedTuple):
     signed: Array
 
 
-def foot_point(path: Path, points: ArrayLike, around: ArrayLike, window: ArrayLike) -> FootPoint:
+def foot_point(path: CurveSequence, points: ArrayLike, around: ArrayLike, window: ArrayLike) -> FootPoint:
     """Return the closest point of the path to each point, within `window` of a given progress.
 
     Parameters
     ----------
-    path : Path
+    path : CurveSequence
     points : array_like (n, n_axis) [m]
     around : array_like (n,) [m]
         Progress along the path; on a closed path it may count laps.
@@ -64,7 +63,7 @@ def foot_point(path: Path, points: ArrayLike, around: ArrayLike, window: ArrayLi
     """
     p, s = np.atleast_2d(np.asarray(points, dtype=float)), np.atleast_1d(np.asarray(around, dtype=float))
     if p.shape != (s.size, path.n_axis):
-        raise GeometryError(f"points of shape {p.shape} with {s.size} values of progress: ({s.size}, {path.n_axis}) is wanted")
+        raise GeometryError(f"points of shape {p.shape} with {s.size} values of progress: must be ({s.size}, {path.n_axis})")
     reach = np.asarray(window, dtype=float)
     if reach.shape not in ((), s.shape) or not (reach > 0.0).all():
         raise GeometryError(f"window = {window!r}: must be > 0 m, one for all points or one for each")
@@ -75,11 +74,11 @@ def foot_point(path: Path, points: ArrayLike, around: ArrayLike, window: ArrayLi
     return FootPoint(*(np.concatenate(columns) for columns in zip(*parts, strict=True))) if parts else _nothing(path)
 
 
-def _nothing(path: Path) -> FootPoint:
+def _nothing(path: CurveSequence) -> FootPoint:
     return FootPoint(np.zeros(0), np.zeros((0, path.n_axis)), np.zeros(0), np.zeros(0))
 
 
-def _chunk(path: Path, points: Array, around: Array, window: Array) -> FootPoint:
+def _chunk(path: CurveSequence, points: Array, around: Array, window: Array) -> FootPoint:
     sample, curve, lap, low, high = curves_in_reach(path, points, around, window)
     local = np.empty(sample.size)
     middle = np.clip(around[sample] - lap * path.length - path.breaks[curve], low, high)
@@ -93,14 +92,14 @@ def _chunk(path: Path, points: Array, around: Array, window: Array) -> FootPoint
     on = np.concatenate(searched)
     if on.size:
         local[on] = _on_curves(path, points[sample[on]], curve[on], low[on], high[on], middle[on])
-    feet = path._at(curve, local, 0)[0]
+    feet = path.at(curve, local, 0)[0]
     square = ((points[sample] - feet) ** 2).sum(axis=1)
     progress = lap * path.length + path.breaks[curve] + local
     best = _nearest(sample, square, np.abs(progress - around[sample]), around.size)
     return _result(path, points, progress[best], curve[best], local[best], feet[best], np.sqrt(square[best]))
 
 
-def _on_curves(path: Path, points: Array, curve: Index, low: Array, high: Array, middle: Array) -> Array:
+def _on_curves(path: CurveSequence, points: Array, curve: Index, low: Array, high: Array, middle: Array) -> Array:
     """Brackets that may hold the closest point, then Newton on r'.(r - p) with bisection as a guard.
 
     All but the last steps are taken on the path's table, which is far cheaper than a spline by arc length and differs by a nanometre.
@@ -112,11 +111,11 @@ def _on_curves(path: Path, points: Array, curve: Index, low: Array, high: Array,
 
     def near(pair: Index, s: Array, order: int) -> Array:
         return np.asarray(
-            table.evaluate(np.minimum(s + offset[pair], last[pair]), order) if table is not None else path._at(curve[pair], s, order)
+            table.evaluate(np.minimum(s + offset[pair], last[pair]), order) if table is not None else path.at(curve[pair], s, order)
         )
 
     def exact(pair: Index, s: Array, order: int) -> Array:
-        return path._at(curve[pair], s, order)
+        return path.at(curve[pair], s, order)
 
     def width(pair: Index, a: Array, b: Array) -> Array:
         start = offset[pair]
@@ -139,10 +138,10 @@ def _on_curves(path: Path, points: Array, curve: Index, low: Array, high: Array,
 
 def _newton(points: Array, at: Any, pair: Index, s: Array, a: Array, b: Array, most: int, enough: float) -> Array:
     """Improve foot points on their curves, each within its bracket."""
-    mine = points[pair]
+    target = points[pair]
     for _ in range(most):
         r, first, second = at(pair, s, 2)
-        gap = r - mine
+        gap = r - target
         g = np.einsum("ij,ij->i", first, gap)
         h = np.einsum("ij,ij->i", first, first) + np.einsum("ij,ij->i", second, gap)
         a, b = np.where(g < 0.0, s, a), np.where(g > 0.0, s, b)
@@ -155,18 +154,18 @@ def _newton(points: Array, at: Any, pair: Index, s: Array, a: Array, b: Array, m
     return s
 
 
-def _near(path: Path) -> tuple[PathTable | None, Bends | None]:
+def _near(path: CurveSequence) -> tuple[PathTable | None, Bends | None]:
     """Return the path's table where it has curves without a closed form by arc length, and its curvatures; made once."""
     if all(each.sixth is not None for each, _ in path.kinds):
         return None, None
     held: Any = path.__dict__.get("_near")
     if held is None:
-        table = path.table(1e-9 * min(path.length, 1.0))
+        table = path_table(path, 1e-9 * min(path.length, 1.0))
         held = path.__dict__["_near"] = (table, Bends(table))
     return held  # type: ignore[no-any-return]
 
 
-def _radii(path: Path) -> Array:
+def _radii(path: CurveSequence) -> Array:
     """Return the smallest radius of each curve; made once."""
     held: Any = path.__dict__.get("_radii")
     if held is None:
@@ -189,13 +188,13 @@ def _nearest(sample: Index, square: Array, away: Array, n: int) -> Index:
     return found
 
 
-def _result(path: Path, points: Array, progress: Array, curve: Index, local: Array, feet: Array, distance: Array) -> FootPoint:
+def _result(path: CurveSequence, points: Array, progress: Array, curve: Index, local: Array, feet: Array, distance: Array) -> FootPoint:
     if not path.is_planar:
         return FootPoint(progress, feet, distance, np.full(distance.size, np.nan))
-    tangent = path._at(curve, local, 1)[1]
+    tangent = path.at(curve, local, 1)[1]
     span = np.diff(path.breaks)[curve]
     m = len(path.curves)
-    for at_end, shift, edge in ((local >= span, 1, path._starts), (local <= 0.0, -1, path._ends)):
+    for at_end, shift, edge in ((local >= span, 1, path.starts), (local <= 0.0, -1, path.ends)):
         other = curve + shift
         usable = at_end & (path.closed | ((other >= 0) & (other < m)))
         tangent = np.where(usable[:, None], tangent + edge[1][np.mod(other, m)], tangent)

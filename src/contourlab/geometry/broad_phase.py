@@ -1,4 +1,4 @@
-"""Which curves of a path may hold the closest point, by distances to their joints alone.
+"""Find the curves of a path that may hold the closest point, by distances to their junctions alone.
 
 Between two joints the path is no longer than its arc length. So a stretch of length L, whose ends are d and e away, comes nowhere closer
 than (d + e - L) / 2, and is left out where a joint is closer than that. Stretches are halved, the better half first, until single curves
@@ -12,25 +12,23 @@ from functools import cache
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
-from contourlab.geometry.path import Path
+from contourlab.geometry.curve import Array, Index
+from contourlab.geometry.curve_sequence import CurveSequence
 
-Array = NDArray[np.float64]
-Index = NDArray[np.int64]
 _FEW = 4
-"""Curves for each sample, on average, up to which all of them are looked at."""
+"""Curves for each sample, on average, up to which all are candidates."""
 _DEPTH = 128
 _SLACK = 1e-9
 """Metres by which arc lengths and distances may be off."""
 
 
-def curves_in_reach(path: Path, points: Array, around: Array, window: Array) -> tuple[Index, Index, Array, Array, Array]:
+def curves_in_reach(path: CurveSequence, points: Array, around: Array, window: Array) -> tuple[Index, Index, Array, Array, Array]:
     """Return pairs of a sample and a curve within its window on which the closest point may lie.
 
     Parameters
     ----------
-    path : Path
+    path : CurveSequence
     points : ndarray (n, n_axis) [m]
     around, window : ndarray (n,) [m]
         Progress along the path, and how far from it to look.
@@ -45,7 +43,7 @@ def curves_in_reach(path: Path, points: Array, around: Array, window: Array) -> 
     """
     first, last = around - window, around + window
     if path.closed:
-        # More than a lap on either side says nothing new.
+        # More than half a lap on either side adds nothing.
         first, last = np.maximum(first, around - 0.5 * path.length), np.minimum(last, around + 0.5 * path.length)
     else:
         first, last = np.clip(first, 0.0, path.length), np.clip(last, 0.0, path.length)
@@ -66,7 +64,7 @@ def curves_in_reach(path: Path, points: Array, around: Array, window: Array) -> 
     return sample, curve, lap.astype(float), low, high
 
 
-def _numbers(path: Path, s: Array) -> Index:
+def _numbers(path: CurveSequence, s: Array) -> Index:
     """Return the curve on which each arc length lies, counted on from lap to lap."""
     m = len(path.curves)
     lap = np.floor(s / path.length) if path.closed else np.zeros(s.size)
@@ -74,7 +72,7 @@ def _numbers(path: Path, s: Array) -> Index:
     return np.clip(curve, 0, m - 1) + (lap * m).astype(np.int64)
 
 
-def _searched(path: Path, points: Array, begin: Index, end: Index) -> tuple[Index, Index]:
+def _searched(path: CurveSequence, points: Array, begin: Index, end: Index) -> tuple[Index, Index]:
     joints, along = _joints(path)
     n, samples, numbers = len(points), [], []
     room, state = 4 * n + 64, np.zeros(2, dtype=np.int64)
@@ -90,11 +88,11 @@ def _searched(path: Path, points: Array, begin: Index, end: Index) -> tuple[Inde
     return np.concatenate(samples), np.concatenate(numbers)
 
 
-def _joints(path: Path) -> tuple[Array, Array]:
+def _joints(path: CurveSequence) -> tuple[Array, Array]:
     """Return where curves meet (m + 1, n_axis), and how long the path is up to there, gaps of joints included; made once."""
     held: Any = path.__dict__.get("_reach_joints")
     if held is None:
-        starts, ends = path._starts[0], path._ends[0]
+        starts, ends = path.starts[0], path.ends[0]
         gap = np.linalg.norm(np.roll(starts, -1, axis=0) - ends, axis=1)
         if not path.closed:
             gap[-1] = 0.0

@@ -1,4 +1,4 @@
-"""Stretches: what is driven from one stop to the next, and the samples along those that are not straight."""
+"""Segments from one stop to the next, and the samples along those that are not straight."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from contourlab.feed.limits import AxisLimits
-from contourlab.feed.pieces import FLAT, Nodes, Survey, chosen_nodes, look, nodes_of
+from contourlab.feed.pieces import FLAT, Nodes, Survey, look, nodes_of
 from contourlab.feed.route import Route
 
 Array = NDArray[np.float64]
@@ -18,7 +18,7 @@ Index = NDArray[np.intp]
 N_CURVE = 4  # intervals of a curve at least ...
 N_LONG = 96  # ... and for the sake of its length alone at most, ...
 N_RAMP = 12  # ... so many to the way in which full speed is reached
-CHUNK = 32_768  # samples looked at together
+CHUNK = 32_768  # samples per pass
 WINDOW = 1024  # curves sampled at once
 REST = 1e-4  # [m] least length that such a ramp counts with
 
@@ -212,13 +212,13 @@ def _window(route: Route, seen: Survey, limits: AxisLimits, gap: Array, curves: 
     for line in (True, False):
         here = (seen.kind[first.curve] == 0) == line
         if np.any(here):
-            found.append((_on_lines if line else _denser)(route, chosen_nodes(first, here), gap))
+            found.append((_on_lines if line else _denser)(route, Nodes(*(part[here] for part in first)), gap))
     order = np.argsort(np.concatenate([part.curve for part in found]), kind="stable")
     curve, place, tangent, second, third = (np.concatenate(part)[order] for part in zip(*found, strict=True))
     ceiling = route.feedrate[curve]
     for end, joint in ((1.0, curve), (0.0, curve - 1)):
         held = (place == end) & ~seen.meet.stop[joint]
-        ceiling = np.where(held, np.minimum(ceiling, seen.joint_speed[joint]), ceiling)
+        ceiling = np.where(held, np.minimum(ceiling, seen.junction_speed[joint]), ceiling)
     second[np.abs(second) < FLAT] = 0.0
     third[np.abs(third) < FLAT] = 0.0
     arc_length = np.asarray(route.path.breaks)[curve] + place * _lengths(route, curve)
@@ -226,7 +226,7 @@ def _window(route: Route, seen: Survey, limits: AxisLimits, gap: Array, curves: 
 
 
 def _joined(windows: list[list[NDArray[Any]]]) -> list[NDArray[Any]]:
-    """Put windows together, column by column, and let go of each as it is done."""
+    """Concatenate windows column by column, and free each column when it is done."""
     columns = []
     for _ in range(len(windows[0])):
         parts = [window.pop(0) for window in windows]

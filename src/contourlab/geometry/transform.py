@@ -1,20 +1,18 @@
-"""Curves made from curves: run backwards, and with ends moved by a little."""
+"""Reverse curves, and move their ends by a little."""
 
 from __future__ import annotations
 
 from functools import singledispatch
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from contourlab.errors import GeometryError
 from contourlab.geometry.arc import Arc
 from contourlab.geometry.conics import EllipticalArc
-from contourlab.geometry.curve import Curve, vector
+from contourlab.geometry.curve import Array, Curve, vector
 from contourlab.geometry.line import Line
 from contourlab.geometry.nurbs import BSpline, Nurbs
-
-Array = NDArray[np.float64]
 
 
 class _Backwards(Curve):
@@ -125,7 +123,7 @@ def _(curve: EllipticalArc, start: Array, end: Array, move: Array) -> Curve:
 
 
 def _greville(curve: BSpline | Nurbs) -> Array:
-    """Return how far along the parameter each control point stands, 0 at the start, 1 at the end of the curve."""
+    """Return the relative parameter of each control point (Greville abscissa), 0 at the start, 1 at the end of the curve."""
     sums = np.cumsum(np.concatenate([[0.0], curve.knots[1:-1]]))
     middle = (sums[curve.degree :] - sums[: -curve.degree]) / curve.degree
     return np.asarray((middle - curve.first) / (curve.last - curve.first))[:, None]

@@ -19,12 +19,12 @@ ALONG = 2e-7
 """A tangent [rad] this near to a chord is the chord's."""
 _NODES, _WEIGHTS = np.polynomial.legendre.leggauss(8)
 BLOCK = 4096
-"""Chords looked at together: enough to be quick, few enough to need little memory."""
+"""Chords per pass: enough to be quick, few enough to need little memory."""
 _INSIDE = np.linspace(0.0, 1.0, 9)[1:-1]
 
 
 @dataclass(frozen=True, eq=False)
-class Laid:
+class FittedSpline:
     """A spline along points, or a line from one to the next.
 
     Attributes
@@ -33,30 +33,30 @@ class Laid:
         Control points and knots; of a line its ends, and none.
     at : ndarray (n,)
         The parameter that each point has.
-    far : float [m]
-        Largest distance of a point from there.
+    deviation : float [m]
+        Largest distance of a point from the curve at that parameter.
     """
 
     degree: int
     points: Array
     knots: Array
     at: Array
-    far: float
+    deviation: float
 
     @cached_property
     def curve(self) -> Curve:
-        """The curve by its arc length; a GeometryError if it stands still somewhere."""
+        """The curve by its arc length; a GeometryError if it has a cusp."""
         if not self.knots.size:
             return Line(self.points[0], self.points[1])
         return BSpline(self.degree, self.points, self.knots)
 
     def values(self, chords: slice, parts: Array, order: int = 0) -> Array:
         """Return places, or derivatives by the parameter, at parts of the intervals between points (n_chord, n_part, n_axis)."""
-        from scipy.interpolate import BSpline as Evaluated
+        from scipy.interpolate import BSpline as ScipySpline
 
         at = self.at[chords.start : chords.stop + 1]
         u = np.clip(at[:-1, None] + parts * np.diff(at)[:, None], self.at[0], self.at[-1])
-        spline = Evaluated.construct_fast(self.knots, self.points, self.degree)
+        spline = ScipySpline.construct_fast(self.knots, self.points, self.degree)
         return np.asarray(spline(u, nu=order))
 
     def strays(self, points: Array) -> tuple[Array, NDArray[np.bool_]]:
@@ -76,8 +76,8 @@ class Laid:
         return away, against
 
 
-def interpolated(points: Array, ends: Ends, periodic: bool = False) -> Laid:
-    """Lay a curve through points.
+def interpolated(points: Array, ends: Ends, periodic: bool = False) -> FittedSpline:
+    """Fit a curve through points.
 
     Parameters
     ----------
@@ -97,12 +97,12 @@ def interpolated(points: Array, ends: Ends, periodic: bool = False) -> Laid:
         chord = points[1] - points[0]
         chord = chord / np.linalg.norm(chord)
         if all(end is None or np.linalg.norm(end - chord) < ALONG for end in ends):
-            return Laid(1, points, np.empty(0), np.array([0.0, 1.0]), 0.0)
+            return FittedSpline(1, points, np.empty(0), np.array([0.0, 1.0]), 0.0)
     at = _arc_lengths(points, ends, periodic)
     return _measured(*_spline(points, at, ends, periodic), points, at)
 
 
-def doubts(points: Array, periodic: bool) -> Array:
+def disagreement(points: Array, periodic: bool) -> Array:
     """Return, for each chord (n - 1,), by how much a quintic and a cubic spline through the points differ there, in terms of their bulge.
 
     Where the points are dense enough for their curve the two agree; where one swings, the other swings otherwise.
@@ -130,11 +130,11 @@ def _across(vectors: Array, direction: Array) -> Array:
     return np.asarray(vectors - np.einsum("ij,ij->i", vectors, direction)[:, None] * direction)
 
 
-def _measured(degree: int, coefficients: Array, knots: Array, points: Array, at: Array) -> Laid:
-    from scipy.interpolate import BSpline as Evaluated
+def _measured(degree: int, coefficients: Array, knots: Array, points: Array, at: Array) -> FittedSpline:
+    from scipy.interpolate import BSpline as ScipySpline
 
-    away = np.linalg.norm(Evaluated.construct_fast(knots, coefficients, degree)(at) - points, axis=1)
-    return Laid(degree, coefficients, knots, at, float(away.max()))
+    away = np.linalg.norm(ScipySpline.construct_fast(knots, coefficients, degree)(at) - points, axis=1)
+    return FittedSpline(degree, coefficients, knots, at, float(away.max()))
 
 
 def _chords(points: Array) -> Array:
@@ -189,7 +189,7 @@ def _arc_lengths(points: Array, ends: Ends, periodic: bool) -> Array:
     return np.concatenate([[0.0], np.cumsum(half * speed)])
 
 
-def smoothed(points: Array, tolerance: float, ends: Ends, periodic: bool) -> Laid | None:
+def smoothed(points: Array, tolerance: float, ends: Ends, periodic: bool) -> FittedSpline | None:
     """Return the smoothest of a row of splines that stays within the tolerance [m] of the points; None where none does."""
     from scipy.interpolate import splprep  # make_splprep, its successor, knows closed curves only in the newest versions
 
@@ -202,13 +202,13 @@ def smoothed(points: Array, tolerance: float, ends: Ends, periodic: bool) -> Lai
     budget = len(points) * tolerance**2
     for halving in range(24):
         with warnings.catch_warnings():
-            warnings.simplefilter("ignore")  # it says that it came no closer: what it came to is measured here
+            warnings.simplefilter("ignore")  # it warns of a distance that is measured here
             (knots, rows, _), _ = splprep(list(points.T), w=weights, u=at, k=DEGREE, s=budget * 0.5**halving, per=periodic)
         coefficients, knots = np.array(rows).T, np.asarray(knots)
         if not periodic:
             coefficients[[0, -1]] = points[[0, -1]]
             coefficients = _pinned(coefficients, ends)
         found = _measured(DEGREE, coefficients, knots, points, at)
-        if found.far <= tolerance:
+        if found.deviation <= tolerance:
             return found
     return None

@@ -1,4 +1,4 @@
-"""From v^2 at samples to a motion, and the look at what it demands: recursions along the samples of stretches, as in `kernels`.
+"""Turn v^2 at samples into a motion, and check what it demands: recursions along the samples of stretches, as in `kernels`.
 
 They are compiled by `contourlab.native.door`, and run as plain Python as well.
 """
@@ -156,7 +156,7 @@ def demand(
     arc_length, tangent, second, third, ceiling, begin, spans, begin_span, velocity, acceleration, jerk, per_span, allowed, watched, here,
     worst, peak, faults, count
 ):  # fmt: skip
-    """Look at a motion in every span and at every sample.
+    """Check a motion in every span and at every sample.
 
     Parameters
     ----------
@@ -168,11 +168,11 @@ def demand(
     velocity, acceleration, jerk (n_axis,)
         The inverses of the limits.
     per_span
-        Places looked at in each span, both ends among them.
+        Places checked in each span, both ends among them.
     allowed
-        Part of a limit that is no fault.
+        Part of a limit that counts as kept.
     watched (n,)
-        Zero at samples after which nothing is to be looked at.
+        Zero at samples after which nothing is checked.
     here (3, 1, n_axis), worst (4,)
         Working memory.
     peak (n_stretch,)

@@ -1,0 +1,25 @@
+"""Packages of extras: imported when they are needed, and named when they are missing."""
+
+from __future__ import annotations
+
+from importlib import import_module
+from typing import Any
+
+from contourlab.errors import MissingPackageError
+
+EXTRAS = {"cvxpy": "design", "ezdxf": "cad", "svgelements": "cad", "pyarrow": "parquet", "pyarrow.parquet": "parquet"}
+"""Which extra installs a module."""
+
+
+def extra_module(name: str) -> Any:
+    """Import a module of an extra.
+
+    Raises
+    ------
+    MissingPackageError
+        If it is not installed.
+    """
+    try:
+        return import_module(name)
+    except ModuleNotFoundError as error:
+        raise MissingPackageError(name.partition(".")[0], EXTRAS[name]) from error
