@@ -34,20 +34,52 @@ class RunOutcome:
     runaway: DivergenceError | None = None
 
 
+@dataclass(frozen=True)
+class RunOptions:
+    """Options that run, compare and learn share.
+
+    Attributes
+    ----------
+    out : Path
+        Folder of the results.
+    plugins : tuple of Path
+        Python files with components.
+    plots : tuple of str
+        Formats of further plots: png, svg, pdf.
+    signals : tuple of str
+        Signals to write; by default those of the scenario, or all.
+    progress : bool
+        Whether to show a bar.
+    interval : bool or None
+        Whether to compute the interval of the contour error from the stated deviations; None: where it is quick.
+    """
+
+    out: Path
+    plugins: tuple[Path, ...] = ()
+    plots: tuple[str, ...] = ()
+    signals: tuple[str, ...] = ()
+    progress: bool = False
+    interval: bool | None = None
+
+    def command(self, name: str, file: str | Path, options: Mapping[str, Any]) -> str:
+        """Return the command as typed; options that are None are left out."""
+        words = ["contourlab", name, str(file), *(word for plugin in self.plugins for word in ("--plugin", str(plugin)))]
+        for option, value in options.items():
+            words += [] if value is None else [option] if isinstance(value, bool) else [option, str(value)]
+        if self.interval is not None:
+            words.append("--interval" if self.interval else "--no-interval")
+        return shlex.join(words)
+
+
 def run_scenario(
     file: str | Path,
-    out: str | Path,
+    options: RunOptions,
     *,
     machine: str | Path | None = None,
     controller: str | Path | None = None,
     tolerance: str | None = None,
-    options: Mapping[str, Any] | None = None,
-    plugins: Sequence[str | Path] = (),
+    program: Mapping[str, Any] | None = None,
     check: bool = False,
-    plots: Sequence[str] = (),
-    signals: Sequence[str] = (),
-    progress: bool = False,
-    interval: bool | None = None,
 ) -> RunOutcome:
     """Run a scenario file, or a part program with a machine and a controller.
 
@@ -55,52 +87,27 @@ def run_scenario(
     ----------
     file : str or Path
         ``.toml``: a scenario; anything else is a part program.
-    out : str or Path
-        Folder of the results.
+    options : RunOptions
     machine, controller : str or Path, optional
         Files, or names of shipped ones; a part program needs both.
     tolerance : str, optional
         Largest part error of a part program that passes, as ``"25 um"``.
-    options : mapping, optional
+    program : mapping, optional
         Further keys of the table ``program``, as ``{"fit": True}``.
-    plugins : sequence of str or Path
-        Python files with components.
     check : bool
         Read and check everything and plan the motion, without simulating.
-    plots : sequence of str
-        Formats of further plots: png, svg, pdf.
-    signals : sequence of str
-        Signals to write; by default those of the scenario, or all.
-    progress : bool
-        Whether to show a bar.
-    interval : bool, optional
-        Whether to compute the interval of the contour error from the stated deviations; by default where it is quick.
     """
     from contourlab.scenario import BUILTIN
 
-    path = Path(file)
-    options = options or {}
+    path, keys = Path(file), program or {}
     parts: dict[str, Any] = {"--machine": machine, "--controller": controller, "--tolerance": tolerance}
-    parts |= {_option(name, value): value for name, value in options.items()}
+    parts |= {_option(name, value): value for name, value in keys.items()}
     shipped = str(file).startswith(BUILTIN) and path.suffix != ".ngc"
     if shipped or path.suffix.lower() == ".toml":
-        scenario = _from_scenario(path, parts, options, plugins)
+        scenario = _from_scenario(path, parts, keys, options.plugins)
     else:
-        scenario = _from_program(path, machine, controller, tolerance, options, plugins)
-    if check:
-        return _checked(scenario)
-    words = ["contourlab", "run", str(file)]
-    words += [word for file in plugins for word in ("--plugin", str(file))]
-    for option, value in parts.items():
-        words += [] if value is None else [option] if isinstance(value, bool) else [option, str(value)]
-    words += interval_words(interval)
-    rest: dict[str, Any] = {"plots": plots, "signals": signals, "progress": progress, "interval": interval}
-    return run_session(scenario, out, command=shlex.join(words), **rest)
-
-
-def interval_words(interval: bool | None) -> list[str]:
-    """Return the option for the interval as typed."""
-    return [] if interval is None else ["--interval" if interval else "--no-interval"]
+        scenario = _from_program(path, machine, controller, tolerance, keys, options.plugins)
+    return _checked(scenario) if check else run_session(scenario, options, command=options.command("run", file, parts))
 
 
 def _option(name: str, value: Any) -> str:
@@ -194,22 +201,11 @@ def _checked(scenario: Scenario) -> RunOutcome:
     return RunOutcome(True, {"checked": scenario.name, "schemes": schemes}, "\n".join(lines))
 
 
-def run_session(
-    scenario: Scenario,
-    out: str | Path,
-    *,
-    command: str,
-    plots: Sequence[str] = (),
-    signals: Sequence[str] = (),
-    progress: bool = False,
-    costs: bool = False,
-    foretell: bool = False,
-    interval: bool | None = None,
-) -> RunOutcome:
+def run_session(scenario: Scenario, options: RunOptions, *, command: str, costs: bool = False, foretell: bool = False) -> RunOutcome:
     """Run every scheme of a scenario; write signals, summary.json, report.html and plots into a folder.
 
     A scheme that diverges is named in the summary; the others run on. `costs` times the servo tick, `foretell` analyses learning
-    beforehand, `interval` as of `run_scenario`.
+    beforehand.
 
     Raises
     ------
@@ -218,7 +214,8 @@ def run_session(
     DivergenceError
         If every scheme diverges; nothing is written then.
     """
-    _check_choices(plots, signals)
+    out, signals = options.out, options.signals
+    _check_choices(options.plots, signals)
     cases = scenario.cases()
     names = file_names([case.name for case in cases])
     outputs = ["summary.json", "report.html", *(f"signals/{name}.nc" for name in names.values())]
@@ -226,12 +223,11 @@ def run_session(
     with staged(out, *outputs, inputs=scenario.inputs) as folder:
         outcomes: list[Outcome] = []
         diverged: dict[str, DivergenceError] = {}
-        with shown(progress) as stages:
+        with shown(options.progress) as stages:
             for case in cases:
                 try:
-                    outcomes.append(
-                        run_case(case, progress=stages.advance, stage=stages.begin, costs=costs, foretell=foretell, interval=interval)
-                    )
+                    asked: dict[str, Any] = {"costs": costs, "foretell": foretell, "interval": options.interval}
+                    outcomes.append(run_case(case, progress=stages.advance, stage=stages.begin, **asked))
                 except DivergenceError as error:
                     diverged[case.name] = error
                 if outcomes and _interrupted(outcomes[-1]):
@@ -250,12 +246,12 @@ def run_session(
             summary = summary_of(scenario.name, outcomes, command, diverged)
             write_text_atomic(folder / "summary.json", json.dumps(summary, indent=2, allow_nan=False) + "\n")
             stages.begin("writing the report")
-            table = _write_report(scenario, outcomes, folder, command, plots)
+            text = _write_report(scenario, outcomes, folder, command, options.plots)
     if any(_interrupted(outcome) for outcome in outcomes):
         stopped = KeyboardInterrupt()
-        stopped.add_note(f"Kept what was learned so far: {Path(out) / 'report.html'}, {Path(out) / 'learned'}")
+        stopped.add_note(f"Kept what was learned so far: {out / 'report.html'}, {out / 'learned'}")
         raise stopped
-    return RunOutcome(summary["passed"] is not False, summary, f"{table}\nreport: {Path(out) / 'report.html'}", first)
+    return RunOutcome(summary["passed"] is not False, summary, f"{text}\n\nreport: {out / 'report.html'}", first)
 
 
 def _interrupted(outcome: Outcome) -> bool:

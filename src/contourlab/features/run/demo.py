@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import Any
 
 from contourlab.app.folder import staged
-from contourlab.features.run.command import RunOutcome, interval_words, run_session
+from contourlab.features.run.command import RunOptions, RunOutcome, run_session
 from contourlab.figures import figure, number
 from contourlab.report.table import Column, Table
 from contourlab.result import write_text_atomic
@@ -25,27 +25,15 @@ DEMOS = {
 def run_demo(out: str | Path, *, progress: bool = False, interval: bool | None = None) -> RunOutcome:
     """Run the demonstration: a folder for each part, an index page and a summary of the whole.
 
-    Parameters
-    ----------
-    out : str or Path
-        Folder of the results.
-    progress : bool
-        Whether to show a bar.
-    interval : bool, optional
-        As of `contourlab.features.run.command.run_scenario`.
-
-    Returns
-    -------
-    RunOutcome
-        Passed when the last (best) scheme of every part is within its tolerance.
+    The outcome has passed when the last (best) scheme of every part is within its tolerance. Parameters are those of `RunOptions`.
     """
     folder = Path(out)
     titles, tables, summaries = {}, {}, {}
     with staged(folder, "summary.json", "report.html") as stage:
         for name, shipped in DEMOS.items():
             scenario = load_scenario(builtin_file(shipped))
-            command = " ".join(["contourlab", "run", f"builtin:{shipped}", *interval_words(interval)])
-            outcome = run_session(scenario, folder / name, command=command, progress=progress, interval=interval)
+            options = RunOptions(folder / name, progress=progress, interval=interval)
+            outcome = run_session(scenario, options, command=options.command("run", f"builtin:{shipped}", {}))
             titles[name], tables[name], summaries[name] = scenario.name, outcome.table, outcome.summary
         passed = all(_last(summary)["verdict"]["passed"] for summary in summaries.values())
         summary: dict[str, Any] = {"schema": "contourlab-demo/1", "passed": passed, "parts": summaries}
