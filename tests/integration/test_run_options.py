@@ -86,7 +86,7 @@ def test_the_lines_for_a_drawing_run_as_they_are(contourlab: Run, tmp_path: Path
     write(tmp_path, said.err.split("run that:")[1], "ring.toml")
     done = contourlab("run", "ring.toml", "--check")
     assert done.code == 0, done.err
-    assert "62.8319 mm of path" in done.out
+    assert "62.8319 mm" in done.out
 
 
 @pytest.mark.skipif(os.name == "nt", reason="a terminal of its own is made as POSIX has it")

@@ -21,7 +21,7 @@ def comparison_text(data: ReportData, width: int | None = None) -> str:
     for row in comparison.rows:
         label = f"{row.label} [{row.unit}]" if row.unit else row.label
         table.add(label, *(cell.text for cell in row.cells), *([row.change.text] if comparison.has_change else []))
-    notes = [comparison.note, *(f"Note: {note}" for note in comparison.notes)]
+    notes = [comparison.note, *(f"note: {note}" for note in comparison.notes)]
     return f"{table.text(width)}\n\n{paragraphs(filter(None, notes), width)}"
 
 

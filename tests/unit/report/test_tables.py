@@ -103,5 +103,5 @@ def test_a_measured_run_says_what_its_encoders_do_not(circle):
 
 def test_notes_stand_below_the_table_as_they_are(circle):
     noted = replace(circle, notes=("one and two are equal: are they?", "the path is *scaled*"))
-    assert comparison_text(noted).splitlines()[-2:] == ["Note: one and two are equal: are they?", "Note: the path is *scaled*"]
+    assert comparison_text(noted).splitlines()[-2:] == ["note: one and two are equal: are they?", "note: the path is *scaled*"]
     assert comparison_markdown(noted).endswith("Note: one and two are equal: are they?\n\nNote: the path is \\*scaled\\*\n")

@@ -45,7 +45,5 @@ def run(
     }
     given = {name: value for name, value in program.items() if value is not None}
     options = options_of(out, as_json, plugin, plots, signals, interval)
-    outcome = run_scenario(
-        file, options, machine=machine, controller=controller, tolerance=tolerance, program=given, check=check
-    )
+    outcome = run_scenario(file, options, machine=machine, controller=controller, tolerance=tolerance, program=given, check=check)
     return conclude(outcome, as_json)

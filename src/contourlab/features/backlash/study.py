@@ -317,6 +317,7 @@ def _conclusions(axes: Mapping[str, AxisGap], others: list[str]) -> Iterator[Fin
 
 def _toml(parts: Mapping[str, Component], machine: Machine) -> str:
     """Return the compensation as TOML."""
+
     def units(name: str) -> tuple[str, str]:
         plant = machine.axis(name).plant
         return plant.command_unit, plant.force_unit

@@ -6,12 +6,13 @@ import math
 import time
 from collections.abc import Callable
 from dataclasses import dataclass, field
+from functools import partial
 from typing import Literal
 
 import numpy as np
 from numpy.typing import NDArray
 
-from contourlab.components.learning.law import LearningLaw
+from contourlab.components.learning.law import LearningLaw, LearningProblem
 from contourlab.errors import ParameterError, ResultError
 from contourlab.features.learn.split import Growth, Memory, Split, growth_of
 from contourlab.features.learn.stopping import Stop, Stopping, best_of, verdict
@@ -89,13 +90,54 @@ class LearningRun:
 
 @dataclass(eq=False)
 class _Course:
-    """What is kept while the trials run."""
+    """State of learning while the trials run."""
 
+    runner: Trials
+    law: LearningLaw
+    part: Part
     memory: Memory
     figures: list[TrialFigures] = field(default_factory=list)
     best_table: Array | None = None
     first: tuple[Array, Array] | None = None
     best: tuple[Array, Array] | None = None
+
+    def note(self, run: Trial, i: int, table: Array) -> None:
+        """Add a trial."""
+        figures = figures_of(i, run, self.runner)
+        if run.status.ok and self.part == "all" and math.isnan(figures.part_max):
+            figures = figures.having(part_max=part_error(run.tool, self.runner))
+        self.figures.append(figures)
+        if i == 0 or (run.status.ok and best_of(self.figures) == i):
+            kept = (run.tool, run.contour_error)
+            self.first = self.first or kept
+            self.best, self.best_table = kept, table
+
+    def ended(self, stop: Stop, problem: LearningProblem, began: float) -> LearningRun:
+        """Return the result."""
+        assert self.first is not None
+        assert self.best is not None
+        assert self.best_table is not None
+        runner, figures, best = self.runner, self.figures, best_of(self.figures)
+        if self.part == "ends":
+            for i, (tool, _) in ((0, self.first), (best, self.best)):
+                if not figures[i].failed and math.isnan(figures[i].part_max):
+                    figures[i] = figures[i].having(part_max=part_error(tool, runner))
+        status, growth, findings = stop.status, None, [stop.finding]
+        if figures[-1].saturated:
+            findings.append(finding("CL307", samples=figures[-1].saturated))
+        if status == "diverged":
+            status += ", no trial came to its end" if figures[best].failed else f", rolled back to trial {best}"
+            growth = growth_of(self.memory.tracking, runner.machine.servo_period, runner.machine.axis_names)
+        elif status == "interrupted":
+            status += f", trial {best} kept"
+        if growth is not None:
+            band = {"low": growth.low, "high": growth.high, "peak": growth.peak, "factor": growth.factor}
+            findings.append(finding("CL309", place=f"axis {growth.axis}", **band))
+        table = LearnedTable.of(self.best_table.copy(), runner.machine, runner.controller, runner.reference, self.law, _columns(figures))
+        positions, contours = zip(self.first, self.best, strict=True)
+        times = (time.perf_counter() - began, runner.engine_seconds, runner.judge_seconds)
+        split = self.memory.split(self.law, problem)
+        return LearningRun(status, tuple(findings), tuple(figures), best, table, split, growth, *positions, *contours, *times)
 
 
 def learn(
@@ -163,23 +205,25 @@ def learn(
     problem = learning_problem(machine, controller, reference, law.target, runner.arc_length)
     beforehand = feedforward_command(machine, controller, reference, jit=jit)
     nothing = np.zeros((reference.n_sample, reference.n_axis))
-    course = _Course(Memory(settings.patience))
+    course = _Course(runner, law, part, Memory(settings.patience))
 
-    def run_all(table: Array) -> Stop | None:
+    def run_all(table: Array) -> Stop:
         for i in range(trials + 1):
-            run = runner.run(table, i, None if progress is None else _counted(progress, i * reference.n_sample))
+            report = None if progress is None else partial(_report_trial, progress, i * reference.n_sample)
+            run = runner.run(table, i, report)
             record = record_of(run, runner, table if law.target == "command" else nothing, beforehand)
-            _note(course, run, runner, i, table, part, reference)
+            course.note(run, i, table)
             if run.status.ok:
                 course.figures[-1] = course.figures[-1].having(change=course.memory.change(record.tracking_error, runner.window))
                 course.memory.add(record.feedback_command, record.tracking_error, run.contour_error)
             if on_trial is not None:
                 on_trial(course.figures[-1])
             stop = verdict(course.figures, settings, settings.explained and course.memory.explained())
-            if stop is not None or i == trials:
+            if stop is not None:
                 return stop
-            table = law.update(table, record, problem)
-        return None
+            if i < trials:
+                table = law.update(table, record, problem)
+        return Stop("trials used up", finding("CL300", trials=trials))
 
     try:
         stop = run_all(nothing if start is None else start.values)
@@ -187,9 +231,11 @@ def learn(
         if course.best is None:
             raise
         stop = Stop("interrupted", finding("CL308", trial=len(course.figures) - 1))
-    growth = growth_of(course.memory.tracking, machine.servo_period, machine.axis_names) if stop and stop.status == "diverged" else None
-    split = course.memory.split(law, problem)
-    return _ended(course, stop, growth, split, runner, law, part, began)
+    return course.ended(stop, problem, began)
+
+
+def _report_trial(progress: Callable[[int], None], before: int, done: int) -> None:
+    progress(before + done)
 
 
 def _check_start(start: LearnedTable | None, law: LearningLaw, machine: Machine, controller: Controller, reference: Reference) -> None:
@@ -207,59 +253,6 @@ def _check_reach(law: LearningLaw, reference: Reference) -> None:
         raise ParameterError("half_width", f"{known['half_width']:g}", f"less than half of the {n} samples of a trial")
     if known.get("lead", 0.0) >= n * period:
         raise ParameterError("lead", f"{known['lead']:g} s", f"less than the {n * period:.4g} s that a trial takes")
-
-
-def _counted(progress: Callable[[int], None], before: int) -> Callable[[int], None]:
-    return lambda done: progress(before + done)
-
-
-def _note(course: _Course, run: Trial, runner: Trials, i: int, table: Array, part: Part, reference: Reference) -> None:
-    """Add a trial to the course of learning."""
-    figures = figures_of(i, run, runner)
-    if run.status.ok and part == "all" and math.isnan(figures.part_max):
-        figures = figures.having(part_max=part_error(run.tool, runner, reference))
-    course.figures.append(figures)
-    if i == 0 or (run.status.ok and best_of(course.figures) == i):
-        kept = (run.tool, run.contour_error)
-        course.first = course.first or kept
-        course.best, course.best_table = kept, table
-
-
-def _ended(
-    course: _Course,
-    stop: Stop | None,
-    growth: Growth | None,
-    split: Split | None,
-    runner: Trials,
-    law: LearningLaw,
-    part: Part,
-    began: float,
-) -> LearningRun:
-    assert course.first is not None
-    assert course.best is not None
-    assert course.best_table is not None
-    figures, best = course.figures, best_of(course.figures)
-    if part == "ends":
-        for i, (tool, _) in ((0, course.first), (best, course.best)):
-            if not figures[i].failed and math.isnan(figures[i].part_max):
-                figures[i] = figures[i].having(part_max=part_error(tool, runner, runner.reference))
-    if stop is None:
-        stop = Stop("trials used up", finding("CL300", trials=len(figures) - 1))
-    status = stop.status
-    if status == "diverged":
-        status += ", no trial came to its end" if figures[best].failed else f", rolled back to trial {best}"
-    elif status == "interrupted":
-        status += f", trial {best} kept"
-    findings = [stop.finding]
-    if figures[-1].saturated:
-        findings.append(finding("CL307", samples=figures[-1].saturated))
-    if growth is not None:
-        band = {"low": growth.low, "high": growth.high, "peak": growth.peak, "factor": growth.factor}
-        findings.append(finding("CL309", place=f"axis {growth.axis}", **band))
-    table = LearnedTable.of(course.best_table.copy(), runner.machine, runner.controller, runner.reference, law, _columns(figures))
-    times = (time.perf_counter() - began, runner.engine_seconds, runner.judge_seconds)
-    positions, contours = zip(course.first, course.best, strict=True)
-    return LearningRun(status, tuple(findings), tuple(figures), best, table, split, growth, *positions, *contours, *times)
 
 
 def _columns(figures: list[TrialFigures]) -> dict[str, Array]:

@@ -106,14 +106,14 @@ def record_of(run: Trial, trials: Trials, table: Array, beforehand: Array) -> Tr
     return TrialRecord(trials.position - run.measured, feedback, run.excess, run.contour_vector)
 
 
-def part_error(tool: Array, trials: Trials, reference: Reference) -> float:
+def part_error(tool: Array, trials: Trials) -> float:
     """Return the largest distance [m] of the tool's positions (n_sample, n_axis) from the programmed path, over the samples that count."""
     signals = {
         "tool_position": Signal(tool, ("sample", "axis"), "m"),
         "reference": Signal(trials.position, ("sample", "axis"), "m"),
         "arc_length": Signal(trials.arc_length, ("sample",), "m"),
     }
-    judged = judge(Result("trial", trials.machine.axis_names, trials.machine.servo_period, signals), reference)
+    judged = judge(Result("trial", trials.machine.axis_names, trials.machine.servo_period, signals), trials.reference)
     return float(np.abs(judged["part_error"][slice(*trials.window)]).max())
 
 

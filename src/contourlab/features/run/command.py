@@ -184,9 +184,7 @@ def refuse_drawing(file: str | Path, machine: str | Path | None = None, controll
         'feedrate = "1000 mm/min"',
     ]
     raise ScenarioError(
-        f"{what}, not a part program: write a scenario, say {path.stem}.toml, and run that:\n\n"
-        + "\n".join(lines)
-        + "\n",
+        f"{what}, not a part program: write a scenario, say {path.stem}.toml, and run that:\n\n" + "\n".join(lines) + "\n",
         file=path,
     )
 

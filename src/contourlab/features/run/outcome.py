@@ -231,6 +231,7 @@ def _unreached(name: str, supervisor: PreRouted, reference: Reference) -> Iterat
     if beyond:
         yield finding("CL103", place=f"axis {name}", place_at=beyond[0], end=end)
 
+
 def _foretold(case: Case) -> LearningAnalysis | None:
     """Analyse learning before it begins; None without a linear model."""
     assert case.learning is not None

@@ -92,7 +92,5 @@ def _with_settings(scenario: Scenario, trials: int | None, table: Path | None = 
     if trials is not None and trials < 1:
         raise ParameterError("--trials", f"{trials}", "1 or more")
     given: dict[str, Any] = {name: value for name, value in (("trials", trials), ("table", table)) if value is not None}
-    cases = (
-        case if case.learning is None else replace(case, learning=replace(case.learning, **given)) for case in scenario.cases()
-    )
+    cases = (case if case.learning is None else replace(case, learning=replace(case.learning, **given)) for case in scenario.cases())
     return replace(scenario, all_cases=tuple(cases)) if given else scenario

@@ -69,7 +69,8 @@ def _scheme(outcome: Outcome) -> dict[str, Any]:
         "switches": _switches(outcome.switches) if outcome.switches is not None else None,
         "margins": {axis: bode.margins for axis, bode in outcome.bode.items()},
         "limits": _limits(outcome.limits, result.axes) if outcome.limits else None,
-        "learning": learning and {
+        "learning": learning
+        and {
             "status": learning.status,
             "reason": learning.reason,
             "best_trial": learning.best,

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import replace
+from typing import Any
 
 from contourlab.components.contract import Component
 from contourlab.components.friction.none import NoFriction
@@ -21,23 +22,23 @@ def perfect_geometry(machine: Machine) -> Machine:
 
 def perfect_sensing(machine: Machine) -> Machine:
     """Return the machine with ideal encoders."""
-    if all(isinstance(sensor, IdealSensor) for a in machine.axes for sensor in (a.sensor, a.motor_sensor)):
-        return machine
-    return replace(machine, axes=tuple(replace(a, sensor=IdealSensor(), motor_sensor=IdealSensor()) for a in machine.axes))
+    return _with_parts(machine, sensor=IdealSensor(), motor_sensor=IdealSensor())
 
 
 def undisturbed(machine: Machine) -> Machine:
     """Return the machine without external loads."""
-    if all(a.disturbance is None for a in machine.axes):
-        return machine
-    return replace(machine, axes=tuple(replace(a, disturbance=None) for a in machine.axes))
+    return _with_parts(machine, disturbance=None)
 
 
 def without_friction(machine: Machine) -> Machine:
     """Return the machine without friction."""
-    if all(isinstance(friction, NoFriction) for a in machine.axes for friction in (a.friction, a.motor_friction)):
+    return _with_parts(machine, friction=NoFriction(), motor_friction=NoFriction())
+
+
+def _with_parts(machine: Machine, **parts: Any) -> Machine:
+    if all(getattr(axis, slot) == part for axis in machine.axes for slot, part in parts.items()):
         return machine
-    return replace(machine, axes=tuple(replace(a, friction=NoFriction(), motor_friction=NoFriction()) for a in machine.axes))
+    return replace(machine, axes=tuple(replace(axis, **parts) for axis in machine.axes))
 
 
 def without_backlash(machine: Machine, controller: Controller) -> tuple[Machine, Controller]:

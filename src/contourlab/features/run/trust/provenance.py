@@ -82,9 +82,7 @@ def _component(head: str, part: Component | None, units: tuple[str, str], *, dra
         yield _number(f"{head}.{name}", value, parameter.unit, parameter.display, origin, varied)
 
 
-def _number(
-    name: str, value: float | tuple[float, ...], unit: str, display: str, origin: Origin | None, simulated: bool = False
-) -> Number:
+def _number(name: str, value: float | tuple[float, ...], unit: str, display: str, origin: Origin | None, simulated: bool = False) -> Number:
     if origin is None:
         return Number(name, value, unit, display, simulated=simulated)
     drawn = simulated and origin.uncertain
