@@ -14,7 +14,6 @@ from two_mass_reference import Reference
 from two_mass_rig import DRIVE, NONE, Drive, energy
 
 from contourlab.analysis.backlash.exact_simulation import simulate_exact
-from contourlab.analysis.backlash.mode_flow import Motion
 from contourlab.components.friction.coulomb import Coulomb
 from contourlab.components.plant.two_inertia import COARSEST, TwoInertia
 from contourlab.papers.shahin.two_inertia_loop import Feedback, TwoInertias, two_inertia_loop
@@ -93,7 +92,7 @@ def test_the_order_is_four_against_matrix_exponentials_between_exact_instants(da
     motor, load = 1.0 / d.motor_mobility, 1.0 / d.load_mobility
     drive = TwoInertias(motor, load, d.stiffness_value, d.half_gap, motor * d.motor_decay, load * d.load_decay, d.damper_value)
     loop = two_inertia_loop(drive, Feedback((0.0,) * 4, (1.0, 0.0, 0.0)))
-    exact = simulate_exact(loop, (0.0, 0.06, 0.0, -0.02), 0.04, Motion.constant(push))
+    exact = simulate_exact(loop, (0.0, 0.06, 0.0, -0.02), 0.04, push)
     assert len(exact.times) >= 3
     errors = []
     for n in SUBSTEPS:

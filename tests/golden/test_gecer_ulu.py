@@ -27,8 +27,7 @@ from contourlab.papers.gecer_ulu.setup import (
     rms,
     turning_points,
 )
-from contourlab.scenario import BUILTIN, builtin_file, load_scenario
-from contourlab.scenario.features import chosen
+from contourlab.scenario import BUILTIN, builtin_file, chosen, load_scenario
 
 Array = NDArray[np.float64]
 T_X, T_Y = 10e-3, 10e-3 / 0.2651

@@ -11,7 +11,7 @@ import pytest
 
 from contourlab.cli.main import main
 from contourlab.result import Result
-from contourlab.scenario import builtin_names, load_scenario, parse_scenario
+from contourlab.scenario import builtin_names, dump, load_scenario, parse_scenario
 
 RUN = """\
 name = "circle"
@@ -121,7 +121,7 @@ def test_the_page_tells_it(done: tuple[Path, dict[str, Any]]) -> None:
 
 def test_the_report_holds_a_scenario_that_reads_back_with_its_deviations(done: tuple[Path, dict[str, Any]]) -> None:
     scenario = load_scenario(done[0] / "scenario.toml")
-    again = parse_scenario(scenario.text)
+    again = parse_scenario(dump(scenario))
     for name in ("fitted", "without deviations"):
         one, other = (found.case(name).machine.axes[1] for found in (scenario, again))
         assert (one.plant.origins, one.correlations) == (other.plant.origins, other.correlations)

@@ -9,7 +9,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from contourlab.analysis.identification.closed_first_order import closed_loop_position
+from contourlab.analysis.identification.first_order import closed_loop_position
 from contourlab.analysis.identification.first_order_motion import first_order_motion
 from contourlab.cli.main import main
 
@@ -124,10 +124,10 @@ def test_an_axis_that_goes_against_its_command_is_none(tmp_path: Path, capsys: p
     log = good(model)
     code, found, said = identified(tmp_path, model, {**log, "pos": -log["pos"]}, capsys)
     if model in ("frequency-response", "closed-loop"):
-        wanted = "goes against its command" if model == "frequency-response" else "not told by this record"
+        wanted = "goes against its command" if model == "frequency-response" else "does not determine it"
         assert code == 1 and any(wanted in remark for remark in found["remarks"])
     else:
-        assert code == 2 and ("counted the other way round" in said or "goes against the command" in said)
+        assert code == 2 and ("counted the other way round" in said or "goes against" in said)
 
 
 @pytest.mark.parametrize("model", MODELS)
@@ -184,7 +184,7 @@ def test_nothing_is_fitted_across_a_long_gap(tmp_path: Path, capsys: pytest.Capt
 
 
 def test_columns_that_are_exchanged_are_no_response(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    from contourlab.analysis.identification.drive_models import held_response, linear_motor
+    from contourlab.analysis.identification.drive_fit import held_response, linear_motor
 
     lap = 1000
     lines = np.arange(1, 301)

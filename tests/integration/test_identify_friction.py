@@ -82,7 +82,7 @@ def test_the_file_of_a_friction_runs_beside_a_plant(tmp_path: Path, capsys: pyte
         assert force.values()["force"] == pytest.approx(-0.002, abs=3.0 * force.origins["force"].deviation)
 
 
-@pytest.mark.parametrize(("seed", "said"), [(3, "the speeds are not constant"), (1, "% of the command: more than friction is at work")])
+@pytest.mark.parametrize(("seed", "said"), [(3, "the speeds are not constant"), (1, "% of the command: more than friction acts")])
 def test_levels_of_force_at_random_tell_no_friction(tmp_path: Path, capsys: pytest.CaptureFixture[str], seed: int, said: str) -> None:
     """What looks straight on the whole is no constant speed where a mass follows steps of force."""
     u = np.repeat(np.random.default_rng(seed).uniform(-200.0, 200.0, 60), 300)

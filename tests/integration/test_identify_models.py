@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 from identified_logs import PERIOD, PLANT, SCENARIO, TIME, UBC, driven, found_by, jogged, stepped, steps, written
 
-from contourlab.analysis.identification.closed_first_order import closed_loop_position
+from contourlab.analysis.identification.first_order import closed_loop_position
 from contourlab.analysis.identification.first_order_motion import first_order_motion
 from contourlab.cli.main import main
 from contourlab.loop import Machine
@@ -144,7 +144,7 @@ def test_a_gain_per_another_unit_is_refused(tmp_path: Path, capsys: pytest.Captu
 @pytest.mark.slow
 def test_deviations_are_the_spread_over_many_logs() -> None:
     """Thirty noisy logs of one axis in open loop, and thirty frequency responses of one drive by five sines."""
-    from contourlab.analysis.identification.drive_models import held_response, linear_motor
+    from contourlab.analysis.identification.drive_fit import held_response, linear_motor
     from contourlab.analysis.identification.first_order import identify_first_order
     from contourlab.features.identify.drives import identify_linear_motor
     from contourlab.features.identify.signals import AxisRecord

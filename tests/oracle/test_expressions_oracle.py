@@ -10,9 +10,9 @@ from pathlib import Path
 
 import pytest
 
-from contourlab.program.fault import BlockError
-from contourlab.program.lexer import read_words
+from contourlab.program.block import read_words
 from contourlab.program.parameters import Parameters
+from contourlab.program.vocabulary import BlockError
 
 pytestmark = [
     pytest.mark.oracle,

@@ -14,6 +14,7 @@ from numpy.typing import NDArray
 from contourlab.contours.drawing import Drawing, LeftOut, drawing_of, strand_of, unit_size
 from contourlab.contours.shapes import ConicShape, LineShape, Shape, SplineShape
 from contourlab.errors import ContourlabError, GeometryError
+from contourlab.extras import extra_module
 
 Array = NDArray[np.float64]
 FLAT = 1e-9
@@ -90,10 +91,9 @@ def read_dxf(
 
 
 def _opened(path: File) -> Any:
-    import ezdxf
-
+    ezdxf = extra_module("ezdxf")
     try:
-        document = ezdxf.readfile(path)  # type: ignore[attr-defined]
+        document = ezdxf.readfile(path)
         with path.open("rb") as stream:
             stream.seek(max(0, path.stat().st_size - 64))
             end = stream.read()

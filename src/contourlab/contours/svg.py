@@ -27,6 +27,7 @@ from contourlab.contours.shapes import ConicShape, LineShape, Shape
 from contourlab.contours.svg_path import path_shapes
 from contourlab.contours.svg_style import StyleSheet
 from contourlab.errors import GeometryError
+from contourlab.extras import extra_module
 
 Array = NDArray[np.float64]
 Viewport = tuple[float | None, float | None]
@@ -73,7 +74,7 @@ def read_svg(file: str | File, *, unit: str | None = None, tolerance: float | No
     Raises
     ------
     GeometryError
-        If the file cannot be read, or svgelements is not installed.
+        If the file cannot be read.
     UnitError
         If `unit` is no unit of length.
 
@@ -186,11 +187,7 @@ class _Painter:
     """Walks over a drawing and keeps what it draws."""
 
     def __init__(self, root: Element, file: File, matrix: Array, offset: Array) -> None:
-        try:
-            import svgelements  # type: ignore[import-untyped]
-        except ModuleNotFoundError as error:
-            raise GeometryError(f'{file}: reading SVG needs svgelements: pip install "contourlab[svg]"') from error
-        self.library, self.root, self.file, self.matrix, self.offset = svgelements, root, file, matrix, offset
+        self.library, self.root, self.file, self.matrix, self.offset = extra_module("svgelements"), root, file, matrix, offset
         self.namespace = root.tag.removesuffix("svg")
         self.sheet = StyleSheet("\n".join(e.text or "" for e in root.iter() if self._tag(e) == "style"))
         self.strands: list[Strand] = []

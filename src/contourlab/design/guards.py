@@ -9,10 +9,10 @@ from dataclasses import dataclass, field
 import numpy as np
 from numpy.typing import NDArray
 
-from contourlab.analysis.linear.internal_stability import internal_stability
+from contourlab.analysis.linear.contour_transfer import internal_stability
+from contourlab.analysis.linear.loop_lanes import rough_margins, sampled_loops
 from contourlab.analysis.linear.margins import Margins
 from contourlab.analysis.linear.sampled_loop import SampledLoop, sampled_loop
-from contourlab.analysis.linear.sampled_loops import rough_margins, sampled_loops
 from contourlab.design.axes_of import axes_of
 from contourlab.design.bounds import ROUNDING, SLACK, Bounds, without_model
 from contourlab.design.values import with_values

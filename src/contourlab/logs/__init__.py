@@ -1,20 +1,16 @@
 """Measured logs: from files of many kinds to the result that a simulation gives."""
 
-from contourlab.logs.clock import ClockReport
-from contourlab.logs.formats import FORMATS, format_of, read_record
+from contourlab.logs.formats import read_record
 from contourlab.logs.load import Log, load_log, result_of
 from contourlab.logs.mapping import Column, Columns, parse_columns, read_columns
 from contourlab.logs.record import Channel, Record
 
 __all__ = [
-    "FORMATS",
     "Channel",
-    "ClockReport",
     "Column",
     "Columns",
     "Log",
     "Record",
-    "format_of",
     "load_log",
     "parse_columns",
     "read_columns",

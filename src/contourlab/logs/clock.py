@@ -1,4 +1,4 @@
-"""One clock for all channels: what the samples' own times are like, and the signals on an even one."""
+"""One clock for all channels: report on the samples' own times, and resample onto an even one."""
 
 from __future__ import annotations
 
@@ -13,13 +13,13 @@ from contourlab.units import show
 
 Array = NDArray[np.float64]
 GAP = 1.5
-"""Periods between two samples from which on one is missing."""
+"""Distance of two samples, in periods, above which samples are missing."""
 MOST_MISSING = 0.05
-"""Part of the samples that may be missing before a log is refused: what would be judged is mostly interpolation."""
+"""Largest share of missing samples; beyond it a log is refused."""
 FEW = 3
-"""Gaps up to which a record is even but for them."""
+"""Most gaps of a record that is otherwise even."""
 EVEN = 1e-3
-"""Jitter over the period below which samples are taken as even: times are rounded when they are written."""
+"""Jitter over the period below which samples count as even, because written times are rounded."""
 
 
 @dataclass(frozen=True)
@@ -32,7 +32,7 @@ class Gap:
 
 @dataclass(frozen=True)
 class ClockReport:
-    """What the times of a channel are like.
+    """Regularity of the times of a channel.
 
     Attributes
     ----------
@@ -62,7 +62,7 @@ class ClockReport:
         return sum(gap.missing for gap in self.gaps)
 
     def lines(self, period: float | None = None) -> list[str]:
-        """Return what there is to say, in words; nothing for an even clock.
+        """Return notes; none for an even clock.
 
         Parameters
         ----------
@@ -76,9 +76,8 @@ class ClockReport:
         if self.gaps:
             found.append(f"{self.missing} of {self.n_sample + self.missing} samples are missing, {self._gaps()}")
         if self.repeated:
-            many = self.repeated > 1
-            words = ("samples repeat", "were") if many else ("sample repeats", "was")
-            found.append(f"{self.repeated} {words[0]} the time of the one before and {words[1]} left out")
+            many = "samples repeat" if self.repeated > 1 else "sample repeats"
+            found.append(f"{self.repeated} {many} the time of the one before: left out")
         if self.resampled:
             own = f"a sample every {show(self.period, 'us')}, " if abs(onto - self.period) > EVEN * onto else ""
             found.append(f"{own}interpolated to an even clock of {show(onto, 'us')}")
@@ -93,7 +92,7 @@ class ClockReport:
 
 
 def look_at_clock(time: Array, name: str, file: Path, period: float | None = None) -> tuple[ClockReport, NDArray[np.bool_]]:
-    """Return what the times of a channel are like, and which of its samples are kept.
+    """Return the regularity of a channel's times, and which of its samples to keep.
 
     Parameters
     ----------
@@ -116,7 +115,7 @@ def look_at_clock(time: Array, name: str, file: Path, period: float | None = Non
     usual = float(np.median(step))
     if period is not None:
         if period > GAP * usual:
-            raise LogError(f"the times of {name!r} are {show(usual, 'us')} apart, the period is said to be {show(period, 'us')}", file=file)
+            raise LogError(f"the times of {name!r} are {show(usual, 'us')} apart, the given period is {show(period, 'us')}", file=file)
         usual = period
     count = np.maximum(np.rint(step / usual), 1.0)
     wide = step > GAP * usual
@@ -126,19 +125,11 @@ def look_at_clock(time: Array, name: str, file: Path, period: float | None = Non
     jitter = _jitter(even, count, usual)
     report = ClockReport(usual, even.size, float(np.sqrt(np.mean(jitter**2))), float(np.abs(jitter).max()), gaps, int((~kept).sum()))
     if report.missing > MOST_MISSING * (report.n_sample + report.missing):
-        raise LogError(
-            f"{report.missing} of {report.n_sample + report.missing} samples of {name!r} are missing at a period of {show(usual, 'us')}, "
-            f"{report._gaps()}: {_too_much(report)}",
-            file=file,
-        )
+        lost = f"{report.missing} of {report.n_sample + report.missing} samples of {name!r}"
+        # A few gaps are in the record, many are in its clock.
+        cure = "cut the log there" if len(report.gaps) <= FEW else "that is no even sampling, or the wrong period"
+        raise LogError(f"{lost} are missing at a period of {show(usual, 'us')}, {report._gaps()}: {cure}", file=file)
     return report, kept
-
-
-def _too_much(report: ClockReport) -> str:
-    """Return what may be wrong where too much is missing: a few gaps are in the record, many are in its clock."""
-    if len(report.gaps) <= FEW:
-        return "cut the log there and take the parts apart"
-    return "that is no even sampling, or the wrong period"
 
 
 def _kept(time: Array, name: str, file: Path) -> NDArray[np.bool_]:
@@ -148,18 +139,14 @@ def _kept(time: Array, name: str, file: Path) -> NDArray[np.bool_]:
     step = np.diff(time)
     if (step < 0.0).any():
         k = int(np.argmax(step < 0.0))
-        raise LogError(
-            f"time goes back from {time[k]:.9g} s to {time[k + 1]:.9g} s at sample {k + 1} ({name!r}): are two records in one file, "
-            "or is the column no time?",
-            file=file,
-        )
+        where = f"from {time[k]:.9g} s to {time[k + 1]:.9g} s at sample {k + 1} ({name!r})"
+        raise LogError(f"time goes back {where}: are two records in one file, or is the column no time?", file=file)
     kept = np.append(True, step > 0.0)
     n = int(np.count_nonzero(kept))
     repeated = time.size - n
     if n >= 3 and repeats_too_often(time):
-        raise LogError(
-            f"{repeated} of {time.size} samples of {name!r} repeat the time of the one before: times are written too coarsely", file=file
-        )
+        count = f"{repeated} of {time.size} samples of {name!r}"
+        raise LogError(f"{count} repeat the time of the one before: times are written too coarsely", file=file)
     if n < 3:
         raise LogError(f"holds {n} samples of {name!r} at different times: three or more are wanted", file=file)
     return np.asarray(kept)

@@ -10,20 +10,17 @@ import numpy as np
 from numpy.typing import NDArray
 
 from contourlab.errors import LogError
-from contourlab.logs.moment_cell import is_moment
-from contourlab.logs.moments import EXAMPLE, Moments, moments_of
 from contourlab.logs.reading import CUT, called, cells_of, is_empty, is_unit, name_and_unit, number, numbers, shown, text_of
 from contourlab.logs.record import Channel, Record
+from contourlab.logs.timestamps import EXAMPLE, is_timestamp, timestamp_channel
 
 Array = NDArray[np.float64]
 MARKS = (";", "\t", ",")
 ENDINGS = (".csv", ".tsv", ".txt", ".dat", ".log")
 NO_UNIT = ("", "-", "1")
-"""What stands in a line of units where a column has none."""
+"""Cells of a line of units for columns without one."""
 LOOKED_AT = 1000
-"""Lines among which the one is looked for that comes nearest to a row of numbers."""
-_MILLISECONDS = re.compile(r"\W*(ms|msecs?|millis|milli ?sec(ond)?s?|millisekunden?)\W*\Z", re.IGNORECASE)
-"""Names of a column that holds the milliseconds of times in another."""
+"""Lines searched for the one most like a row of numbers."""
 _NUMBER = re.compile(r"[-+]?(\d+([.,]\d*)?|[.,]\d+)([eE][-+]?\d+)?\Z")
 
 
@@ -32,23 +29,21 @@ def matches(file: Path, head: bytes) -> bool:
     if b"\0" in head or file.suffix.lower() == ".xml":
         return False
     lines = [line for line in head.decode("utf-8-sig", errors="replace").splitlines()[:50] if _bare(line)]
-    return any(_is_row(_cells(line, _mark(line))) for line in lines) or _is_called_a_table(file, lines)
-
-
-def _is_called_a_table(file: Path, lines: list[str]) -> bool:
-    """Tell whether a file by its name a table is one, if a faulty one: all its lines are parted, and there are few or some hold numbers."""
-    if file.suffix.lower() not in ENDINGS or not lines or not all(_mark(line) for line in lines):
+    rows = [_cells(line, _mark(line)) for line in lines]
+    if any(_is_row(cells) for cells in rows):
+        return True
+    # A faulty table: all lines are separated, and there are few or some hold numbers.
+    if file.suffix.lower() not in ENDINGS or not rows or not all(_mark(line) for line in lines):
         return False
-    return len(lines) <= 2 or any(_NUMBER.match(cell.strip(' "')) for line in lines for cell in _cells(line, _mark(line)))
+    return len(rows) <= 2 or any(_NUMBER.match(cell.strip(' "')) for cells in rows for cell in cells)
 
 
 def read(file: Path) -> Record:
     """Read a table of numbers.
 
-    Lines that begin with # or % are passed over. The last line before the first row of numbers names the columns, with units in brackets;
-    a line of units may stand below it. Cells are parted by semicolons, tabs, commas or blanks; beside semicolons and tabs a decimal comma
-    is read. Empty cells are gaps; true and false are 1 and 0. Columns of dates and times of day become seconds from the first of them, with
-    the milliseconds of a column that is called so.
+    Lines that begin with # or % are skipped. The last line before the first row of numbers names the columns, with units in brackets;
+    a line of units may follow. Semicolons, tabs, commas or blanks separate the cells; with semicolons and tabs a decimal comma is read.
+    Empty cells are gaps; true and false are 1 and 0. Columns of timestamps become seconds from the first one.
 
     Raises
     ------
@@ -69,42 +64,38 @@ def read(file: Path) -> Record:
     notes: tuple[str, ...] = ()
     if cut and len(_cells(rows[-1][1], mark)) != width:
         rows, notes = rows[:-1], (CUT,)
-    moments, rows = _moments(rows, names, mark, file)
+    timestamps, rows = _timestamps(rows, names, mark, file)
     values = _values(rows, names, mark, file, {line for _, line in heads})
-    channels = [Channel(name, column, unit) for name, unit, column in zip(names, units, values.T, strict=True)]
-    for j, found in moments.items():
-        channels[j] = Channel(names[j], found.seconds, "s", is_moment=True, notes=found.notes, fault=found.fault)
+    channels = [timestamps.get(j) or Channel(names[j], column, units[j]) for j, column in enumerate(values.T)]
     return Record(file, "csv", tuple(channels), notes=notes)
 
 
-def _moments(
+def _timestamps(
     rows: list[tuple[int, str]], names: list[str], mark: str | None, file: Path
-) -> tuple[dict[int, Moments], list[tuple[int, str]]]:
-    """Return the columns of dates and times of day, and the rows with nothing but numbers in them."""
-    columns = _columns_of_moments(rows, len(names), mark)
+) -> tuple[dict[int, Channel], list[tuple[int, str]]]:
+    """Return the columns of timestamps, and the rows with 0 in their place."""
+    columns = _columns_of_timestamps(rows, len(names), mark)
     if not columns:
         return {}, rows
     lines = [i for i, _ in rows]
-    parted = [_cells(line, mark) for _, line in rows]
-    for i, cells in zip(lines, parted, strict=True):
+    table = [_cells(line, mark) for _, line in rows]
+    for i, cells in zip(lines, table, strict=True):
         if len(cells) != len(names):
             raise LogError(f"has {len(cells)} columns where {len(names)} are wanted", file=file, line=i)
-    parts = [j for j, name in enumerate(names) if _MILLISECONDS.match(name) and j not in columns]
-    texts = {j: [cells[j] for cells in parted] for j in (*columns, *parts)}
-    found = moments_of({j: texts[j] for j in columns}, names, lines, file, {j: texts[j] for j in parts})
-    kept = [["0" if j in found else f'"{cell}"' if (mark or " ") in cell else cell for j, cell in enumerate(cells)] for cells in parted]
-    return found, [(i, (mark or " ").join(cells)) for i, cells in zip(lines, kept, strict=True)]
+    channels = {j: timestamp_channel(names[j], [cells[j] for cells in table], lines, file) for j in columns}
+    kept = [["0" if j in channels else f'"{cell}"' if (mark or " ") in cell else cell for j, cell in enumerate(cells)] for cells in table]
+    return channels, [(i, (mark or " ").join(cells)) for i, cells in zip(lines, kept, strict=True)]
 
 
-def _columns_of_moments(rows: list[tuple[int, str]], width: int, mark: str | None) -> list[int]:
-    """Return the columns whose first cell that is not empty is a date or a time of day."""
-    found, untold = [], set(range(width))
+def _columns_of_timestamps(rows: list[tuple[int, str]], width: int, mark: str | None) -> list[int]:
+    """Return the columns whose first cell that is not empty looks like a timestamp."""
+    found, empty = [], set(range(width))
     for _, line in rows:
         for j, cell in enumerate(_cells(line, mark)[:width]):
-            if j in untold and not is_empty(cell):
-                untold.remove(j)
-                found += [j] if is_moment(cell.strip('" ')) else []
-        if not untold:
+            if j in empty and not is_empty(cell):
+                empty.remove(j)
+                found += [j] if is_timestamp(cell.strip('" ')) else []
+        if not empty:
             break
     return sorted(found)
 
@@ -127,7 +118,7 @@ def _first_row(lines: list[tuple[int, str]], file: Path) -> tuple[int, str | Non
 
 
 def _no_row(lines: list[tuple[int, str]], file: Path) -> LogError:
-    """Return what is said where no line is a row of numbers: the cell that is none in the line that has most of them."""
+    """Return the error if no line is a row of numbers; it names the bad cell of the best line."""
     if len(lines) <= 2:
         return LogError("has no rows: there are names of columns and no numbers below them", file=file, line=lines[0][0])
     parted = [_cells(line, _mark(line)) for _, line in lines[:LOOKED_AT]]
@@ -142,7 +133,7 @@ def _no_row(lines: list[tuple[int, str]], file: Path) -> LogError:
 
 
 def _is_closed(heads: list[tuple[int, str]], rows: list[tuple[int, str]], mark: str | None) -> bool:
-    """Tell whether a mark at the end of every line closes the last cell, rather than to open an empty one."""
+    """Tell whether the mark at the end of every line closes the last cell, and opens no empty one."""
     if mark is None or not all(line.rstrip(" ").endswith(mark) for _, line in rows):
         return False
     above = heads[-1][1] if heads else ""
@@ -171,18 +162,13 @@ def _cells(line: str, mark: str | None) -> list[str]:
 
 def _is_row(cells: list[str]) -> bool:
     found = [cell.strip().strip('"') for cell in cells]
-    return any(_NUMBER.match(cell) or is_moment(cell) for cell in found) and all(_is_value(cell) for cell in found)
+    return any(_NUMBER.match(cell) or is_timestamp(cell) for cell in found) and all(_is_value(cell) for cell in found)
 
 
 def _is_value(cell: str) -> bool:
-    """Tell whether a cell is a number, a moment, or a word that stands for a value or for none."""
-    return _NUMBER.match(cell) is not None or _is_word(cell) or is_moment(cell)
-
-
-def _is_word(cell: str) -> bool:
-    """Tell whether a word stands for a value, or for none."""
+    """Tell whether a cell is a number, a timestamp, or a word that stands for a value or for none."""
     try:
-        return not np.isinf(number(cell))
+        return _NUMBER.match(cell) is not None or is_timestamp(cell) or not np.isinf(number(cell))
     except ValueError:
         return False
 
@@ -210,22 +196,20 @@ def _bracketed(cells: list[str]) -> bool:
 
 def _bare_units(names: list[str], cells: list[str]) -> bool:
     """Tell whether cells below names are units without brackets: each that holds something is one that is known, and has a name."""
-    told = [(name, cell) for name, cell in zip(names, cells, strict=True) if cell not in NO_UNIT]
-    return bool(told) and all(name and name != cell and is_unit(cell) for name, cell in told)
+    units = [(name, cell) for name, cell in zip(names, cells, strict=True) if cell not in NO_UNIT]
+    return bool(units) and all(name and name != cell and is_unit(cell) for name, cell in units)
 
 
 def _values(lines: list[tuple[int, str]], names: list[str], mark: str | None, file: Path, heads: set[str]) -> Array:
     text = "\n".join(line for _, line in lines)
     comma = mark != "," and "," in text
-    plain = text if not comma else text.replace(",", ".") if "." not in text else None
-    empty = re.compile(rf"(?m)(^|{mark})[ ]*(?={mark}|$)")
-    for attempt in (lambda text: text, lambda text: empty.sub(r"\1nan", text)):
-        try:
-            found = np.loadtxt(io.StringIO(attempt(plain)), delimiter=mark, ndmin=2, comments=None) if plain else np.empty(0)
-            if found.shape == (len(lines), len(names)):
-                return np.asarray(found, dtype=np.float64)
-        except ValueError:
-            pass  # the slow way says which line it is
+    plain = text if not comma else text.replace(",", ".") if "." not in text else ""
+    try:
+        found = np.loadtxt(io.StringIO(plain), delimiter=mark, ndmin=2, comments=None) if plain else np.empty(0)
+        if found.shape == (len(lines), len(names)):
+            return np.asarray(found, dtype=np.float64)
+    except ValueError:
+        pass  # empty cells, words and faults: read cell by cell
     again = next((i for i, line in lines if line in heads), 0)
     if again:
         raise LogError("the head stands here again: two records are in one file", file=file, line=again)

@@ -6,10 +6,11 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
 
-from contourlab.errors import LogError, ParameterError
-from contourlab.logs import delimited, halsampler, halscope, matlab, parquet, sinumerik, stored, twincat
+from contourlab.errors import LogError, ParameterError, ResultError
+from contourlab.logs import delimited, linuxcnc, matlab, parquet, sinumerik, twincat
 from contourlab.logs.reading import head_of
-from contourlab.logs.record import Record
+from contourlab.logs.record import Channel, Record
+from contourlab.result import Result
 
 
 @dataclass(frozen=True)
@@ -20,8 +21,6 @@ class Format:
     ----------
     name : str
         As ``--format`` takes it.
-    doc : str
-        One line for people.
     matches : callable
         ``matches(file, head) -> bool``, from the name and the first bytes.
     read : callable
@@ -29,23 +28,42 @@ class Format:
     """
 
     name: str
-    doc: str
     matches: Callable[[Path, bytes], bool]
     read: Callable[[Path], Record]
+
+
+def _is_result(file: Path, head: bytes) -> bool:
+    return head.startswith(b"\x89HDF\r\n\x1a\n") and file.suffix.lower() == ".nc"
+
+
+def _read_result(file: Path) -> Record:
+    """Read a result of contourlab; channels are named ``position.x``, and ``arc_length`` where there is one for all axes."""
+    try:
+        result = Result.load(file)
+    except ResultError as error:
+        raise LogError(str(error).removeprefix(f"{file}: "), file=file) from error
+    channels = []
+    for name, signal in result.signals.items():
+        if signal.data.ndim == 1:
+            channels.append(Channel(name, signal.data, signal.unit, result.time))
+        else:
+            columns = zip(result.axes, signal.data.T, strict=True)
+            channels += [Channel(f"{name}.{axis}", column, signal.unit, result.time) for axis, column in columns]
+    return Record(file, "contourlab", tuple(channels), result.servo_period, attributes=dict(result.attributes))
 
 
 # From the most particular to the one that takes any table of numbers.
 FORMATS = {
     kind.name: kind
     for kind in (
-        Format("contourlab", "a result that contourlab wrote (.nc)", stored.matches, stored.read),
-        Format("matlab", "MATLAB .mat, version 4 to 7.3: flat, structures, captures of ControlDesk", matlab.matches, matlab.read),
-        Format("parquet", "Apache Parquet", parquet.matches, parquet.read),
-        Format("sinumerik", "trace of a Sinumerik control (.xml)", sinumerik.matches, sinumerik.read),
-        Format("twincat", "text export of TwinCAT Scope", twincat.matches, twincat.read),
-        Format("halscope", "LinuxCNC halscope, new (.csv) and old", halscope.matches, halscope.read),
-        Format("halsampler", "LinuxCNC halsampler", halsampler.matches, halsampler.read),
-        Format("csv", "table of numbers parted by commas, semicolons, tabs or blanks", delimited.matches, delimited.read),
+        Format("contourlab", _is_result, _read_result),
+        Format("matlab", matlab.matches, matlab.read),
+        Format("parquet", parquet.matches, parquet.read),
+        Format("sinumerik", sinumerik.matches, sinumerik.read),
+        Format("twincat", twincat.matches, twincat.read),
+        Format("halscope", linuxcnc.matches_scope, linuxcnc.read_scope),
+        Format("halsampler", linuxcnc.matches_sampler, linuxcnc.read_sampler),
+        Format("csv", delimited.matches, delimited.read),
     )
 }
 

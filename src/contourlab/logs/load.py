@@ -1,4 +1,4 @@
-"""The one door for measured logs: a file becomes a `Result` on one clock, in SI, with a report of what its times are like."""
+"""Read a measured log into a `Result` on one clock, in SI, with a report on its clock."""
 
 from __future__ import annotations
 
@@ -13,19 +13,18 @@ from contourlab.errors import LogError, ParameterError, UnitError
 from contourlab.logs.clock import EVEN, ClockReport, common_clock, look_at_clock, repeats_too_often, resampled
 from contourlab.logs.formats import read_record
 from contourlab.logs.mapping import SIGNALS, Column, Columns, guessed, unknown
-from contourlab.logs.moments import RIGHT
 from contourlab.logs.names import TIME
-from contourlab.logs.record import AXIS_LETTERS, Channel, Record
-from contourlab.logs.record import said as names_said
+from contourlab.logs.record import AXIS_LETTERS, Channel, Record, quoted
+from contourlab.logs.timestamps import CURE
 from contourlab.result import Result, Signal
 from contourlab.units import from_si, show, si_unit, to_si
 
 Array = NDArray[np.float64]
 FARTHEST, FASTEST = 50.0, 50.0
-"""Positions [m] and speeds [m/s] beyond these are no machine's: the unit is wrong, or a position jumps."""
+"""No machine exceeds these positions [m] and speeds [m/s]: the unit is wrong, or a position jumps."""
 
 LONG_GAP = 10
-"""Samples that may be missing in a row before a model is not to be fitted across them: what stands there is a line."""
+"""Most missing samples in a row across which a model may be fitted; the gap holds a straight line."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -36,17 +35,17 @@ class Log:
     ----------
     result : Result
     record : Record
-        As the file has it.
+        As read.
     columns : tuple of Column
         Which column became which signal.
     clocks : mapping of str to ClockReport
         By the name of the channel.
     notes : tuple of str
-        What there is to know of how it was read.
+        Notes on how it was read.
     start : float [s]
         Time of the result's first sample, as the file counts.
     doubtful : tuple of str
-        Signals that two columns or more may be by their names, and that none was taken for; in words.
+        A line for each signal that several columns may be by their names; none is taken.
     """
 
     result: Result
@@ -58,21 +57,21 @@ class Log:
     doubtful: tuple[str, ...] = ()
 
     def clock_notes(self) -> list[str]:
-        """Return what there is to say of the channels' times, and of which channels where it is not of all."""
+        """Return notes on the times of the channels; each names its channels unless it holds for all."""
         of: dict[str, list[str]] = {}
         for name, report in self.clocks.items():
             for line in report.lines(self.result.servo_period):
                 of.setdefault(line, []).append(name)
-        return [line if len(names) == len(self.clocks) else f"{names_said(names)}: {line}" for line, names in of.items()]
+        return [line if len(names) == len(self.clocks) else f"{quoted(names)}: {line}" for line, names in of.items()]
 
     def gaps_at(self, time: float) -> list[str]:
-        """Return the channels of positions that have a gap at a time [s] of the result: what stands there is a line between samples."""
+        """Return the channels of positions with a gap at a time [s] of the result."""
         lengths = [signal for signal, unit in SIGNALS.items() if unit == "m"]
         rounded = EVEN * self.result.servo_period
         return list(dict.fromkeys(name for name, first, last in self.gaps(*lengths) if first + rounded < time < last - rounded))
 
     def gaps(self, *signals: str) -> list[tuple[str, float, float]]:
-        """Return the gaps of signals: channel, and the times [s] of the result of the samples before and behind each."""
+        """Return the gaps of signals: channel, and the times [s] of the result of the samples around each."""
         named = {self.record.channel(c.column).name for c in self.columns if c.signal in signals}
         return [
             (name, gap.time - self.start, gap.time - self.start + (gap.missing + 1) * report.period)
@@ -111,9 +110,9 @@ def load_log(
     format : str, optional
         One of `contourlab.logs.formats.FORMATS`; by default what the file looks like.
     columns : sequence of Column
-        Which column is which signal; those that are not named are taken where their names leave no doubt.
+        Which column is which signal; others are taken if their names leave no doubt.
     period : float [s], > 0, optional
-        Between samples, where the file does not say.
+        Between samples, if the file does not give it.
 
     Returns
     -------
@@ -133,54 +132,39 @@ def load_log(
 
 def result_of(record: Record, given: Columns) -> Log:
     """Return the signals of a record; see `load_log`."""
-    more, doubtful = _guessed(record, given)
-    columns = (*given.columns, *more)
+    guesses, doubtful = _guesses(record, given)
+    columns = (*given.columns, *guesses)
     wanted = [column for column in columns if column.signal != TIME]
     if not wanted:
         raise LogError("; ".join([*doubtful, unknown(record)]), file=record.file)
-    times, how = _times(record, columns, given)
-    usable: dict[str, Timed] = {}
-    for name in dict.fromkeys(column.column for column in wanted):
-        channel, time = _timed(record.channel(name), times, record, given.period, doubtful)
-        report, kept = look_at_clock(time, channel.name, record.file, given.period or record.period)
-        usable[name] = Timed(replace(channel, values=channel.values[kept]), time[kept], report)
-    clock = common_clock([(one.report, float(one.time[0]), float(one.time[-1])) for one in usable.values()], record.file)
-    signals, notes = _signals(record, {column: usable[column.column] for column in wanted}, clock)
-    clocks = {one.channel.name: one.report for one in usable.values()}
+    times, time_notes = _times(record, columns, given)
+    timed = {name: _timed(record, name, times, given.period, doubtful) for name in dict.fromkeys(column.column for column in wanted)}
+    clock = common_clock([(one.report, float(one.time[0]), float(one.time[-1])) for one in timed.values()], record.file)
+    signals, unit_notes = _signals(record, {column: timed[column.column] for column in wanted}, clock)
     axes = tuple(sorted({column.axis for column in wanted}, key=_order))
-    result = Result(
-        record.file.stem,
-        axes,
-        clock[0],
-        _stacked(signals, axes),
-        attributes={**record.attributes, "log": record.file.name, "format": record.format},
-    )
-    by_name = [f"{column.target} {column.column!r}" for column in more if column.signal != TIME and not _is_its_own(column)]
-    said = [f"taken by their names: {', '.join(by_name)}"] if by_name else []
-    found = Log(result, record, columns, clocks, start=clock[1], doubtful=tuple(doubtful))
-    return replace(found, notes=(*record.notes, *said, *doubtful, *how, *notes, *found.clock_notes()))
+    attributes = {**record.attributes, "log": record.file.name, "format": record.format}
+    result = Result(record.file.stem, axes, clock[0], _stacked(signals, axes), attributes=attributes)
+    by_name = [f"{column.target} {column.column!r}" for column in guesses if column.signal != TIME and column.column != column.target]
+    notes = (*record.notes, *([f"taken by their names: {', '.join(by_name)}"] if by_name else []), *doubtful, *time_notes, *unit_notes)
+    clocks = {one.channel.name: one.report for one in timed.values()}
+    log = Log(result, record, columns, clocks, start=clock[1], doubtful=tuple(doubtful))
+    return replace(log, notes=(*notes, *log.clock_notes()))
 
 
-def _guessed(record: Record, given: Columns) -> tuple[list[Column], list[str]]:
-    """Return the columns that are taken by their names beside those that are given, and what is to be said of those that are not."""
+def _guesses(record: Record, given: Columns) -> tuple[list[Column], list[str]]:
+    """Return the columns that their names identify besides those given, and a line for each signal that is in doubt."""
     named = {(column.signal, column.axis) for column in given.columns}
     taken = {record.channel(column.column).name for column in given.columns}
-    found, words = [], []
-    for target, all_names in guessed(record).items():
-        names = [name for name in all_names if name not in taken]
+    guesses, doubtful = [], []
+    for target, candidates in guessed(record).items():
+        names = [name for name in candidates if name not in taken]
         if target in named or not names:
             continue
-        column = Column(*target, names[0])
-        if len(names) == 1:
-            found.append(column)
-        else:
-            words.append(f"{column.target} may be {' or '.join(map(repr, names))}: none is taken, say which with --column")
-    return found, words
-
-
-def _is_its_own(column: Column) -> bool:
-    """Tell whether a column is named as its signal is, which needs no word."""
-    return column.column == column.target
+        guesses.append(Column(*target, names[0]))
+        if len(names) > 1:
+            choice = " or ".join(map(repr, names))
+            doubtful.append(f"{guesses.pop().target} may be {choice}: none is taken, say which with --column")
+    return guesses, doubtful
 
 
 def _order(axis: str) -> tuple[int, str]:
@@ -189,150 +173,130 @@ def _order(axis: str) -> tuple[int, str]:
 
 
 def _times(record: Record, columns: Sequence[Column], given: Columns) -> tuple[Array | None, list[str]]:
-    """Return the times [s] that channels without their own share, None where samples are even by their number; and what to say of them."""
-    how: list[str] = []
+    """Return the times [s] of channels without their own, None if the samples are evenly counted; and notes."""
+    notes: list[str] = []
     column = next((c for c in columns if c.signal == TIME), None)
-    needed = any(record.channel(c.column).time is None for c in columns if c.signal != TIME)
-    if column is not None and needed:
+    if column is not None and any(record.channel(c.column).time is None for c in columns if c.signal != TIME):
         channel = record.channel(column.column)
-        unfit = _unfit(channel, record)
-        if unfit is None or given.period is None or column in given.columns:
-            return _told_by(channel, column, record)
-        how = [f"{unfit.message.removesuffix(f': {RIGHT}')}: samples are counted by the period that was given"]
+        try:
+            return _times_in(channel, column, record)
+        except LogError as error:
+            if given.period is None or column in given.columns:
+                raise
+            notes = [f"{error.message.removesuffix(f': {CURE}')}: samples are counted by the period that was given"]
     numbered = next((c for c in record.channels if c.name == "sample" and record.format == "halsampler"), None)
-    every = given.period or record.period
-    if numbered is not None and every is not None:
-        return np.asarray(numbered.values * every), how
-    return None, how
+    period = given.period or record.period
+    return (np.asarray(numbered.values * period), notes) if numbered is not None and period is not None else (None, notes)
 
 
-def _unfit(channel: Channel, record: Record) -> LogError | None:
-    """Return why a column cannot tell the times of samples, None where it can."""
+def _times_in(channel: Channel, column: Column, record: Record) -> tuple[Array, list[str]]:
+    """Return the times [s] in a column, and notes."""
     if channel.fault is not None:
-        return channel.fault
-    there = channel.values[~np.isnan(channel.values)]
-    if not there.size:
-        return LogError(f"column {channel.name!r} holds no times: {RIGHT}", file=record.file)
-    if repeats_too_often(there):
-        beside = "".join(f"; {note}" for note in channel.notes)
-        if channel.is_moment and record.format == "csv" and not beside:
-            beside = ", and no column beside it is called ms or milliseconds"
-        return LogError(f"times in column {channel.name!r} are written too coarsely{beside}: {RIGHT}", file=record.file)
-    return None
-
-
-def _told_by(channel: Channel, column: Column, record: Record) -> tuple[Array, list[str]]:
-    """Return the times [s] that a column holds, and what there is to say of them."""
-    if (unfit := _unfit(channel, record)) is not None:
-        raise unfit
-    if channel.is_moment and column.unit:
+        raise channel.fault
+    missing = np.isnan(channel.values)
+    if missing.all():
+        raise LogError(f"column {channel.name!r} holds no times: {CURE}", file=record.file)
+    if repeats_too_often(channel.values[~missing]):
+        raise LogError(f"times in column {channel.name!r} are written too coarsely: {CURE}", file=record.file)
+    if channel.is_timestamp and column.unit:
         raise LogError(f"column {channel.name!r} holds dates and times of day: name it without {column.unit}", file=record.file)
     unit = column.unit or channel.unit
-    how = [*channel.notes] if unit else ["time is taken in s: its column says no unit"]
-    untold = int(np.isnan(channel.values).sum())
-    how += [f"{untold} of {channel.values.size} rows say no time, and are left out"] if untold else []
-    return _in_si(channel, column, unit or "s", "s", record) * column.factor, how
+    notes = [*channel.notes] if unit else ["time is taken in s: its column says no unit"]
+    if missing.any():
+        notes.append(f"{int(missing.sum())} of {missing.size} rows say no time, and are left out")
+    return _in_si(channel, column, unit or "s", "s", record) * column.factor, notes
 
 
 @dataclass(eq=False)
 class Timed:
-    """A channel with the times [s] of its values, one value for each time, and what its clock is like."""
+    """A channel with the times [s] of its values, one value for each time, and its clock."""
 
     channel: Channel
     time: Array
     report: ClockReport
 
 
-def _timed(channel: Channel, times: Array | None, record: Record, period: float | None, doubtful: Sequence[str]) -> tuple[Channel, Array]:
-    """Return a channel and the times of its values, without what are none."""
+def _timed(record: Record, name: str, times: Array | None, period: float | None, doubtful: Sequence[str]) -> Timed:
+    """Return a channel with the times of its values, without gaps."""
+    channel = record.channel(name)
     if channel.fault is not None:
         raise channel.fault
-    time: Array | None = channel.time if channel.time is not None else times
-    every = period or record.period
+    time = channel.time if channel.time is not None else times
+    period = period or record.period
     if time is None:
-        if every is None:
+        if period is None:
             doubt = "".join(f"{words}; " for words in doubtful if words.startswith(f"{TIME} "))
-            raise LogError(
-                f'{doubt}says no sample times: give the period, as --period "1 ms", or the column, as --column time=NAME', file=record.file
-            )
-        time = np.asarray(np.arange(channel.values.size) * every)
+            cure = 'give the period, as --period "1 ms", or the column, as --column time=NAME'
+            raise LogError(f"{doubt}says no sample times: {cure}", file=record.file)
+        time = np.asarray(np.arange(channel.values.size) * period)
     if time.size != channel.values.size:
         raise LogError(f"column {channel.name!r} has {channel.values.size} values for {time.size} times", file=record.file)
     there = np.isfinite(channel.values)
     if not there.any():
         raise LogError(f"column {channel.name!r} holds no numbers", file=record.file)
     there &= ~np.isnan(time)
-    return (channel, time) if there.all() else (replace(channel, values=channel.values[there]), time[there])
+    values, time = channel.values[there], time[there]
+    report, kept = look_at_clock(time, channel.name, record.file, period)
+    return Timed(replace(channel, values=values[kept]), time[kept], report)
 
 
 def _in_si(channel: Channel, column: Column, unit: str, expected: str, record: Record) -> Array:
     try:
         size = to_si(f"1 {unit}", expected or unit)
-        # Dividing by what is a whole number of them keeps 20 mm exactly 0.02 m.
+        # Division by a whole number keeps 20 mm exactly 0.02 m.
         return channel.values / from_si(1.0, unit) if size < 1.0 else channel.values * size
     except UnitError as error:
-        raise LogError(
-            f"column {channel.name!r} is in {unit}, which is no unit of {column.signal}" + (f", such as {expected}" if expected else ""),
-            file=record.file,
-        ) from error
+        example = f", such as {expected}" if expected else ""
+        raise LogError(f"column {channel.name!r} is in {unit}, which is no unit of {column.signal}{example}", file=record.file) from error
 
 
 def _signals(
-    record: Record, usable: dict[Column, Timed], clock: tuple[float, float, int]
+    record: Record, timed: dict[Column, Timed], clock: tuple[float, float, int]
 ) -> tuple[dict[str, dict[str, tuple[Array, str]]], list[str]]:
-    """Return values and unit of each signal and axis on the clock, and what there is to say of them."""
-    found: dict[str, dict[str, tuple[Array, str]]] = {}
+    """Return values and unit of each signal and axis on the clock, and notes."""
+    signals: dict[str, dict[str, tuple[Array, str]]] = {}
     notes = []
-    for column, one in usable.items():
-        channel = one.channel
-        unit, note = _unit(column, channel, usable, record)
+    for column, one in timed.items():
+        unit, note = _unit(column, one.channel, timed, record)
         notes += [note] if note else []
         expected = SIGNALS[column.signal]
-        values = _in_si(channel, column, unit, expected, record) * column.factor if unit else channel.values * column.factor
-        _check_size(values, column, channel, unit, record)
-        _check_steps(values, column, one, unit, record)
+        values = _in_si(one.channel, column, unit, expected, record) if unit else one.channel.values
+        values = values * column.factor
+        _check_size(values, column, one, unit, record)
         even, between = resampled(one.time, values, one.report, clock)
         if between:
             one.report = replace(one.report, resampled=True)
-        found.setdefault(column.signal, {})[column.axis] = (even, expected or si_unit(unit))
-    return found, list(dict.fromkeys(notes))
+        signals.setdefault(column.signal, {})[column.axis] = (even, expected or si_unit(unit))
+    return signals, list(dict.fromkeys(notes))
 
 
-def _unit(column: Column, channel: Channel, usable: dict[Column, Timed], record: Record) -> tuple[str, str]:
-    """Return the unit of a column and a note where it is not its own: a reference is in the unit of the position beside it."""
-    unit = column.unit or channel.unit
-    expected = SIGNALS[column.signal]
+def _unit(column: Column, channel: Channel, timed: dict[Column, Timed], record: Record) -> tuple[str, str]:
+    """Return the unit of a column, and a note if it is that of another signal of the axis."""
+    unit, expected = column.unit or channel.unit, SIGNALS[column.signal]
     if unit or not expected:
         return unit, ""
-    for other, beside in usable.items():
+    for other, beside in timed.items():
         shared = other.unit or beside.channel.unit
         if other is not column and other.axis == column.axis and SIGNALS[other.signal] == expected and shared:
             return shared, f"{column.signal} is taken in {shared}, as {other.signal} is: its columns say no unit"
-    raise LogError(
-        f"column {channel.name!r} says no unit: write --column '{column.signal}.{column.axis}={channel.name} [mm]'", file=record.file
-    )
+    cure = f"write --column '{column.target}={channel.name} [mm]'"
+    raise LogError(f"column {channel.name!r} says no unit: {cure}", file=record.file)
 
 
-def _check_size(values: Array, column: Column, channel: Channel, unit: str, record: Record) -> None:
-    limit = {"m": FARTHEST, "m/s": FASTEST}.get(SIGNALS[column.signal])
-    largest = float(np.abs(values).max())
-    if limit is not None and largest > limit:
-        shown = show(largest, SIGNALS[column.signal], 4)
-        raise LogError(f"column {channel.name!r} reaches {shown}, beyond any machine: is {unit} its unit?", file=record.file)
-
-
-def _check_steps(values: Array, column: Column, one: Timed, unit: str, record: Record) -> None:
-    """Refuse positions that change faster than any machine: wrong units, counters that wrap, two records. References may jump."""
-    if SIGNALS[column.signal] != "m" or column.signal == "reference":
+def _check_size(values: Array, column: Column, one: Timed, unit: str, record: Record) -> None:
+    """Refuse what no machine does: wrong units, counters that wrap, two records. References may jump."""
+    si, name = SIGNALS[column.signal], one.channel.name
+    limit, largest = {"m": FARTHEST, "m/s": FASTEST}.get(si, np.inf), float(np.abs(values).max())
+    if largest > limit:
+        raise LogError(f"column {name!r} reaches {show(largest, si, 4)}, beyond any machine: is {unit} its unit?", file=record.file)
+    if si != "m" or column.signal == "reference":
         return
     speed = np.abs(np.diff(values)) / np.maximum(np.diff(one.time), one.report.period)
     k = int(np.argmax(speed))
     if speed[k] > FASTEST:
-        raise LogError(
-            f"column {one.channel.name!r} goes from {show(values[k], 'mm')} to {show(values[k + 1], 'mm')} at t = {one.time[k]:.6g} s, "
-            f"{show(float(speed[k]), 'm/s', 3)}, faster than any machine: is {unit} its unit, does a counter wrap, are there two records?",
-            file=record.file,
-        )
+        jump = f"goes from {show(values[k], 'mm')} to {show(values[k + 1], 'mm')} at t = {one.time[k]:.6g} s"
+        cure = f"is {unit} its unit, does a counter wrap, are there two records?"
+        raise LogError(f"column {name!r} {jump}, {show(float(speed[k]), 'm/s', 3)}, faster than any machine: {cure}", file=record.file)
 
 
 def _stacked(found: dict[str, dict[str, tuple[Array, str]]], axes: tuple[str, ...]) -> dict[str, Signal]:

@@ -1,18 +1,18 @@
-"""Which column is which signal: as the user says, or as its name leaves no doubt of."""
+"""Map columns to signals: as the user says, or by name if it leaves no doubt."""
 
 from __future__ import annotations
 
 import re
 import tomllib
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
 from contourlab.errors import LogError, UnitError
 from contourlab.logs.names import TIME, meant
 from contourlab.logs.reading import name_and_unit
-from contourlab.logs.record import Channel, Record, said
+from contourlab.logs.record import Channel, Record, quoted
 from contourlab.units import same_dimension, to_si
 
 SIGNALS = {
@@ -65,12 +65,11 @@ class Column:
 
 @dataclass(frozen=True)
 class Columns:
-    """What a user says of a log: its columns, and what the file leaves open."""
+    """The user's mapping of a log: columns, period and format."""
 
     columns: tuple[Column, ...] = ()
     period: float | None = None
     format: str | None = None
-    notes: tuple[str, ...] = field(default=())
 
 
 def parse_columns(texts: Iterable[str], where: str = "--column") -> tuple[Column, ...]:
@@ -125,7 +124,12 @@ def read_columns(file: str | Path) -> Columns:
     if not isinstance(table, Mapping):
         raise LogError('columns: must be a table, such as [columns] with "position.x" = "enc_x [mm]"', file=path)
     columns = [_of_table(target, value, path) for target, value in table.items()]
-    period = _period(content["period"], path) if "period" in content else None
+    try:
+        period = to_si(content["period"], "s") if "period" in content else None
+    except (UnitError, TypeError, ValueError) as error:
+        raise LogError(f"period: {error}", file=path) from error
+    if period is not None and not period > 0.0:
+        raise LogError(f"period = {content['period']}: must be > 0", file=path)
     return Columns(once(columns, path), period, content.get("format"))
 
 
@@ -144,36 +148,24 @@ def _of_table(target: str, value: Any, path: Path) -> Column:
     return _column(target, value["column"], str(value.get("unit", "")), float(factor), path)
 
 
-def _period(value: Any, path: Path) -> float:
-    try:
-        period = to_si(value, "s")
-    except (UnitError, TypeError, ValueError) as error:
-        raise LogError(f"period: {error}", file=path) from error
-    if not period > 0.0:
-        raise LogError(f"period = {value}: must be > 0", file=path)
-    return period
-
-
 def _column(target: str, name: str, unit: str, factor: float, where: str | Path) -> Column:
     found = _TARGET.match(target)
-    if found is None or (found["signal"] != TIME and found["signal"] not in SIGNALS):
+    if found is None or found["signal"] not in (TIME, *SIGNALS):
         raise LogError(f"{target!r} is no signal: write one of {TIME}, {', '.join(SIGNALS)}, and its axis, such as position.x", file=where)
     signal, axis = found["signal"], found["axis"] or ""
     if (signal == TIME) != (not axis):
         raise LogError(f"{target!r}: " + ("time has no axis" if axis else f"of which axis? Write {signal}.x"), file=where)
-    if unit:
-        expected = "s" if signal == TIME else SIGNALS[signal]
-        try:
-            if expected and not same_dimension(unit, expected):
-                raise LogError(f"{target}: {unit} is no unit of {signal}, such as {expected}", file=where)
-            same_dimension(unit, unit)
-        except UnitError as error:
-            raise LogError(f"{target}: {error}", file=where) from error
+    expected = "s" if signal == TIME else SIGNALS[signal]
+    try:
+        if unit and not same_dimension(unit, expected or unit):
+            raise LogError(f"{target}: {unit} is no unit of {signal}, such as {expected}", file=where)
+    except UnitError as error:
+        raise LogError(f"{target}: {error}", file=where) from error
     return Column(signal, axis, name, unit, factor)
 
 
 def once(columns: Sequence[Column], where: str | Path) -> tuple[Column, ...]:
-    """Return columns of which no two are the same signal.
+    """Return the columns; refuse two for the same signal.
 
     Raises
     ------
@@ -191,23 +183,22 @@ def once(columns: Sequence[Column], where: str | Path) -> tuple[Column, ...]:
 def guessed(record: Record) -> dict[tuple[str, str], list[str]]:
     """Return which columns each signal and axis may be by their names: a time, and for each axis a reference, a position, a velocity.
 
-    A name says it as of `contourlab.logs.names`, or the path of what a channel records where its name does not; ``position.x`` is what it
-    says, whatever else sounds alike. Where no other column is named as a time, one of dates and times of day is, before all one that is
-    named so. Of several names there is a doubt.
+    `contourlab.logs.names` reads the name, or else the channel's path in the control. A column named ``position.x`` is that signal,
+    whatever else sounds alike. Timestamps are the time if no other column is named so. Several names for one signal leave a doubt.
     """
     found: dict[tuple[str, str], list[str]] = {}
     for channel in record.channels:
         target = _meaning(channel)
-        if target is not None and not (target == (TIME, "") and channel.is_moment):
+        if target is not None and not (target == (TIME, "") and channel.is_timestamp):
             found.setdefault(target, []).append(channel.name)
     for channel in record.channels:
         if (own := _own(channel)) is not None:
             found[own] = [channel.name]
-    moments = [channel for channel in record.channels if channel.is_moment]
-    if (TIME, "") not in found and moments:
-        told = [channel for channel in moments if channel.fault is None] or moments
-        called = [channel for channel in told if _meaning(channel) == (TIME, "")] or told
-        found[TIME, ""] = [channel.name for channel in called]
+    dates = [channel for channel in record.channels if channel.is_timestamp]
+    if (TIME, "") not in found and dates:
+        dates = [channel for channel in dates if channel.fault is None] or dates
+        dates = [channel for channel in dates if _meaning(channel) == (TIME, "")] or dates
+        found[TIME, ""] = [channel.name for channel in dates]
     return found
 
 
@@ -222,8 +213,6 @@ def _meaning(channel: Channel) -> tuple[str, str] | None:
 
 
 def unknown(record: Record) -> str:
-    """Return the words that help who has to say which column is which."""
-    return (
-        f"which column is what? There are {said(record.names)}; say for example "
-        "--column 'position.x=NAME [mm]', or name a file of columns with --columns"
-    )
+    """Return the message that asks for columns."""
+    cure = "say for example --column 'position.x=NAME [mm]', or name a file of columns with --columns"
+    return f"which column is what? There are {quoted(record.names)}; {cure}"

@@ -1,4 +1,4 @@
-"""What a column is by its name alone, word by word, as controls and people call their signals."""
+"""Identify a column by its name alone, word by word, as controls and people name their signals."""
 
 from __future__ import annotations
 
@@ -69,14 +69,14 @@ def meant(name: str) -> tuple[str, str] | None:
 
 
 def _words(name: str) -> list[str]:
-    """Return the words of a name in small letters: ``Encoder Feedback X`` is told from ``excitation``; ``actpos`` is two."""
+    """Return the words of a name in small letters; ``actpos`` is two."""
     found = [word.casefold() for word in re.findall(r"[^\W\d_]+|\d+", re.sub(r"(?<=[a-z])(?=[A-Z])", " ", name))]
     parted = [(word, _RUN_TOGETHER.fullmatch(word)) for word in found]
     return [part for word, two in parted for part in (filter(None, two.groups()) if two else [word])]
 
 
 def _are_known(words: list[str]) -> bool:
-    """Say whether no word can change what the others say: one that is not known may, as in ``x position window``."""
+    """Tell whether all words are known; an unknown one may change the meaning, as in ``x position window``."""
     for before, word, after in zip(["", *words], words, [*words[1:], ""], strict=False):
         if word.isdigit():
             # X1 is the first axis of its letter; X2 may be the second motor or encoder of the same axis.
@@ -108,7 +108,7 @@ def _axis(name: str, words: list[str]) -> str | None:
     found = {word for word in words if word in _LETTERS}
     for before, word in itertools.pairwise(words):
         if before in ("joint", "axis") and word.isdigit():
-            # Whether elements of an array count from 0 or from 1 is up to who wrote the program.
+            # Whether elements of an array count from 0 or from 1 is up to the programmer.
             if not first <= int(word) < first + len(AXIS_LETTERS) or f"[{word}]" in name:
                 return None
             found.add(AXIS_LETTERS[int(word) - first])

@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 
 from contourlab.errors import LogError
+from contourlab.extras import extra_module
 from contourlab.logs.reading import name_and_unit
 from contourlab.logs.record import Channel, Record
 
@@ -25,16 +26,13 @@ def read(file: Path) -> Record:
     Raises
     ------
     LogError
-        If pyarrow is not installed, or the file cannot be read.
+        If the file cannot be read.
     """
+    arrow = extra_module("pyarrow")
+    parquet = extra_module("pyarrow.parquet")
     try:
-        from pyarrow import ArrowException
-        from pyarrow import parquet as arrow
-    except ImportError as error:
-        raise LogError('Parquet needs pyarrow: pip install "contourlab[parquet]"', file=file) from error
-    try:
-        table = arrow.ParquetFile(file).read()
-    except (ArrowException, OSError, ValueError) as error:
+        table = parquet.ParquetFile(file).read()
+    except (arrow.ArrowException, OSError, ValueError) as error:
         raise LogError(f"cannot be read as Parquet: {str(error).splitlines()[0]}", file=file) from error
     channels, left = [], []
     for i, field in enumerate(table.schema):
@@ -51,7 +49,7 @@ def _channel(field: Any, column: Any) -> Channel | None:
     from pyarrow import types
 
     name, unit = name_and_unit(field.name)
-    said = (field.metadata or {}).get(b"unit", b"").decode("utf-8", errors="replace")
+    own_unit = (field.metadata or {}).get(b"unit", b"").decode("utf-8", errors="replace")
     kind = field.type
     if types.is_timestamp(kind) or types.is_duration(kind):
         # Counted from the first one: what is lost is the date alone, and doubles hold no nanoseconds since 1970.
@@ -59,8 +57,8 @@ def _channel(field: Any, column: Any) -> Channel | None:
         ticks = column.drop_null().cast("int64").to_numpy(zero_copy_only=False)
         values = np.full(there.size, np.nan)
         values[there] = (ticks - ticks[:1]) * {"s": 1.0, "ms": 1e-3, "us": 1e-6, "ns": 1e-9}[kind.unit]
-        return Channel(name, values, "s", is_moment=types.is_timestamp(kind))
+        return Channel(name, values, "s", is_timestamp=types.is_timestamp(kind))
     if types.is_integer(kind) or types.is_floating(kind) or types.is_boolean(kind) or types.is_decimal(kind):
         values = np.array([np.nan if v is None else float(v) for v in column.to_pylist()]) if column.null_count else column.to_numpy()
-        return Channel(name, np.asarray(values, dtype=np.float64), said or unit)
+        return Channel(name, np.asarray(values, dtype=np.float64), own_unit or unit)
     return None

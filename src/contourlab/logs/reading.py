@@ -16,16 +16,16 @@ from contourlab.units import same_dimension
 
 Array = NDArray[np.float64]
 HEAD = 1 << 16
-"""Bytes of a file that its format is told from."""
+"""Bytes of a file that identify its format."""
 UTF_16 = (b"\xff\xfe", b"\xfe\xff")
 """Marks that text in UTF-16 begins with."""
 CUT = "the last line is cut short and left out"
-"""What is said of a file whose writing was broken off."""
+"""Note on a file whose writing was interrupted."""
 SHOWN = 40
 """Characters of a faulty cell that a message shows."""
 _UNIT = re.compile(r"\s*(?P<name>.*?)\s*[\[(]\s*(?P<unit>[^\])]*?)\s*[\])]\s*\Z")
 _NO_UNIT = re.compile(r".*,|\d+\s+[A-Za-z]|.*[A-Za-z]\s+\d+\Z|[XYZxyz]\Z")
-"""What is no unit though it stands in brackets: ``(64 bit)``, ``[u1, 1]``, ``PosFbk (X)``."""
+"""Text in brackets that is no unit: ``(64 bit)``, ``[u1, 1]``, ``PosFbk (X)``."""
 _EMPTY = frozenset(("", "nan", "-nan", "na", "n/a", "null", "none", "#n/a", "-"))
 _BITS = {"true": 1.0, "false": 0.0}
 
@@ -111,7 +111,7 @@ def is_unit(text: str) -> bool:
 
 
 def is_empty(cell: str) -> bool:
-    """Tell whether a cell says that there is no value."""
+    """Tell whether a cell holds no value."""
     return _bare(cell) in _EMPTY
 
 
@@ -120,7 +120,7 @@ def _bare(cell: str) -> str:
 
 
 def number(text: str, comma: bool = False) -> float:
-    """Return a number; 1 and 0 for true and false, not a number where no value is said. Raises ValueError for anything else."""
+    """Return a number; 1 and 0 for true and false, NaN for no value. Raise ValueError for anything else."""
     word = _bare(text)
     if word in _EMPTY:
         return math.nan
@@ -145,11 +145,18 @@ def numbers(rows: Sequence[tuple[int, Sequence[str]]], names: Sequence[str], fil
         if len(cells) != width:
             raise LogError(f"has {len(cells)} columns where {width} are wanted", file=file, line=line)
         try:
-            found[i] = _numbers_in(cells, comma)
+            found[i] = [float(cell.replace("_", "no digit")) for cell in cells]  # plain numbers, the quicker way
         except ValueError:
-            j = next(j for j, cell in enumerate(cells) if not _is_number(cell, comma))
-            raise LogError(f"{shown(cells[j])} in {called(names[j])} is no number", file=file, line=line) from None
+            found[i] = [cell_number(cell, name, file, line, comma) for cell, name in zip(cells, names, strict=True)]
     return found
+
+
+def cell_number(cell: str, name: str, file: Path, line: int, comma: bool) -> float:
+    """Return the number in a cell; raise LogError with column and line if it holds none."""
+    try:
+        return number(cell, comma)
+    except ValueError:
+        raise LogError(f"{shown(cell)} in {called(name)} is no number", file=file, line=line) from None
 
 
 def called(name: str) -> str:
@@ -165,20 +172,3 @@ def shown(cell: str) -> str:
     """Return a cell as it stands in a message: in quotes, and not too long."""
     word = cell.strip()
     return repr(word if len(word) <= SHOWN else f"{word[:SHOWN]}...")
-
-
-def _numbers_in(cells: Sequence[str], comma: bool) -> list[float]:
-    """Return the numbers of cells; those of plain ones, which is quicker by far, where all are plain. Raises ValueError."""
-    try:
-        found = list(map(float, cells))
-    except ValueError:
-        return [number(cell, comma) for cell in cells]
-    return found if not any("_" in cell for cell in cells) else [number(cell, comma) for cell in cells]
-
-
-def _is_number(cell: str, comma: bool) -> bool:
-    try:
-        number(cell, comma)
-    except ValueError:
-        return False
-    return True

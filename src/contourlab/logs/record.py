@@ -1,4 +1,4 @@
-"""What stands in a log, before anything is made of it: named channels as the file has them, and what it says besides."""
+"""The content of a log as read: named channels, constants and notes."""
 
 from __future__ import annotations
 
@@ -31,21 +31,21 @@ class Channel:
         As the file says; empty where it says none.
     time : ndarray (n,) [s] or None
         Time of each value; None where the file numbers them only.
-    is_moment : bool
+    is_timestamp : bool
         Whether it holds dates and times of day, counted in seconds from the first of them.
     notes : tuple of str
-        How its values were understood, in words, for whoever uses them.
+        How its values were read, in words.
     fault : LogError or None
-        Why its values cannot be told; to be raised by whoever needs them.
+        Why its values cannot be read; raise it if they are needed.
     symbol : str
-        Path of what it records in the control, where the file says it beside the name.
+        Path of the recorded variable in the control, if the file gives it.
     """
 
     name: str
     values: Array
     unit: str = ""
     time: Array | None = None
-    is_moment: bool = False
+    is_timestamp: bool = False
     notes: tuple[str, ...] = ()
     fault: LogError | None = None
     symbol: str = ""
@@ -67,7 +67,7 @@ class Record:
     constants : mapping of str to float
         Numbers that stand beside the channels: gains, scales.
     notes : tuple of str
-        What was passed over in reading, in words.
+        What was skipped in reading, in words.
     attributes : mapping of str to str, int or float
         Of the result that it is, where contourlab wrote it.
     """
@@ -106,12 +106,12 @@ class Record:
             if len(found) == 1:
                 return found[0]
             if found:
-                raise LogError(f"column {name!r} may be {said(c.name for c in found)}: write more of its name", file=self.file)
-        raise LogError(f"has no column {name!r}; there are {said(self.names)}", file=self.file)
+                raise LogError(f"column {name!r} may be {quoted(c.name for c in found)}: write more of its name", file=self.file)
+        raise LogError(f"has no column {name!r}; there are {quoted(self.names)}", file=self.file)
 
 
 def _told_apart(channels: tuple[Channel, ...]) -> tuple[Channel, ...]:
-    """Return channels of which no two have one name: those of the same are numbered, ``x #1``, ``x #2``."""
+    """Return the channels with equal names numbered, ``x #1``, ``x #2``."""
     count = Counter(channel.name for channel in channels)
     if all(n == 1 for n in count.values()):
         return channels
@@ -123,8 +123,8 @@ def _told_apart(channels: tuple[Channel, ...]) -> tuple[Channel, ...]:
     return tuple(found)
 
 
-def said(names: Iterable[str], most: int = 30) -> str:
-    """Return names as they stand in a message: in quotes, and not too many."""
+def quoted(names: Iterable[str], most: int = 30) -> str:
+    """Return names in quotes for a message, at most so many."""
     listed = [repr(name) for name in names]
     more = f" and {len(listed) - most} more" if len(listed) > most else ""
     return ", ".join(listed[:most]) + more

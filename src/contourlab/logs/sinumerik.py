@@ -183,7 +183,7 @@ def _held(written: Array, values: Array, signal: Mapping[str, str], last: float)
 
 
 def _positive(text: str | None) -> float:
-    """Return a number above 0; 0 where none is said."""
+    """Return a number above 0, or 0."""
     try:
         found = float(text or 0.0)
     except ValueError:

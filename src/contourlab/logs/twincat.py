@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from contourlab.errors import LogError
-from contourlab.logs.reading import called, cells_of, lines_of, number, shown
+from contourlab.logs.reading import cell_number, cells_of, lines_of, number
 from contourlab.logs.record import Channel, Record
 
 Array = NDArray[np.float64]
@@ -33,7 +33,7 @@ def matches(file: Path, head: bytes) -> bool:
 def read(file: Path) -> Record:
     """Read an export with timelines for all channels, for each sample time, or for none; decimal point or comma.
 
-    Values are taken as they stand: the scope has scaled them, unless its export was told not to.
+    Values are taken as they are: the scope has scaled them, unless its export was set not to.
 
     Raises
     ------
@@ -93,15 +93,11 @@ def _values(body: Sequence[tuple[int, Sequence[str]]], width: int, comma: bool, 
     found = np.full((len(body), width), np.nan)
     for i, (line, cells) in enumerate(body):
         try:
-            found[i] = list(map(float, cells[:width]))  # plain cells, a full row of them: quicker by far
-            continue
+            found[i] = list(map(float, cells[:width]))  # a full row of plain numbers, the quicker way
         except ValueError:
-            pass
-        for j, cell in enumerate(cells[:width]):
-            try:
-                found[i, j] = number(cell, comma or ("," in cell and "." not in cell))
-            except ValueError:
-                raise LogError(f"{shown(cell)} in {called(names.get(j, str(j + 1)))} is no number", file=file, line=line) from None
+            for j, cell in enumerate(cells[:width]):
+                decimal = comma or ("," in cell and "." not in cell)
+                found[i, j] = cell_number(cell, names.get(j, str(j + 1)), file, line, decimal)
     return found
 
 

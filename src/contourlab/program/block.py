@@ -1,21 +1,189 @@
-"""One line -> a block: its codes sorted by modal group, its other words by letter; nothing is executed yet."""
+"""One line of a part program -> words with columns -> a block: codes by modal group, other words by letter. Nothing is executed here.
+
+RS274/NGC ignores case, and blanks and tabs outside comments, even inside a number.
+"""
 
 from __future__ import annotations
 
+import re
 from typing import NamedTuple
 
-from contourlab.program.fault import BlockError
-from contourlab.program.lexer import Word, read_words
-from contourlab.program.parameters import Parameters
+from contourlab.program.expressions import Cursor, read_assignment, read_value
+from contourlab.program.parameters import Key, Parameters
 from contourlab.program.vocabulary import (
     G_GROUPS,
     M_GROUPS,
+    O_WORD_ALONE,
     USED_LETTERS,
+    BlockError,
     g_name,
     refuse_g,
     refuse_letter,
     refuse_m,
 )
+
+LARGEST_NUMBER = 1e9
+"""Larger numbers are slips, in any unit."""
+
+# The alternatives tile every line: a word, a comment in brackets, a comment to the end, blanks, or a bad character.
+_TOKEN = re.compile(r"([A-Za-z@^])[ \t]*(?P<digits>[+-]?[0-9. \t]*)|\([^()]*\)|;.*|[ \t]+|(?P<bad>.)", re.DOTALL)
+_LETTERS = frozenset("ABCDEFGHIJKLMNOPQRSTUVWXYZ@^")
+_LONGEST_NUMBER = 100
+_MORE_THAN_NUMBERS = re.compile(r"[#\[]|[+-][ \t]*[+-]")
+
+_BAD = {
+    "]": "']' closes no expression: delete it, or write '[' where the expression starts",
+    "=": "'=' has no parameter before it: write #1 = 2, at the start of a line or between words",
+    "<": "'<' belongs to a named parameter or to O<name> at the start of a line: write # before it, as in #<depth>",
+    ">": "'>' belongs to a named parameter or to O<name> at the start of a line: write #< before the name, as in #<depth>",
+    "/": "/ (block delete) stands first on its line, or divides within [ ]: move or delete it",
+    "%": "% may only stand alone on the first line and on the last: delete it here",
+    "*": "* has no meaning here: checksums of printers are not part of RS274/NGC, delete it",
+    ")": "')' closes no comment: delete it, or write '(' where the comment starts",
+    ",": "',' has no meaning here: write the decimal point as '.' and leave a blank between words",
+}
+
+
+class Word(NamedTuple):
+    """A letter and its number.
+
+    Parameters
+    ----------
+    letter : str
+        One capital letter, or @ or ^.
+    value : float
+        Finite.
+    column : int, >= 1
+        Where the letter stands in its line.
+    """
+
+    letter: str
+    value: float
+    column: int
+
+    def whole(self, least: int, most: int, what: str, tolerance: float = 1e-4) -> int:
+        """Return the value as a whole number within bounds.
+
+        Raises
+        ------
+        BlockError
+            If it is none.
+        """
+        number = round(self.value)
+        if abs(self.value - number) > tolerance or not least <= number <= most:
+            raise BlockError(f"{self.letter}{self.value:g}: {what} is a whole number from {least} to {most}", self.column)
+        return number
+
+
+def read_words(line: str, parameters: Parameters | None = None) -> list[Word]:
+    """Split a line into its words without comments, and assign its parameters.
+
+    Parameters
+    ----------
+    line : str
+        Without its line break.
+    parameters : Parameters, optional
+        Expressions read the values from before the line; assignments take effect at its end.
+
+    Raises
+    ------
+    BlockError
+        If a character or number is not part of RS274/NGC, or not supported yet.
+
+    >>> read_words("g1 x-1 0.5 (there)")
+    [Word(letter='G', value=1.0, column=1), Word(letter='X', value=-10.5, column=4)]
+    >>> read_words("x[2 * [3 + 4]]")
+    [Word(letter='X', value=14.0, column=1)]
+    """
+    if _MORE_THAN_NUMBERS.search(line):
+        return _words_and_values(line, parameters or Parameters())
+    words = []
+    for token in _TOKEN.finditer(line):
+        letter = token[1]
+        if letter is not None:
+            words.append(Word(letter.upper(), _number(token), token.start() + 1))
+        elif token["bad"] is not None:
+            raise _bad_character(line, token.start())
+    return words
+
+
+def _words_and_values(line: str, parameters: Parameters) -> list[Word]:
+    """Read a line with parameters or expressions."""
+    cursor = without_blanks(line)
+    words: list[Word] = []
+    settings: list[tuple[Key, float]] = []
+    while cursor.next:
+        letter, column = cursor.next.upper(), cursor.column
+        if letter == "#":
+            cursor.at += 1
+            settings.append(read_assignment(cursor, parameters))
+        elif letter in _LETTERS:
+            cursor.at += 1
+            if letter == "O":
+                raise BlockError(O_WORD_ALONE, column)
+            if letter == "N" and not cursor.next.isdigit():
+                raise BlockError("a line number is written in digits: write for example N10", column)
+            value = read_value(cursor, parameters)
+            if abs(value) > LARGEST_NUMBER:
+                raise BlockError(f"{letter}{value:g} is no sensible number: keep it below {LARGEST_NUMBER:.0e}", column)
+            words.append(Word(letter, value, column))
+        else:
+            raise _bad_character(line, column - 1)
+    for key, value in settings:
+        parameters.write(key, value)
+    return words
+
+
+def without_blanks(line: str) -> Cursor:
+    """Return a cursor over a line in small letters, without blanks and comments.
+
+    Raises
+    ------
+    BlockError
+        If a comment has no end, or stands in another.
+    """
+    kept: list[int] = []
+    at = 0
+    while at < len(line) and line[at] != ";":
+        if line[at] == "(":
+            end = line.find(")", at)
+            if end < 0 or "(" in line[at + 1 : end]:
+                raise _bad_character(line, at)
+            at = end
+        elif line[at] not in " \t":
+            kept.append(at)
+        at += 1
+    return Cursor("".join(line[i] for i in kept).lower(), [i + 1 for i in kept])
+
+
+def _number(token: re.Match[str]) -> float:
+    """Read the number of a word, which may have blanks anywhere."""
+    name, digits, column = token[1].upper(), "".join(token["digits"].split()), token.start() + 1
+    short = digits if len(digits) <= 20 else digits[:20] + "..."
+    try:
+        value = float(digits)
+    except ValueError:
+        if not digits:
+            raise BlockError(f"{name} has no number behind it: write for example {name}10", column) from None
+        hint = f"write for example {name}10.5 (one sign, one point, no exponent)"
+        raise BlockError(f"{name}{short} holds no number: {hint}", column) from None
+    if abs(value) > LARGEST_NUMBER or len(digits) > _LONGEST_NUMBER:
+        raise BlockError(f"{name}{short} is no sensible number: keep it below {LARGEST_NUMBER:.0e}", column)
+    return value
+
+
+def _bad_character(line: str, at: int) -> BlockError:
+    """Return the error about the character at index `at`."""
+    character = line[at]
+    if character == "(":
+        nested = line.find("(", at + 1)
+        if nested >= 0 and line.find(")", at + 1) >= 0:
+            return BlockError("a comment inside a comment: use one pair of brackets, or only ';'", nested + 1)
+        return BlockError("the comment that starts here has no end: write ')' on the same line", at + 1)
+    if line.strip() == "%":
+        return BlockError("a % that closes has none that opens: write % on the first line too, or delete it", at + 1)
+    return BlockError(_BAD.get(character, f"the character {character!r} has no meaning here: delete it"), at + 1)
+
 
 _END_OF_MOTION = 800
 
@@ -33,22 +201,28 @@ class Block(NamedTuple):
     Parameters
     ----------
     codes : dict
-        Modal group -> the one code of it.
+        Modal group -> its code.
     words : dict
-        Letter -> the one word of it; G, M and N are not among them.
+        Letter -> its word, without G, M and N.
     """
 
     codes: dict[str, Code]
     words: dict[str, Word]
 
+    @property
+    def column(self) -> int:
+        """Column of the motion code, else of the first word; 0 if there is neither."""
+        first = self.codes.get("motion") or next(iter(self.words.values()), None)
+        return first.column if first else 0
+
 
 def read_block(line: str, parameters: Parameters | None = None) -> Block:
-    """Read a line and check what can be checked without knowing the machine's state; set the parameters that it sets.
+    """Read a line, check what does not depend on the modal state, and assign its parameters.
 
     Raises
     ------
     BlockError
-        On words that are unknown, not supported yet, doubled, or two codes of one modal group.
+        If a word is unknown, not supported yet or doubled, or two codes share a modal group.
     """
     codes: dict[str, Code] = {}
     words: dict[str, Word] = {}
@@ -81,10 +255,7 @@ def _add_g(codes: dict[str, Code], word: Word) -> None:
         if number == _END_OF_MOTION:
             return
     elif group in codes:
-        raise BlockError(
-            f"{g_name(codes[group].number)} and {g_name(number)} exclude each other in one block: keep one of them",
-            word.column,
-        )
+        raise BlockError(f"{g_name(codes[group].number)} and {g_name(number)} exclude each other in one block: keep one", word.column)
     codes[group] = Code(number, word.column)
 
 

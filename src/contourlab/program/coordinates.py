@@ -1,18 +1,22 @@
-"""Coordinate systems: from the points of a program to the positions of the axes, and back.
+"""Coordinate systems and tools: from the points of a program to the positions of the axes, and back.
 
     axes = origin + R(rotation) (point + shift) + tool
 
 origin and rotation belong to the work coordinate system in force (G54 to G59.3), shift is that of G92 and G52, tool the offset of G43.
-R turns about the Z axis. The numbers stand in the parameters #5201 and on, in mm and degrees, as LinuxCNC keeps them.
+R rotates about the Z axis. LinuxCNC keeps these numbers in the parameters #5201 and on, in mm and degrees.
 """
 
 from __future__ import annotations
 
 import math
+import re
 from dataclasses import dataclass
+from pathlib import Path
 
+from contourlab.errors import ProgramError
 from contourlab.program.moves import Point
 from contourlab.program.parameters import Parameters
+from contourlab.program.vocabulary import BlockError
 
 ORIGIN: Point = (0.0, 0.0, 0.0)
 SHIFT_APPLIED = 5210
@@ -67,6 +71,12 @@ def less(a: Point, b: Point) -> Point:
     return (a[0] - b[0], a[1] - b[1], a[2] - b[2])
 
 
+def updated(point: Point, given: list[float | None]) -> Point:
+    """Return a point with the coordinates that are given."""
+    x, y, z = (old if new is None else new for old, new in zip(point, given, strict=True))
+    return (x, y, z)
+
+
 def turn(point: Point, degrees: float) -> Point:
     """Return a point turned about the Z axis."""
     if degrees == 0.0:
@@ -75,33 +85,108 @@ def turn(point: Point, degrees: float) -> Point:
     return (point[0] * c - point[1] * s, point[0] * s + point[1] * c, point[2])
 
 
-def _first(system: int) -> int:
-    return _FIRST_OF_SYSTEM + _PER_SYSTEM * system
-
-
 def origin_of(parameters: Parameters, system: int) -> tuple[Point, float]:
     """Return origin [m] and rotation [degrees] of a work coordinate system, 1 to 9."""
-    first = _first(system)
-    x, y, z = (parameters.number(first + axis) / 1000.0 for axis in range(3))
-    return (x, y, z), parameters.number(first + _ROTATION)
+    first = _FIRST_OF_SYSTEM + _PER_SYSTEM * system
+    return parameters.point(first), parameters.number(first + _ROTATION)
 
 
 def store_origin(parameters: Parameters, system: int, origin: Point, rotation: float) -> None:
     """Set origin [m] and rotation [degrees] of a work coordinate system."""
-    first = _first(system)
-    for axis in range(3):
-        parameters.write(first + axis, origin[axis] * 1000.0)
+    first = _FIRST_OF_SYSTEM + _PER_SYSTEM * system
+    parameters.write_point(first, origin)
     parameters.write(first + _ROTATION, rotation)
 
 
 def load_shift(parameters: Parameters) -> Point:
     """Return the kept shift of G92 [m]."""
-    x, y, z = (parameters.number(SHIFT_APPLIED + 1 + axis) / 1000.0 for axis in range(3))
-    return (x, y, z)
+    return parameters.point(SHIFT_APPLIED + 1)
 
 
 def store_shift(parameters: Parameters, shift: Point, applied: bool) -> None:
     """Keep the shift of G92 [m], and whether it is in force."""
     parameters.write(SHIFT_APPLIED, float(applied))
-    for axis in range(3):
-        parameters.write(SHIFT_APPLIED + 1 + axis, shift[axis] * 1000.0)
+    parameters.write_point(SHIFT_APPLIED + 1, shift)
+
+
+LARGEST_TOOL = 99_999
+_ENTRY = re.compile(r"([A-Za-z])\s*([+-]?(?:[0-9]+\.?[0-9]*|\.[0-9]+))")
+_LENGTHS = "XYZ"
+_LETTERS = frozenset("TPDXYZABCUVWIJQ")
+
+
+class Tools:
+    """Offsets of the tools by their numbers; a tool that nobody has described has none.
+
+    Parameters
+    ----------
+    offsets : dict of int to (x, y, z) [m], optional
+    diameters : dict of int to float [m], optional
+
+    Attributes
+    ----------
+    current, selected : int
+        The tool in the spindle, and the one that the next change brings; 0 for none.
+    complete : bool
+        Whether a table says which tools there are.
+    """
+
+    def __init__(self, offsets: dict[int, Point] | None = None, diameters: dict[int, float] | None = None) -> None:
+        self.offsets, self.diameters = dict(offsets or {}), dict(diameters or {})
+        self.current, self.selected = 0, 0
+        self.complete = False
+
+    def check(self, number: int, column: int) -> None:
+        """Refuse a tool that a table was to describe and does not; 0 is no tool.
+
+        Raises
+        ------
+        BlockError
+            If it is not there.
+        """
+        if self.complete and number and number not in self.offsets:
+            raise BlockError(f"tool {number} is not in the tool table: add it, or correct the number", column)
+
+    def offset(self, number: int) -> Point:
+        """Return the offset of a tool [m]."""
+        return self.offsets.get(number, (0.0, 0.0, 0.0))
+
+
+def read_tools(file: str | Path) -> Tools:
+    """Read a LinuxCNC tool table: one tool on a line, as in ``T1 P1 D3.0 Z+25.4 ; end mill``; lengths in mm.
+
+    Raises
+    ------
+    ProgramError
+        If the file cannot be read, or a line is no tool.
+    """
+    try:
+        text = Path(file).read_text(encoding="utf-8-sig", errors="replace")
+    except (OSError, ValueError) as error:
+        reason = error.strerror if isinstance(error, OSError) and error.strerror else str(error)
+        raise ProgramError(f"the tool table cannot be read: {reason}", file=file) from error
+    tools = Tools()
+    tools.complete = True
+    for number, line in enumerate(text.splitlines(), start=1):
+        entry = line.split(";")[0].strip()
+        if entry:
+            _add(tools, entry, file, number)
+    return tools
+
+
+def _add(tools: Tools, entry: str, file: str | Path, line: int) -> None:
+    if _ENTRY.sub("", entry).strip():
+        cure = "write words such as T1 P1 D3.0 Z+25.4, and comments behind ';'"
+        raise ProgramError(f"this is no line of a tool table: {cure}", file=file, line=line)
+    words = {letter.upper(): float(value) for letter, value in _ENTRY.findall(entry)}
+    unknown = words.keys() - _LETTERS
+    if unknown:
+        raise ProgramError(f"{min(unknown)} is no word of a tool table: there are {', '.join(sorted(_LETTERS))}", file=file, line=line)
+    tool = words.get("T", 0.0)
+    if tool != round(tool) or not 1 <= tool <= LARGEST_TOOL:
+        raise ProgramError(f"a tool has a whole number from 1 to {LARGEST_TOOL}: write for example T1", file=file, line=line)
+    if int(tool) in tools.offsets:
+        raise ProgramError(f"tool {int(tool)} stands there twice: delete one of the lines", file=file, line=line)
+    x, y, z = (words.get(letter, 0.0) / 1000.0 for letter in _LENGTHS)
+    tools.offsets[int(tool)] = (x, y, z)
+    tools.diameters[int(tool)] = words.get("D", 0.0) / 1000.0

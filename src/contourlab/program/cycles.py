@@ -10,10 +10,9 @@ from __future__ import annotations
 from dataclasses import replace
 
 from contourlab.program.block import Block
-from contourlab.program.fault import BlockError
 from contourlab.program.moves import PLANE_AXES, Move, Point
 from contourlab.program.state import ModalState
-from contourlab.program.vocabulary import g_name
+from contourlab.program.vocabulary import BlockError, g_name
 
 PECK_CLEARANCE = 0.010 * 0.0254
 """How far above the last depth a pecking tool comes back to feed [m]."""
@@ -61,7 +60,7 @@ class _Cycle:
         state.cycle.millimetres = state.millimetres
         self.words, self.state, self.line, self.again = block.words, state, line, again
         self.code, self.name = state.motion, g_name(state.motion)
-        self.column = block.codes["motion"].column if "motion" in block.codes else next(iter(block.words.values())).column
+        self.column = block.column
         self.axes = PLANE_AXES[state.plane]
         self.moves: list[Move] = []
         self.u, self.v = (state.position[axis] for axis in self.axes[:2])
@@ -82,7 +81,8 @@ class _Cycle:
             self._go(self.clearance)
             here = self.clearance
         self.state.mode = replace(self.state.mode, control="exact_path", tolerance=None, merge=None)
-        for repeat in range(self._repeats()):
+        repeats = self.words["L"].whole(1, MOST_REPEATS, "the number of repeats") if "L" in self.words else 1
+        for repeat in range(repeats):
             self._next_hole()
             if repeat == 0 and here > self.clearance + LEAST_STROKE:
                 self._go(here)
@@ -147,9 +147,7 @@ class _Cycle:
         kept: tuple[float | None, ...] = memory.bore if self.again else (None, None, None)
         i, j, k = (self.state.length(self.words[x].value) if x in self.words else old for x, old in zip(letters, kept, strict=True))
         if i is None or j is None or k is None:
-            raise BlockError(
-                f"G87 takes {letters[0]} and {letters[1]} (the way aside) and {letters[2]} (upper end of the bore)", self.column
-            )
+            raise BlockError(f"G87 takes {letters[0]} and {letters[1]} (way aside) and {letters[2]} (top of the bore)", self.column)
         memory.bore = (i, j, k)
         return (i, j), k if absolute else self.depth + k
 
@@ -158,18 +156,8 @@ class _Cycle:
         if sense == 0:
             raise BlockError(f"{self.name} needs a turning spindle: write M3 or M4 before it", self.column)
         if (self.code, sense) in ((740, 1), (840, -1)):
-            raise BlockError(
-                f"{self.name} needs the other sense of the spindle: write {'M4' if sense > 0 else 'M3'} before it", self.column
-            )
-
-    def _repeats(self) -> int:
-        word = self.words.get("L")
-        if word is None:
-            return 1
-        repeats = round(word.value)
-        if abs(word.value - repeats) > 1e-4 or not 1 <= repeats <= MOST_REPEATS:
-            raise BlockError(f"L{word.value:g}: a cycle is repeated a whole number of times, from 1 to {MOST_REPEATS}", word.column)
-        return repeats
+            other = "M4" if sense > 0 else "M3"
+            raise BlockError(f"{self.name} needs the spindle to turn the other way: write {other} before it", self.column)
 
     def _next_hole(self) -> None:
         """Go over to the next hole: where the words say, or so much further."""
@@ -198,11 +186,8 @@ class _Cycle:
         if self.state.cycle.dwell:
             self.moves += self.state.wait(self.state.cycle.dwell, self.line)
 
-    def _event(self, word: str) -> None:
-        self.state.tell(word, None, self.line)
-
     def _spindle(self, sense: int) -> None:
-        self._event({1: "M3", -1: "M4", 0: "M5"}[sense])
+        self.state.tell({1: "M3", -1: "M4", 0: "M5"}[sense], None, self.line)
 
     def _plain(self) -> None:
         """Drill (G81, G82), tap (G74, G84), ream (G85), bore (G86, G88, G89)."""
@@ -223,7 +208,7 @@ class _Cycle:
         if code == 850:
             self._go(self.clearance, feed=True)
         if code == 880:
-            self._event("M0")  # the operator draws the tool out by hand
+            self.state.tell("M0", None, self.line)  # the operator draws the tool out by hand
         else:
             self._go(self.back, feed=code == 890)
         if code in (860, 880):

@@ -12,8 +12,8 @@ import math
 import re
 from collections.abc import Callable
 
-from contourlab.program.fault import BlockError
 from contourlab.program.parameters import Key, Parameters
+from contourlab.program.vocabulary import BlockError
 
 MOST_NESTED = 50
 LARGEST_WHOLE = 1e9
@@ -55,6 +55,21 @@ class Cursor:
             return ""
         self.at = found.end()
         return found[0]
+
+    def name(self, what: str) -> str:
+        """Return the name in <> that stands here, and go behind it."""
+        end = self.text.find(">", self.at)
+        name = self.text[self.at + 1 : end]
+        if end < 0 or not name:
+            raise BlockError(f"the name of the {what} has no end: write for example <depth>", self.column)
+        self.at = end + 1
+        return name
+
+    def deeper(self) -> None:
+        """Count one more level of brackets, functions or #; the caller counts it down."""
+        self.depth += 1
+        if self.depth > MOST_NESTED:
+            raise BlockError(f"brackets are nested more than {MOST_NESTED} deep: use a parameter for a part of it", self.column)
 
     def expect(self, character: str, what: str) -> None:
         """Go behind a character.
@@ -126,52 +141,34 @@ def _key(cursor: Cursor, parameters: Parameters) -> Key:
     """Read what stands behind a #: a name in <>, or any value that is a whole number."""
     column = cursor.column
     if cursor.next == "<":
-        end = cursor.text.find(">", cursor.at)
-        name = cursor.text[cursor.at + 1 : end]
-        if end < 0 or not name:
-            raise BlockError("the parameter's name has no end: write for example #<depth>", column)
-        cursor.at = end + 1
-        return name
-    with _Deeper(cursor):
-        value = read_value(cursor, parameters)
+        return cursor.name("parameter")
+    cursor.deeper()
+    value = read_value(cursor, parameters)
+    cursor.depth -= 1
     if abs(value - round(value)) > _EQUAL or abs(value) > LARGEST_WHOLE:
         raise BlockError(f"#{value:g}: the number of a parameter is whole", column)
     return round(value)
 
 
-class _Deeper:
-    """Counts how deep brackets, functions and # stand in each other."""
-
-    def __init__(self, cursor: Cursor) -> None:
-        self.cursor = cursor
-
-    def __enter__(self) -> None:
-        self.cursor.depth += 1
-        if self.cursor.depth > MOST_NESTED:
-            raise BlockError(f"brackets are nested more than {MOST_NESTED} deep: use a parameter for a part of it", self.cursor.column)
-
-    def __exit__(self, *_: object) -> None:
-        self.cursor.depth -= 1
-
-
 def _expression(cursor: Cursor, parameters: Parameters) -> float:
     """Read [a op b op c ...]: operands and operations are stacked, and joined as soon as no higher rank can follow."""
     cursor.expect("[", "before the expression")
-    with _Deeper(cursor):
-        values = [read_value(cursor, parameters)]
-        waiting: list[tuple[str, int]] = []
-        while cursor.next != "]":
-            column = cursor.column
-            name = cursor.take(_OPERATION)
-            if not name:
-                what = f"'{cursor.next}'" if cursor.next else "the end of the line"
-                raise BlockError(f"an operation or ']' is missing before {what}: write for example [1 + 2]", column)
-            while waiting and _RANK[waiting[-1][0]] <= _RANK[name]:
-                _join(values, waiting)
-            waiting.append((name, column))
-            values.append(read_value(cursor, parameters))
-        while waiting:
+    cursor.deeper()
+    values = [read_value(cursor, parameters)]
+    waiting: list[tuple[str, int]] = []
+    while cursor.next != "]":
+        column = cursor.column
+        name = cursor.take(_OPERATION)
+        if not name:
+            what = f"'{cursor.next}'" if cursor.next else "the end of the line"
+            raise BlockError(f"an operation or ']' is missing before {what}: write for example [1 + 2]", column)
+        while waiting and _RANK[waiting[-1][0]] <= _RANK[name]:
             _join(values, waiting)
+        waiting.append((name, column))
+        values.append(read_value(cursor, parameters))
+    while waiting:
+        _join(values, waiting)
+    cursor.depth -= 1
     cursor.at += 1
     return values[0]
 

@@ -9,8 +9,7 @@ from pathlib import Path
 
 from contourlab.errors import ProgramError
 from contourlab.program.moves import Move, Program
-from contourlab.program.reader import Reader, Reading
-from contourlab.program.source import is_utf8, read_text, split_lines, unreadable
+from contourlab.program.reader import Reader, Reading, read_text, split_lines, unreadable
 
 MOST_MOVES = 5_000_000
 """A program that is held in memory makes at most so many moves."""
@@ -113,10 +112,12 @@ def read_program(
         If the file cannot be read, and as `iter_moves`.
     """
     path = Path(file)
-    chosen = reading or Reading(require_end=require_end)
-    if chosen.folder is None:
-        chosen = replace(chosen, folder=path.parent)
+    chosen = _beside(path, reading or Reading(require_end=require_end))
     return _program(read_text(path), path.name, str(file), chosen, problems)
+
+
+def _beside(path: Path, reading: Reading) -> Reading:
+    return replace(reading, folder=path.parent) if reading.folder is None else reading
 
 
 @contextmanager
@@ -137,22 +138,27 @@ def open_program(
     ProgramError
         If the file cannot be read.
     """
-    path, chosen = Path(file), reading or Reading()
-    if chosen.folder is None:
-        chosen = replace(chosen, folder=path.parent)
+    path = Path(file)
+    chosen = _beside(path, reading or Reading())
     try:
         # Whether the whole of it is UTF-8 shows at its end only: looked through once, line by line.
         if path.exists() and not path.is_file() and not path.is_dir():
             # A pipe can be read only once.
             yield Reader(split_lines(read_text(path)), str(file), chosen, still=still, problems=problems)
             return
-        with path.open("rb") as raw:
-            utf8 = all(is_utf8(line) for line in raw)
-        text = path.open(encoding="utf-8-sig" if utf8 else "latin-1", newline=None)
+        text = path.open(encoding="utf-8-sig" if _is_utf8(path) else "latin-1", newline=None)
     except (OSError, ValueError) as error:
         raise unreadable(file, error) from error
     with text:
         yield Reader(text, str(file), chosen, still=still, problems=problems)
+
+
+def _is_utf8(path: Path) -> bool:
+    try:
+        with path.open(encoding="utf-8") as text:
+            return all(True for _ in text)
+    except UnicodeDecodeError:
+        return False
 
 
 def _program(text: str, name: str, place: str, reading: Reading, problems: list[ProgramError] | None = None) -> Program:

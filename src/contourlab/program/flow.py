@@ -11,10 +11,10 @@ import re
 from collections.abc import Iterator
 from typing import NamedTuple
 
+from contourlab.program.block import without_blanks
 from contourlab.program.expressions import Cursor, read_value
-from contourlab.program.fault import BlockError
-from contourlab.program.lexer import without_blanks
 from contourlab.program.parameters import Parameters
+from contourlab.program.vocabulary import BlockError
 
 KEYWORDS = (
     "elseif", "else", "endif", "endsub", "endwhile", "endrepeat", "sub", "call", "return", "do", "while", "if", "break", "continue",
@@ -109,12 +109,7 @@ def _check_values(keyword: str, count: int, column: int) -> None:
 
 def _label(cursor: Cursor, parameters: Parameters) -> str:
     if cursor.next == "<":
-        end = cursor.text.find(">", cursor.at)
-        name = cursor.text[cursor.at + 1 : end]
-        if end < 0 or not name:
-            raise BlockError("the name of the O-word has no end: write for example O<drill>", cursor.column)
-        cursor.at = end + 1
-        return name
+        return cursor.name("O-word")
     column, digits = cursor.column, cursor.take(_DIGITS)
     if digits:
         if len(digits) > 9:

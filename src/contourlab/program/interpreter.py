@@ -9,20 +9,16 @@ and G94 clears an earlier feedrate, but not the F on its own line.
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
 from dataclasses import replace
 
-from contourlab.program.arcs import make_arc
-from contourlab.program.block import Block, Code
+from contourlab.program.block import Block, Code, Word
+from contourlab.program.coordinates import LARGEST_TOOL
+from contourlab.program.curves import add_control_point, bezier, close_curve, make_arc
 from contourlab.program.cycles import drill
-from contourlab.program.events import execute_events, pause
-from contourlab.program.fault import BlockError
-from contourlab.program.lexer import Word
 from contourlab.program.moves import Mode, Move, Plane
-from contourlab.program.offsets import go_home, machine_target, select_system, set_data, set_shift, set_tool_length
-from contourlab.program.splines import add_control_point, bezier, close_curve
+from contourlab.program.offsets import go_home, machine_target, select_system, set_data, set_shift, set_tool_length, show_tool
 from contourlab.program.state import LARGEST_FEEDRATE, ModalState
-from contourlab.program.vocabulary import AXIS_WORDS, CYCLES, SPLINES, USERS, g_name
+from contourlab.program.vocabulary import AXIS_WORDS, CYCLES, SPLINES, USERS, BlockError, g_name
 
 LONGEST_DWELL = 86_400.0
 """Dwells beyond this [s] are a slip."""
@@ -34,6 +30,14 @@ _NO_MOTION = 800
 _PLAIN_LETTERS = frozenset("XYZF@^ST")
 _FEED_MODES = {930: "inverse_time", 940: "per_minute", 950: "per_turn"}
 _PLANES: dict[int, Plane] = {170: "XY", 180: "ZX", 190: "YZ"}
+_MODES = ("plane", "units", "diameter", "tool_length", "system", "control", "distance", "arc_distance", "return")
+"""Groups that only set the state, in the order of execution within a block; the feed mode comes earlier, before the feedrate."""
+_G_GROUPS = frozenset((*_MODES, "other", "motion", "feed_mode", "cutter", "spindle_mode"))
+_EVENTS = ("output", "tool", "spindle", "coolant", "overrides")
+_LETTER_OF_VALUE = dict.fromkeys((50, 51, 52, 53, 62, 63, 64, 65, 19), "P") | dict.fromkeys((61, 67, 68), "Q")
+_NEEDED = (61, 62, 63, 64, 65, 67, 68)
+_SENSES = {3: 1, 4: -1, 5: 0}
+_PAUSES = (0, 1, 60)
 
 
 def execute(block: Block, state: ModalState, line: int) -> list[Move]:
@@ -70,7 +74,7 @@ def execute(block: Block, state: ModalState, line: int) -> list[Move]:
             state.feedrate = 0.0
     if "F" in words and state.feed_mode != "inverse_time":
         _set_feedrate(block, state)
-    execute_events(block, state, line)
+    _execute_events(block, state, line)
     if codes:
         moves += _set_modes(block, state, line)
     if motion is not None:
@@ -79,7 +83,9 @@ def execute(block: Block, state: ModalState, line: int) -> list[Move]:
             state.cycle.level = None
         if motion != _NO_MOTION:
             moves += _motion(block, state, line, before)
-    pause(block, state, line)
+    stop = block.codes.get("stop")
+    if stop is not None and stop.number in _PAUSES:
+        state.tell(f"M{stop.number}", None, line)
     return moves
 
 
@@ -160,9 +166,9 @@ def _set_modes(block: Block, state: ModalState, line: int) -> list[Move]:
     other = codes.get("other")
     if other is not None and other.number == 40:
         moves += _dwell(block, state, line)
-    for group, setter in _SETTERS.items():
+    for group in _MODES:
         if group in codes:
-            setter(block, state, codes[group].number)
+            _set_mode(block, state, group, codes[group].number)
     if other is None:
         return moves
     if other.number == 100:
@@ -190,62 +196,38 @@ def _set_control(block: Block, state: ModalState, code: int) -> None:
     state.mode = Mode("blend", tolerance, tolerance if merge is None else merge, state.mode.tool)
 
 
-def _set_plane(block: Block, state: ModalState, code: int) -> None:
-    state.plane = _PLANES[code]
-
-
-def _set_units(block: Block, state: ModalState, code: int) -> None:
-    state.millimetres = code == 210
-
-
-def _set_diameter(block: Block, state: ModalState, code: int) -> None:
-    state.diameter = code == 70
-
-
-def _set_system(block: Block, state: ModalState, code: int) -> None:
-    select_system(state, code)
-
-
-def _set_distance(block: Block, state: ModalState, code: int) -> None:
-    state.absolute = code == 900
-
-
-def _set_arc_distance(block: Block, state: ModalState, code: int) -> None:
-    state.absolute_centre = code == 901
-
-
-def _set_return(block: Block, state: ModalState, code: int) -> None:
-    state.back_to_clearance = code == 990
-
-
-_SETTERS: dict[str, Callable[[Block, ModalState, int], None]] = {
-    "plane": _set_plane,
-    "units": _set_units,
-    "diameter": _set_diameter,
-    "tool_length": set_tool_length,
-    "system": _set_system,
-    "control": _set_control,
-    "distance": _set_distance,
-    "arc_distance": _set_arc_distance,
-    "return": _set_return,
-}
-"""Groups that only set the state, in the order in which RS274/NGC executes them within a block.
-
-The feed mode is set before the feedrate, thus not here.
-"""
-_G_GROUPS = frozenset((*_SETTERS, "other", "motion", "feed_mode", "cutter", "spindle_mode"))
+def _set_mode(block: Block, state: ModalState, group: str, code: int) -> None:
+    match group:
+        case "plane":
+            state.plane = _PLANES[code]
+        case "units":
+            state.millimetres = code == 210
+        case "diameter":
+            state.diameter = code == 70
+        case "tool_length":
+            set_tool_length(block, state, code)
+        case "system":
+            select_system(state, code)
+        case "control":
+            _set_control(block, state, code)
+        case "distance":
+            state.absolute = code == 900
+        case "arc_distance":
+            state.absolute_centre = code == 901
+        case "return":
+            state.back_to_clearance = code == 990
 
 
 def _motion(block: Block, state: ModalState, line: int, before: int | None) -> list[Move]:
     """Make the motion of a block; `before` is the motion that was in force."""
     motion = state.motion
     if motion != 52 and state.curve.points:
-        raise BlockError("the NURBS begun with G5.2 is not closed: write G5.3 before the next motion", _column(block))
+        raise BlockError("the NURBS begun with G5.2 is not closed: write G5.3 before the next motion", block.column)
     if motion in CYCLES:
         return drill(block, state, line, again=before == motion)
     if motion in SPLINES:
         if state.feed_mode == "inverse_time":
-            raise BlockError("splines do not go with inverse-time feed: write G94 and F", _column(block))
+            raise BlockError("splines do not go with inverse-time feed: write G94 and F", block.column)
         if motion == 52:
             add_control_point(block, state)
             return []
@@ -269,15 +251,10 @@ def _motion(block: Block, state: ModalState, line: int, before: int | None) -> l
     return [arc]
 
 
-def _column(block: Block) -> int:
-    at = block.codes.get("motion") or next(iter(block.words.values()), None)
-    return at.column if at else 0
-
-
 def _feedrate(block: Block, state: ModalState, length: float) -> float:
     """Return the feedrate [m/s] of a move of some length [m]; with G93 its F is one over the time in minutes."""
     assert state.motion is not None  # it is about to be made
-    column, name = _column(block), f"G{state.motion // 10}"
+    column, name = block.column, f"G{state.motion // 10}"
     if state.feed_mode != "inverse_time":
         return state.path_feedrate(column, name)
     word = block.words.get("F")
@@ -287,3 +264,51 @@ def _feedrate(block: Block, state: ModalState, length: float) -> float:
         raise BlockError(f"F{word.value:g}: with G93, F is one over the time in minutes and greater than 0", word.column)
     state.feedrate = max(length * word.value, state.length(LEAST_TIMED_RATE)) / 60.0
     return state.feedrate
+
+
+def _execute_events(block: Block, state: ModalState, line: int) -> None:
+    """Keep speed, tool number, outputs, tool change, spindle, coolant and overrides, in the order of RS274/NGC."""
+    codes, words = block
+    speed, tool = words.get("S"), words.get("T")
+    if speed is not None:
+        if speed.value < 0.0:
+            raise BlockError(f"S{speed.value:g}: a spindle speed is not negative, M4 turns it the other way", speed.column)
+        state.speed = speed.value
+        state.tell("S", speed.value, line)
+    if tool is not None:
+        state.tools.selected = _tool_number(tool)
+        state.tools.check(state.tools.selected, tool.column)
+        state.tell("T", tool.value, line)
+    for group in _EVENTS:
+        if group in codes:
+            _execute_event(block, state, line, codes[group].number, codes[group].column)
+
+
+def _execute_event(block: Block, state: ModalState, line: int, code: int, column: int) -> None:
+    letter = _LETTER_OF_VALUE.get(code)
+    word = block.words.get(letter) if letter else None
+    if word is None and code in _NEEDED:
+        raise BlockError(f"M{code} has no {letter}: write its number", column)
+    index = block.words.get("E") if code in (67, 68) else None
+    if index is None and code in (67, 68):
+        raise BlockError(f"M{code} has no E: write the number of the output", column)
+    if code == 19:
+        _check_orientation(block)
+    if code in (6, 61):
+        state.tools.current = state.tools.selected if code == 6 or word is None else _tool_number(word)
+        show_tool(state)
+    if code in _SENSES:
+        state.turning = _SENSES[code]
+    state.tell(f"M{code}", None if word is None else word.value, line, None if index is None else index.value)
+
+
+def _check_orientation(block: Block) -> None:
+    turn, way = block.words.get("R"), block.words.get("P")
+    if turn is not None and not 0.0 <= turn.value <= 360.0:
+        raise BlockError(f"R{turn.value:g}: M19 turns the spindle to 0 to 360 degrees, correct it", turn.column)
+    if way is not None and way.value not in (0.0, 1.0, 2.0):
+        raise BlockError(f"P{way.value:g}: the P of M19 is 0 (shorter way), 1 (clockwise) or 2 (counterclockwise)", way.column)
+
+
+def _tool_number(word: Word) -> int:
+    return word.whole(0, LARGEST_TOOL, "the number of a tool", 0.0)

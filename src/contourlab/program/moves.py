@@ -1,10 +1,9 @@
-"""What a part program means: moves as frozen values, in SI, each knowing the source line that it came from."""
+"""Moves of a part program: frozen values in SI, each with its source line."""
 
 from __future__ import annotations
 
 import math
 from dataclasses import dataclass, field
-from functools import cached_property
 from typing import Literal, TypeAlias
 
 Point: TypeAlias = tuple[float, float, float]
@@ -15,23 +14,23 @@ PLANE_AXES: dict[Plane, tuple[int, int, int]] = {"XY": (0, 1, 2), "YZ": (1, 2, 0
 """First axis, second axis and normal of each plane (0 = x, 1 = y, 2 = z); each triple is right-handed."""
 
 FULL_CIRCLE_BELOW = 1e-6
-"""Sweeps shorter than this [rad] mean a full circle: the end is the start, but for rounding."""
+"""Shorter sweeps [rad] mean a full circle: the end is the start, up to rounding."""
 
 
 @dataclass(frozen=True, slots=True)
 class Mode:
-    """What else was in force when a move was programmed.
+    """The modes in force for a move.
 
     Parameters
     ----------
     control : {"exact_path", "exact_stop", "blend"} or None
-        G61, G61.1, G64; None as long as the program has not said.
+        G61, G61.1, G64; None before the first of them.
     tolerance : float [m] or None
-        P of G64: how far the path may leave a corner; None where G64 has no P.
+        P of G64: how far the path may leave a corner; None without P.
     merge : float [m] or None
-        Q of G64, which is P where it is not given: how far lines that are joined may lie off.
+        Q of G64, by default P: how far joined lines may deviate.
     tool : (x, y, z) [m]
-        Tool offset in force: positions of the axes less this are those of the tool's tip.
+        Tool offset: the tool tip is at the axis positions minus this offset.
     """
 
     control: Control | None = None
@@ -99,12 +98,12 @@ class Arc:
     source_line : int, >= 1
     mode : Mode
     turned : float [degrees]
-        By how much the plane is turned about the Z axis (rotation of the work coordinate system); of consequence for YZ and ZX only.
+        Rotation of the plane about the Z axis (work coordinate system); it matters for YZ and ZX only.
 
     Notes
     -----
-    The radii at start and end may differ by the tolerance of the reader (see `contourlab.program.arcs`): decimals
-    of a part program are rounded. Who needs a circle takes `radius` and lets the end be off by `radius_mismatch`.
+    The radii at start and end may differ by the tolerance of the reader (see `contourlab.program.curves`), because decimals are rounded.
+    For a true circle take `radius`; the end is then off by `radius_mismatch`.
 
     >>> quarter = Arc((0.01, 0.0, 0.0), (0.0, 0.01, 0.0), (0.0, 0.0, 0.0), "XY", 1, 0.025, 1)
     >>> round(quarter.sweep, 6)
@@ -229,7 +228,7 @@ _UNITS = ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0))
 
 @dataclass(frozen=True, slots=True)
 class Event:
-    """What a program asks for besides motion: spindle, tool, coolant, overrides, pauses.
+    """A command besides motion: spindle, tool, coolant, override or pause.
 
     Parameters
     ----------
@@ -241,7 +240,7 @@ class Event:
     index : float or None
         The E of M67 and M68: the number of the output.
     after : int, >= 0
-        How many moves come before it.
+        Number of moves before it.
     """
 
     word: str
@@ -252,13 +251,13 @@ class Event:
 
     @property
     def rests(self) -> bool:
-        """Whether the machine comes to rest for it: all but speeds, tool numbers, overrides, and outputs that are set while moving."""
+        """Whether the machine stops for it: all but speeds, tool numbers, overrides, and outputs set while moving."""
         return self.word not in _WHILE_MOVING
 
 
 @dataclass(frozen=True, slots=True)
 class Notice:
-    """Where the reader was lenient.
+    """A place where the reader was lenient.
 
     Parameters
     ----------
@@ -273,12 +272,12 @@ class Notice:
 
 @dataclass(frozen=True)
 class Program:
-    """A part program that has been read: at least one move other than a dwell, in the order of execution.
+    """A part program: at least one move other than a dwell, in the order of execution.
 
     Parameters
     ----------
     name : str
-        The file's name, for people.
+        The file's name.
     moves : tuple of Move
         Each starts where the one before it ended; the first starts at machine zero (0, 0, 0).
     lines : tuple of str
@@ -294,23 +293,3 @@ class Program:
     lines: tuple[str, ...] = field(repr=False)
     events: tuple[Event, ...] = ()
     notices: tuple[Notice, ...] = ()
-
-    @cached_property
-    def used_axes(self) -> tuple[str, ...]:
-        """Those of ``"x"``, ``"y"``, ``"z"`` that ever move, in this order.
-
-        >>> Program("p", (Traverse((0.0, 0.0, 0.0), (0.0, 0.01, 0.0), 1),), ("G0 Y10",)).used_axes
-        ('y',)
-        """
-        used: set[int] = set()
-        for move in self.moves:
-            if isinstance(move, Dwell):
-                continue
-            if isinstance(move, Arc):
-                used.update(i for unit in move.directions()[:2] for i in range(3) if unit[i])
-            elif isinstance(move, Spline):
-                used.update(i for point in move.points for i in range(3) if point[i] != move.start[i])
-            used.update(i for i in range(3) if move.start[i] != move.end[i])
-            if len(used) == 3:
-                break
-        return tuple("xyz"[i] for i in sorted(used))

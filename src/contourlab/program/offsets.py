@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-from contourlab.program.block import Block, Code
-from contourlab.program.coordinates import ORIGIN, add, less, load_shift, origin_of, store_origin, store_shift, turn
-from contourlab.program.fault import BlockError
-from contourlab.program.lexer import Word
+from contourlab.program.block import Block, Code, Word
+from contourlab.program.coordinates import LARGEST_TOOL, ORIGIN, add, less, load_shift, origin_of, store_origin, store_shift, turn, updated
 from contourlab.program.moves import Move, Point
 from contourlab.program.parameters import SELECTED_SYSTEM
 from contourlab.program.state import ModalState
+from contourlab.program.vocabulary import BlockError
 
 _SYSTEMS = (540, 550, 560, 570, 580, 590, 591, 592, 593)
 _HOMES = {280: 5161, 281: 5161, 300: 5181, 301: 5181}
@@ -36,30 +35,20 @@ def set_tool_length(block: Block, state: ModalState, code: int) -> None:
     if code == 490:
         frame.tool = ORIGIN
     elif code == 430:
-        number = state.tools.current if height is None else _whole(height, "a tool")
+        number = state.tools.current if height is None else height.whole(0, LARGEST_TOOL, "the number of a tool")
         state.tools.check(number, (height or block.codes["tool_length"]).column)
         frame.tool = state.tools.offset(number)
     elif code == 431:
-        given = state.given(words)
-        x, y, z = (old if new is None else new for old, new in zip(frame.tool, given, strict=True))
-        frame.tool = (x, y, z)
+        frame.tool = updated(frame.tool, state.given(words))
     else:
         given = state.given(words)
         if (height is None) == all(value is None for value in given):
             raise BlockError("G43.2 takes a tool, as in H3, or lengths, as in Z5: give one of the two", block.codes["tool_length"].column)
         if height is not None:
-            frame.tool = add(frame.tool, state.tools.offset(_whole(height, "a tool")))
+            frame.tool = add(frame.tool, state.tools.offset(height.whole(0, LARGEST_TOOL, "the number of a tool")))
         else:
-            x, y, z = (value or 0.0 for value in given)
-            frame.tool = add(frame.tool, (x, y, z))
+            frame.tool = add(frame.tool, updated(ORIGIN, given))
     state.see_from(axes)
-
-
-def _whole(word: Word, what: str) -> int:
-    number = round(word.value)
-    if abs(word.value - number) > 1e-4 or number < 0:
-        raise BlockError(f"{word.letter}{word.value:g}: {what} has a whole number from 0", word.column)
-    return number
 
 
 def set_shift(block: Block, state: ModalState, code: Code) -> None:
@@ -88,14 +77,13 @@ def set_shift(block: Block, state: ModalState, code: Code) -> None:
 def set_data(block: Block, state: ModalState) -> None:
     """Execute G10: L2 and L20 set the origin of a work coordinate system, L1, L10 and L11 the offset of a tool."""
     words, code = block.words, block.codes["other"]
-    level = None if "L" not in words else _whole(words["L"], "G10 L")
+    level = None if "L" not in words else words["L"].whole(0, 10**9, "L of G10")
     if level not in (2, 20, *_TOOL_LEVELS):
         raise BlockError("G10 takes L2 or L20 (work coordinate system), L1, L10 or L11 (tool): write for example G10 L2 P1 X0", code.column)
     if "P" not in words:
-        raise BlockError(
-            f"G10 L{level} has no P: write the number of the {'tool' if level in _TOOL_LEVELS else 'system, 1 for G54'}", code.column
-        )
-    number = _whole(words["P"], "P")
+        what = "tool" if level in _TOOL_LEVELS else "system, 1 for G54"
+        raise BlockError(f"G10 L{level} has no P: write the number of the {what}", code.column)
+    number = words["P"].whole(0, LARGEST_TOOL, "P of G10")
     if level in _TOOL_LEVELS:
         _set_tool(words, state, level, number)
         return
@@ -115,23 +103,16 @@ def _set_origin(words: dict[str, Word], state: ModalState, level: int, system: i
     if "R" in words:
         rotation = words["R"].value
     if level == 2:
-        x, y, z = (old if new is None else new for old, new in zip(origin, given, strict=True))
-        origin = (x, y, z)
+        origin = updated(origin, given)
     else:
-        # The point where the tool is, as the system sees it now; the origin moves by what the program wants it to be instead.
-        here = _in_system(state, origin, rotation)
-        x, y, z = (old if new is None else new for old, new in zip(here, given, strict=True))
-        origin = add(origin, turn(less(here, (x, y, z)), rotation))
+        # The tool's point as the system sees it now; the origin moves by its difference to the wanted one.
+        tip = less(state.axes, frame.tool)
+        here = less(turn(less(tip, origin), -rotation), frame.shift)
+        origin = add(origin, turn(less(here, updated(here, given)), rotation))
     store_origin(state.parameters, system, origin, rotation)
     if system == frame.system:
         frame.origin, frame.rotation = origin, rotation
         state.see_from(axes)
-
-
-def _in_system(state: ModalState, origin: Point, rotation: float) -> Point:
-    """Return the tool's point in a work coordinate system, with the shift of G92."""
-    tip = less(state.axes, state.frame.tool)
-    return less(turn(less(tip, origin), -rotation), state.frame.shift)
 
 
 def _set_tool(words: dict[str, Word], state: ModalState, level: int, number: int) -> None:
@@ -142,8 +123,7 @@ def _set_tool(words: dict[str, Word], state: ModalState, level: int, number: int
         raise BlockError(f"G10 L{level} sets nothing: write the tool's offset, as in Z25", words["P"].column)
     old = state.tools.offset(number)
     if level == 1:
-        x, y, z = (before if new is None else new for before, new in zip(old, given, strict=True))
-        state.tools.offsets[number] = (x, y, z)
+        state.tools.offsets[number] = updated(old, given)
     else:
         state.tools.offsets[number] = _touched_off(state, given, old, level)
     if "R" in words:
@@ -167,8 +147,7 @@ def show_tool(state: ModalState) -> None:
     """Keep number and offset of the tool in the spindle in #5400 to #5403."""
     tools, write = state.tools, state.parameters.write
     write(5400, float(tools.current))
-    for axis, value in enumerate(tools.offset(tools.current)):
-        write(5401 + axis, value * 1000.0)
+    state.parameters.write_point(5401, tools.offset(tools.current))
     write(5410, tools.diameters.get(tools.current, 0.0) * 1000.0)
 
 
@@ -176,13 +155,11 @@ def go_home(block: Block, state: ModalState, code: int, line: int) -> list[Move]
     """Execute G28, G30 (through the given point to the kept one) and G28.1, G30.1 (keep the present one)."""
     first = _HOMES[code]
     if code in (281, 301):
-        for axis, value in enumerate(state.axes):
-            state.parameters.write(first + axis, value * 1000.0)
+        state.parameters.write_point(first, state.axes)
         return []
     words = block.words
     moves = state.straight(state.target(words), line)
-    x, y, z = (state.parameters.number(first + axis) / 1000.0 for axis in range(3))
-    home = state.frame.point((x, y, z))
+    home = state.frame.point(state.parameters.point(first))
     named = [letter in words for letter in "XYZ"]
     x, y, z = (h if chosen or not any(named) else p for h, p, chosen in zip(home, state.position, named, strict=True))
     return moves + state.straight((x, y, z), line)
@@ -201,7 +178,6 @@ def machine_target(block: Block, state: ModalState) -> Point:
         raise BlockError("G53 means machine coordinates, which are absolute: write G90", column)
     if "@" in words or "^" in words:
         raise BlockError("G53 takes no polar coordinates: write X, Y and Z", column)
-    x, y, z = (old if new is None else new for old, new in zip(state.axes, state.given(words), strict=True))
-    point = state.frame.point((x, y, z))
+    point = state.frame.point(updated(state.axes, state.given(words)))
     state.check_reach(point, words)
     return point

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from typing import TypeAlias
 
-from contourlab.program.fault import BlockError
+from contourlab.program.vocabulary import BlockError
 
 LARGEST_PARAMETER = 5601
 SELECTED_SYSTEM = 5220
@@ -110,6 +110,16 @@ class Parameters:
             self._names(key)[key] = value
         else:
             self._numbered[key] = value
+
+    def point(self, first: int) -> tuple[float, float, float]:
+        """Return the lengths [m] in three parameters in mm."""
+        x, y, z = (self.number(first + axis) / 1000.0 for axis in range(3))
+        return (x, y, z)
+
+    def write_point(self, first: int, point: tuple[float, float, float]) -> None:
+        """Set three parameters in mm to lengths [m]."""
+        for axis in range(3):
+            self.write(first + axis, point[axis] * 1000.0)
 
     def _names(self, key: str) -> dict[str, float]:
         return self._global if key.startswith("_") else self._local

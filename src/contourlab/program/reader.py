@@ -10,46 +10,43 @@ from typing import Literal, TypeAlias, get_args
 
 from contourlab.errors import ProgramError
 from contourlab.program.block import Block, read_block
-from contourlab.program.fault import BlockError
+from contourlab.program.coordinates import Tools, read_tools
 from contourlab.program.flow import Tape
-from contourlab.program.grbl import tolerated
 from contourlab.program.interpreter import execute
 from contourlab.program.moves import Dwell, Move, Notice
-from contourlab.program.own_names import own_names
 from contourlab.program.parameters import Parameters
-from contourlab.program.source import read_text, split_lines
-from contourlab.program.state import ModalState
-from contourlab.program.tools import Tools, read_tools
+from contourlab.program.state import ModalState, own_names
+from contourlab.program.vocabulary import BlockError
 from contourlab.program.walker import Walker
 
 Dialect: TypeAlias = Literal["linuxcnc", "grbl"]
 MOST_NOTICES = 1000
 MOST_PROBLEMS = 100
-"""So many faults are kept at most."""
+"""Most faults that are kept."""
 MOST_REPEATED = 5_000_000
-"""So many moves are made in loops and subprograms: a few lines could ask for any number."""
+"""Most moves in loops and subprograms, where a few lines could make any number."""
 _PROGRAM_ENDS = (2, 30)
 _RETURN = 99
 
 
 @dataclass(frozen=True, kw_only=True)
 class Reading:
-    """How a program is to be read.
+    """How to read a program.
 
     Parameters
     ----------
     dialect : {"linuxcnc", "grbl"}
-        With ``"grbl"`` a program need not say where it ends, the first motion is G0 where none is given, comments need no end, and lines
-        for the controller itself ($...) are passed over; each of these is told in a `Notice`.
+        With ``"grbl"`` a program needs no end, the first motion is G0 if none is given, comments need no end, and lines
+        for the controller itself ($...) are passed over; each gives a `Notice`.
     require_end : bool
-        Whether a program must say where it ends: by M2, by M30, by M99, or by standing between two lines of ``%``. LinuxCNC does;
-        without it, the end of the text is the end of the program.
+        Whether a program must end with M2, M30 or M99, or stand between two lines of ``%``, as in LinuxCNC. Otherwise the end of the text
+        is the end of the program.
     block_delete : bool
-        Whether lines that begin with / are passed over; LinuxCNC executes them unless the operator's switch is on.
+        Whether to skip lines that begin with /; LinuxCNC executes them unless the operator's switch is on.
     tools : str, Path, or None
-        LinuxCNC tool table, for G43; tools that it does not hold, and all without it, have no length.
+        LinuxCNC tool table, for G43. Without it all tools have length 0.
     folder : Path or None
-        Where subprograms in files of their own are looked for; by default beside the program.
+        Folder of subprograms in files of their own; by default that of the program.
 
     Raises
     ------
@@ -69,7 +66,7 @@ class Reading:
 
 
 class Reader:
-    """Reads a part program line by line, holding no more lines than something may lead back to.
+    """Read a part program line by line; keep only the lines that a loop or call may lead back to.
 
     Parameters
     ----------
@@ -81,12 +78,12 @@ class Reader:
     still : bool
         Whether moves of no length are yielded, too.
     problems : list of ProgramError, optional
-        Faults are added to it and the faulty line is passed over, up to `MOST_PROBLEMS`; without it the first fault is raised.
+        Collects up to `MOST_PROBLEMS` faults; faulty lines are skipped. Without it the first fault is raised.
 
     Attributes
     ----------
     state : ModalState
-        What is in force after the block whose moves were yielded last.
+        The state after the block whose moves were yielded last.
     notices : list of Notice
     """
 
@@ -106,7 +103,7 @@ class Reader:
         self.parameters = Parameters(self.state.shown_position)
         self.state.parameters = self.parameters
         self._walker = Walker(Tape((raw.rstrip("\r\n") for raw in lines), str(name)), self.parameters, self._subprogram)
-        self.parameters.own = own_names(self.state, self.parameters, lambda: self._walker.place[1])
+        self.parameters.own = own_names(self.state, lambda: self._walker.place[1])
         self._open = self._started = self._ended = False
 
     def moves(self) -> Iterator[Move]:
@@ -148,10 +145,10 @@ class Reader:
         self._check_end(moved)
 
     def _take(self, fault: BlockError) -> None:
-        """Keep a fault where faults are kept and one can go on behind it; raise it otherwise."""
+        """Keep a fault if faults are kept and reading can go on; raise it otherwise."""
         file, number = self._walker.place
         error = ProgramError(fault.message, file=file, line=max(number, 1), column=fault.column)
-        # A fault of no column is that of a whole loop or file: nothing good comes behind it.
+        # A fault without a column concerns a whole loop or file: reading cannot go on.
         if self.problems is None or not fault.column or len(self.problems) >= MOST_PROBLEMS:
             raise error from None
         # A loop meets its fault in every turn.
@@ -175,7 +172,7 @@ class Reader:
         if not self._started:
             self._started = bool(line.strip())
         if self.reading.dialect == "grbl":
-            line = tolerated(line, self._walker.place[1], self.notices, self.state)
+            line = _grbl_line(line, self._walker.place[1], self.notices, self.state)
         return read_block(line, self.parameters)
 
     def _closes(self, line: str) -> bool:
@@ -198,16 +195,10 @@ class Reader:
     def _call(self, block: Block) -> None:
         """Execute M98: P is the number of the subprogram, L how many times."""
         column = block.codes["call"].column
-        values = {"P": -1, "L": 1}
-        for letter in values:
-            word = block.words.get(letter)
-            if word is not None:
-                values[letter] = round(word.value)
-                if abs(word.value - values[letter]) > 1e-4 or word.value < 0:
-                    raise BlockError(f"{letter}{word.value:g} of M98 is no whole number from 0: correct it", word.column)
-        if values["P"] < 0:
+        label, repeats = (block.words[x].whole(0, 10**9, f"{x} of M98") if x in block.words else None for x in "PL")
+        if label is None:
             raise BlockError("M98 has no P: write the number of the subprogram", column)
-        self._walker.enter(str(values["P"]), None, column, values["L"])
+        self._walker.enter(str(label), None, column, 1 if repeats is None else repeats)
 
     def _subprogram(self, label: str) -> Tape | None:
         """Return the lines of a subprogram in a file of its own."""
@@ -225,11 +216,8 @@ class Reader:
         if not moved and (self.state.still or self.problems is not None):
             self.notices.append(Notice("the program moves nothing", 1, 1))
         elif not moved:
-            raise ProgramError(
-                "the program holds no motion: write at least one G0, G1, G2 or G3 move that ends elsewhere than it begins "
-                "(X0 Y0 Z0 at first)",
-                file=self.name,
-            )
+            cure = "write at least one G0, G1, G2 or G3 that leads away from the start (X0 Y0 Z0)"
+            raise ProgramError(f"the program holds no motion: {cure}", file=self.name)
         if self._ended:
             return
         line = self._walker.place[1]
@@ -238,3 +226,55 @@ class Reader:
         else:
             cure = "add a line with % at the end" if self._open else "add M2 or M30 at the end"
             raise ProgramError(f"the program has no end: {cure}", file=self.name, line=line)
+
+
+_COMMENT = re.compile(r"\([^()]*\)|;.*")
+_AXIS = re.compile(r"[XYZxyz]")
+_MOTION = re.compile(r"[Gg][ \t]*0*(?:[0-3](?:\.0*)?|38\.[2-5]|28|30|92|10|53|43\.1|80)(?![0-9.])")
+
+
+def _grbl_line(line: str, number: int, notices: list[Notice], state: ModalState) -> str:
+    """Return a line of grbl 1.1 as LinuxCNC would want it, and add a notice of each leniency."""
+    plain = line.strip()
+    if plain.startswith("$") or plain in ("!", "~", "?", "%"):
+        what = "a line of %" if plain == "%" else f"{plain[:20]} is for the controller itself and"
+        notices.append(Notice(f"{what} was passed over", number, 1))
+        return ""
+    # Blanks in place of comments keep the columns.
+    blank = _COMMENT.sub(lambda comment: " " * len(comment[0]), line)
+    opened = blank.find("(")
+    if opened >= 0 and ")" not in blank[opened:]:
+        notices.append(Notice("the comment has no end: the rest of the line was taken for it", number, opened + 1))
+        line, blank = line[:opened], blank[:opened]
+    if state.motion is None and (axis := _AXIS.search(blank)) and not _MOTION.search(blank):
+        notices.append(Notice("a move before any motion code: taken for G0, as after grbl's start", number, axis.start() + 1))
+        state.motion = 0
+    return line
+
+
+_LINE_BREAK = re.compile(r"\r\n|\n|\r")
+
+
+def unreadable(file: str | Path, error: OSError | ValueError) -> ProgramError:
+    """Return the error of a file that cannot be read."""
+    reason = error.strerror if isinstance(error, OSError) and error.strerror else str(error)
+    return ProgramError(f"the part program cannot be read: {reason}", file=file)
+
+
+def read_text(path: Path) -> str:
+    """Return the text of a file, in UTF-8 or else in Latin-1; raise ProgramError if it cannot be read."""
+    try:
+        content = path.read_bytes()
+    except (OSError, ValueError) as error:
+        raise unreadable(path, error) from error
+    try:
+        return content.decode("utf-8-sig")
+    except UnicodeDecodeError:
+        return content.decode("latin-1")
+
+
+def split_lines(text: str) -> list[str]:
+    """Return the lines of a text, without their breaks."""
+    # Not splitlines(): its other separators (form feed, U+2028 ...) would shift the line numbers of editors.
+    lines = _LINE_BREAK.split(text)
+    return lines[:-1] if lines and not lines[-1] else lines

@@ -1,17 +1,17 @@
-"""The modal state of the interpreter: what earlier blocks left behind, and the moves that can be made from it."""
+"""The modal state of the interpreter, and the moves and named parameters that it gives."""
 
 from __future__ import annotations
 
 import math
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field, replace
 from typing import Literal, TypeAlias
 
-from contourlab.program.coordinates import Frame
-from contourlab.program.fault import BlockError
-from contourlab.program.lexer import Word
+from contourlab.program.block import Word
+from contourlab.program.coordinates import Frame, Tools
 from contourlab.program.moves import PLAIN, Dwell, Event, Feed, Mode, Move, Plane, Point, Traverse
-from contourlab.program.parameters import Parameters
-from contourlab.program.tools import Tools
+from contourlab.program.parameters import SELECTED_SYSTEM, Parameters
+from contourlab.program.vocabulary import BlockError
 
 LARGEST_LENGTH = 1e3
 """Coordinates beyond this [m] are a slip."""
@@ -25,7 +25,7 @@ FeedMode: TypeAlias = Literal["per_minute", "per_turn", "inverse_time"]
 
 @dataclass(slots=True)
 class Cycle:
-    """What a canned cycle remembers from block to block, in program coordinates [m] and seconds, and the units it was written in."""
+    """Modal values of a canned cycle, in program coordinates [m] and seconds, and their units."""
 
     depth: float = 0.0
     clearance: float = 0.0
@@ -47,14 +47,14 @@ class Curve:
 
 @dataclass(slots=True)
 class ModalState:
-    """What earlier blocks left behind; the defaults hold at the start of a program.
+    """The modal state; the defaults hold at the start of a program.
 
     Parameters
     ----------
     parameters : Parameters
     tools : Tools
     still : bool
-        Whether moves of no length are made, too.
+        Whether to make moves of no length, too.
     position : (x, y, z) [m]
         The programmed point, in the coordinate system in force.
     reached : (x, y, z) [m]
@@ -67,7 +67,7 @@ class ModalState:
         Sense of the spindle: 1 clockwise, -1 counterclockwise, 0 at rest.
     speed : float [turns/min]
     made : int
-        How many moves have been made.
+        Number of moves made.
     """
 
     parameters: Parameters = field(default_factory=Parameters)
@@ -135,9 +135,7 @@ class ModalState:
         for letter, value in zip("XYZ", point, strict=True):
             if abs(value) > LARGEST_LENGTH:
                 word = words.get(letter) or next(iter(words.values()), None)
-                raise BlockError(
-                    f"{letter} would go to {value:g} m: no machine is so large, keep to {LARGEST_LENGTH:g} m", word.column if word else 0
-                )
+                raise BlockError(f"{letter} would go to {value:g} m: keep to {LARGEST_LENGTH:g} m", word.column if word else 0)
 
     def polar(self, words: dict[str, Word]) -> tuple[float, float]:
         """Return x and y [m] of a distance @ from the origin and an angle ^ from the x axis, in degrees; what is not given stays."""
@@ -175,9 +173,7 @@ class ModalState:
             If there is none, or the spindle that it counts by has no speed.
         """
         if self.feedrate == 0.0:
-            raise BlockError(
-                f"{motion} without a feedrate: write F (length per minute) on its line or before it; G94 clears an earlier one", column
-            )
+            raise BlockError(f"{motion} without a feedrate: write F on its line or before it; G94 clears an earlier one", column)
         if self.feed_mode == "per_turn":
             if self.speed == 0.0:
                 raise BlockError(f"{motion} with G95 needs a spindle speed: write S before it", column)
@@ -197,7 +193,7 @@ class ModalState:
         return [Feed(start, axes, feedrate, line, self.mode)]
 
     def wait(self, seconds: float, line: int) -> list[Move]:
-        """Return a dwell; one of no time is kept as an event, since the machine comes to rest for it."""
+        """Return a dwell; one of no time becomes an event, because the machine stops for it."""
         if seconds == 0.0:
             self.tell("G4", 0.0, line)
             return []
@@ -205,12 +201,60 @@ class ModalState:
         return [Dwell(seconds, line)]
 
     def tell(self, word: str, value: float | None, line: int, index: float | None = None) -> None:
-        """Keep what is asked for besides motion, with its place among the moves."""
+        """Keep an event with its place among the moves."""
         self.events.append(Event(word, value, line, index, self.made))
 
     def see_from(self, axes: Point) -> None:
-        """Work out the programmed point anew after a change of the offsets, from the positions of the axes [m] before it."""
+        """Recompute the programmed point after a change of the offsets, from the axis positions [m] before it."""
         self.frame.refresh()
         self.position = self.frame.point(axes)
         if self.mode.tool != self.frame.tool:
             self.mode = replace(self.mode, tool=self.frame.tool)
+
+
+_FIXED = {"_vmajor": 2.9, "_ccomp": 400.0, "_spindle_rpm_mode": 1.0} | dict.fromkeys(
+    ("_vminor", "_spindle_css_mode", "_remap_level", "_task", *(f"_{where}{letter}" for letter in "abcuvw" for where in ("", "abs_"))), 0.0
+)
+"""Parameters that never change; the language is that of LinuxCNC 2.9."""
+_PLANES = {"XY": 170.0, "ZX": 180.0, "YZ": 190.0}
+_SYSTEMS = (540.0, 550.0, 560.0, 570.0, 580.0, 590.0, 591.0, 592.0, 593.0)
+
+
+def own_names(state: ModalState, line: Callable[[], int]) -> Mapping[str, Callable[[], float]]:
+    """Return the parameters of the interpreter, such as #<_metric>: functions of their present values, in program units.
+
+    `line` returns the number of the line at hand.
+    """
+    parameters = state.parameters
+    names: dict[str, Callable[[], float]] = {
+        "_line": lambda: float(line()),
+        "_motion_mode": lambda: -1.0 if state.motion is None else float(state.motion),
+        "_plane": lambda: _PLANES[state.plane],
+        "_metric": lambda: float(state.millimetres),
+        "_imperial": lambda: float(not state.millimetres),
+        "_absolute": lambda: float(state.absolute),
+        "_incremental": lambda: float(not state.absolute),
+        "_inverse_time": lambda: float(state.feed_mode == "inverse_time"),
+        "_units_per_minute": lambda: float(state.feed_mode == "per_minute"),
+        "_units_per_rev": lambda: float(state.feed_mode == "per_turn"),
+        "_coord_system": lambda: _SYSTEMS[int(parameters.number(SELECTED_SYSTEM)) - 1],
+        "_tool_offset": lambda: float(any(state.frame.tool)),
+        "_retract_r_plane": lambda: float(state.back_to_clearance),
+        "_retract_old_z": lambda: float(not state.back_to_clearance),
+        "_ijk_absolute_mode": lambda: float(state.absolute_centre),
+        "_lathe_diameter_mode": lambda: float(state.diameter),
+        "_lathe_radius_mode": lambda: float(not state.diameter),
+        "_spindle_on": lambda: float(state.turning != 0),
+        "_spindle_cw": lambda: float(state.turning == 1),
+        "_feed": lambda: state.shown(state.feedrate) * (1.0 if state.feed_mode == "per_turn" else 60.0),
+        "_rpm": lambda: state.speed,
+        "_current_tool": lambda: float(state.tools.current),
+        "_selected_tool": lambda: float(state.tools.selected),
+        "_value": lambda: parameters.returned or 0.0,
+        "_value_returned": lambda: float(parameters.returned is not None),
+        "_call_level": lambda: float(parameters.depth),
+    }
+    for axis, letter in enumerate("xyz"):
+        names[f"_{letter}"] = lambda axis=axis: state.shown_position()[axis]  # type: ignore[misc]  # the default binds it
+        names[f"_abs_{letter}"] = lambda axis=axis: state.shown(state.axes[axis])  # type: ignore[misc]
+    return names | {name: lambda value=value: value for name, value in _FIXED.items()}

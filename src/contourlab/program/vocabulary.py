@@ -5,6 +5,15 @@ A G-code is kept as its number times ten, so that G90.1 is the whole number 901.
 
 from __future__ import annotations
 
+
+class BlockError(Exception):
+    """What is wrong in a block, and its column (from 1; 0 for the whole block). `Reader` adds file and line."""
+
+    def __init__(self, message: str, column: int = 0) -> None:
+        self.message, self.column = message, column
+        super().__init__(message)
+
+
 CYCLES = frozenset((730, 740, 810, 820, 830, 840, 850, 860, 870, 880, 890))
 SPLINES = frozenset((50, 51, 52))
 AXIS_WORDS = frozenset((100, 280, 300, 520, 920))

@@ -1,4 +1,4 @@
-"""Walks over the lines of a program: in order, and through subprograms, loops and conditions."""
+"""Walk over the lines of a program: in order, and through subprograms, loops and conditions."""
 
 from __future__ import annotations
 
@@ -6,14 +6,14 @@ from bisect import bisect_left
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field
 
-from contourlab.program.fault import BlockError
 from contourlab.program.flow import OWord, Tape, read_o_word, starts_o_word
 from contourlab.program.parameters import Parameters
+from contourlab.program.vocabulary import BlockError
 
 DEEPEST_CALL = 9
 """LinuxCNC has ten levels, the program itself among them."""
 MOST_IDLE = 1_000_000
-"""So many lines in loops and subprograms are executed without a move; more are taken for an endless loop."""
+"""Most lines in loops and subprograms without a move; more are taken for an endless loop."""
 MOST_REPEATS = 1e9
 _ENDS = {"while": "endwhile", "do": "while", "repeat": "endrepeat"}
 
@@ -51,7 +51,7 @@ class _Seen:
 
 
 class Walker:
-    """Yields the lines that are executed, one after another.
+    """Yield the lines in the order of execution.
 
     Parameters
     ----------
@@ -73,7 +73,7 @@ class Walker:
 
     @property
     def frame(self) -> _Frame:
-        """Where one is."""
+        """The innermost subprogram, or the program itself."""
         return self._frames[-1]
 
     @property
@@ -94,7 +94,7 @@ class Walker:
     @property
     def repeating(self) -> bool:
         """Whether a loop or a subprogram is being executed."""
-        return bool(self.frame.loops) or len(self._frames) > 1
+        return bool(self.frame.loops) or self.in_subprogram
 
     def lines(self) -> Iterator[str]:
         """Yield lines until the end of the text; O-words are executed here."""
@@ -104,41 +104,32 @@ class Walker:
             if line is None:
                 self._at_end(frame)
                 return
-            if not self.repeating:
-                frame.tape.forget(frame.index)
+            if self.repeating:
+                self.idle += 1
+                if self.idle > MOST_IDLE:
+                    raise BlockError(f"{MOST_IDLE} lines of loops and subprograms without a move are taken for an endless loop", 0)
             else:
-                self._count()
+                frame.tape.forget(frame.index)
             frame.index += 1
             if starts_o_word(line):
-                self._execute(read_o_word(line, self.parameters))
+                word = read_o_word(line, self.parameters)
+                getattr(self, f"_{word.keyword or 'plain'}")(word)
             else:
                 yield line
 
-    def _count(self) -> None:
-        self.idle += 1
-        if self.idle > MOST_IDLE:
-            raise BlockError(f"{MOST_IDLE} lines of loops and subprograms without a move are taken for an endless loop", 0)
-
     def _at_end(self, frame: _Frame) -> None:
-        if len(self._frames) > 1:
+        if self.in_subprogram:
             raise BlockError(f"the subprogram O{frame.label} has no end: write O{frame.label} endsub, or M99 after M98", 0)
         if frame.loops:
             loop = frame.loops[-1]
             raise BlockError(f"O{loop.label} {loop.kind} has no end: write O{loop.label} {_ENDS[loop.kind]}", 0)
-
-    def _execute(self, word: OWord) -> None:
-        handler: Callable[[OWord], None] = getattr(self, f"_{word.keyword or 'plain'}")
-        handler(word)
 
     def _begin(self, word: OWord) -> None:
         """Refuse a label that another condition or loop of the same program or subprogram has."""
         place = self.place
         first = self._begun.setdefault((self.frame.label, word.label), place)
         if first != place:
-            raise BlockError(
-                f"O{word.label} {word.keyword}: the label stands for a block that begins in line {first[1]}, take another one",
-                word.column,
-            )
+            raise BlockError(f"O{word.label} {word.keyword}: line {first[1]} uses this label, take another one", word.column)
 
     # Conditions
 
@@ -150,7 +141,9 @@ class Walker:
                 return
             if found.keyword == "else":
                 break
-            word = read_o_word(self._last_line(), self.parameters)
+            line = self.frame.tape.line(self.frame.index - 1)
+            assert line is not None  # it has just been read
+            word = read_o_word(line, self.parameters)
         self.frame.ifs.append(word.label)
 
     def _elseif(self, word: OWord) -> None:
@@ -273,7 +266,7 @@ class Walker:
         return Tape.of(lines, start, tape.name), start
 
     def _ahead_of_time(self, line: str) -> OWord | None:
-        """Return the O-word of a line that is only looked at; what is wrong with it is told where it is executed."""
+        """Return the O-word of a line that is not executed yet; execution reports its faults."""
         try:
             return read_o_word(line, self.parameters, skipping=True) if starts_o_word(line) else None
         except BlockError:
@@ -291,9 +284,7 @@ class Walker:
             If there is no such subprogram, or calls are nested too deep.
         """
         if len(self._frames) > DEEPEST_CALL:
-            raise BlockError(
-                f"calls are nested more than {DEEPEST_CALL} deep: a subprogram that calls itself must end at some time", column
-            )
+            raise BlockError(f"calls are nested more than {DEEPEST_CALL} deep: a subprogram that calls itself must end", column)
         if repeats < 1:
             return
         fanuc = arguments is None
@@ -303,12 +294,9 @@ class Walker:
 
     def _located(self, label: str, fanuc: bool, column: int) -> tuple[Tape, int]:
         if label not in self._subs:
-            found = self._find(label)
-            self._subs[label] = (
-                self._ahead(found, 0, label, fanuc, column)
-                if found is not None
-                else self._ahead(self.frame.tape, self.frame.index, label, fanuc, column)
-            )
+            file = self._find(label)
+            tape, start = (self.frame.tape, self.frame.index) if file is None else (file, 0)
+            self._subs[label] = self._ahead(tape, start, label, fanuc, column)
         return self._subs[label]
 
     def _ahead(self, tape: Tape, start: int, label: str, fanuc: bool, column: int) -> tuple[Tape, int]:
@@ -382,8 +370,3 @@ class Walker:
                 frame.tape.forget(frame.index)
         frame.index = begun  # the line that has no end is the one to look at
         raise BlockError(f"O{label} {word.keyword} has no end: write O{label} {keywords[-1]}", word.column)
-
-    def _last_line(self) -> str:
-        line = self.frame.tape.line(self.frame.index - 1)
-        assert line is not None  # it has just been read
-        return line

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from dataclasses import dataclass, replace
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
 from itertools import pairwise
 from typing import Any
 
@@ -12,10 +12,9 @@ import numpy as np
 from contourlab.components.contract import Component
 from contourlab.loop import Axis, AxisController, AxisError, Controller, Division, Limits, Machine
 from contourlab.loop.machine import AXIS_SLOTS
-from contourlab.scenario.components import find_kind, located, read_component, read_values, read_wishes
-from contourlab.scenario.correlations import read_correlations, read_machine_correlations
+from contourlab.scenario.components import find_kind, read_component, read_values, read_wishes
 from contourlab.scenario.files import EVERY
-from contourlab.scenario.provenance import without_origins
+from contourlab.scenario.provenance import read_correlations, read_machine_correlations, without_origins
 from contourlab.scenario.quantities import read_number
 from contourlab.scenario.tables import (
     AxisControllerTable,
@@ -28,10 +27,11 @@ from contourlab.scenario.tables import (
     ZeroPhaseTable,
     read_table,
 )
-from contourlab.scenario.tree import DESIGNED, Leaf, Node, Table, hint
+from contourlab.scenario.tree import DESIGNED, Leaf, Node, Table, hint, located
 
 SUPERVISOR = "performance"
 """Kind of a supervisor that names none."""
+_OPTIONAL = ("observer", "gap_observer", "compensation", "supervisor")
 
 
 def build_axis(table: Table, name: str) -> Axis:
@@ -45,12 +45,7 @@ def build_axis(table: Table, name: str) -> Axis:
     table, origins = without_origins(table, ("stage_mass", "alignment"))
     plain = read_table(AxisTable, table)
     plant = read_component(table.entries["plant"], "plant", ("?", "?"))
-    units = (plant.command_unit, plant.force_unit)
-    parts: dict[str, Any] = {}
-    for slot in AXIS_SLOTS[1:]:
-        if slot in table.entries:
-            family = slot.removeprefix("motor_")
-            parts[slot] = read_component(table.entries[slot], family, units, optional=slot == "disturbance")
+    parts = _parts(table, AXIS_SLOTS[1:], (plant.command_unit, plant.force_unit), optional=("disturbance",))
     return Axis(
         name=name,
         plant=plant,
@@ -64,6 +59,15 @@ def build_axis(table: Table, name: str) -> Axis:
         correlations=read_correlations(table, {"plant": plant, **{k: v for k, v in parts.items() if v is not None}}),
         **parts,
     )
+
+
+def _parts(table: Table, slots: Sequence[str], units: tuple[str, str], optional: Sequence[str]) -> dict[str, Any]:
+    """Return the components that a table gives, by slot; None where it says ``"none"``."""
+    return {
+        slot: read_component(table.entries[slot], slot.removeprefix("motor_"), units, optional=slot in optional)
+        for slot in slots
+        if slot in table.entries
+    }
 
 
 def _limits(table: Table) -> Limits:
@@ -166,11 +170,8 @@ def build_controller(table: Table, machine: Machine) -> Controller:
         raise axes.error(f"the machine has no axis {others[0]!r}: {hint(others[0], machine.axis_names)}", others[0])
     built = {name: _axis_controller(axes.table(name), machine, name) for name in machine.axis_names}
     units = (machine.axes[0].plant.command_unit, machine.axes[0].plant.force_unit)
-    parts = {
-        slot: read_component(table.entries[slot], slot, units, optional=True) if slot in table.entries else None
-        for slot in ("estimator", "coupling")
-    }
-    check = getattr(parts["estimator"], "check_axes", None)
+    parts = _parts(table, ("estimator", "coupling"), units, ("estimator", "coupling"))
+    check = getattr(parts.get("estimator"), "check_axes", None)
     if check is not None:
         with located(table, "estimator"):
             check(len(machine.axes))
@@ -182,13 +183,10 @@ def _axis_controller(table: Table, machine: Machine, name: str) -> AxisControlle
     plain = read_table(AxisControllerTable, table)
     axis = machine.axis(name)
     units = (axis.plant.command_unit, axis.plant.force_unit)
-    parts: dict[str, Any] = {}
-    for slot in ("predictor", "velocity", "observer", "gap_observer", "compensation", "supervisor"):
-        if slot in table.entries:
-            node = table.entries[slot]
-            if slot == "supervisor" and isinstance(node, Table) and "kind" not in node.entries:
-                node = node.having(kind=Leaf(SUPERVISOR, node.file, node.at("kind")))
-            parts[slot] = read_component(node, slot, units, optional=slot != "velocity")
+    supervisor = table.get("supervisor")
+    if isinstance(supervisor, Table) and "kind" not in supervisor.entries:
+        table = table.having(supervisor=supervisor.having(kind=Leaf(SUPERVISOR, supervisor.file, supervisor.at("kind"))))
+    parts = _parts(table, ("predictor", "velocity", *_OPTIONAL), units, ("predictor", *_OPTIONAL))
     model = _model(machine, axis, parts.get("observer"))
     parts["controller"] = _position(table.entries["controller"], units, model)
     if "feedforward" in table.entries:
@@ -207,7 +205,7 @@ def _link(node: Node, units: tuple[str, str]) -> Division | None:
             return None
         raise node.error(f'{node.value!r} is no link: write a table with division = "...", and down and up')
     plain = read_table(LinkTable, node)
-    ways = {way: read_component(node.entries[way], "link", units, optional=way == "up") for way in ("down", "up") if way in node.entries}
+    ways = {way: read_component(node.entries[way], "link", units, optional=way == "up") for way in plain.parts if way in node.entries}
     with located(node):
         return Division(plain.division, **ways)
 
@@ -249,20 +247,17 @@ def _local(names: list[str], parts: Mapping[str, Any], table: Table) -> tuple[st
     return tuple(names)
 
 
-@dataclass(frozen=True)
-class _Model:
-    """Acceleration per command and decay of what the position loop sees, and in words where they are from."""
-
-    gain: float
-    damping: float
+_Model = tuple[float, float]
+"""Acceleration per command, and damping, of what the position loop sees."""
 
 
 def _model(machine: Machine, axis: Axis, observer: Component | None) -> _Model:
-    """Return the model that gains are placed for: the observer's where there is one, else the plant's with all that it carries."""
+    """Return the model that gains are placed for: the observer's if there is one, else the plant's with all that it carries."""
     if observer is not None and {"model_gain", "model_damping"} <= set(observer.parameters):
         values = observer.values()
-        return _Model(values["model_gain"], values["model_damping"])
-    return _Model(*machine.loaded_plant(axis.name).rigid_model())
+        return values["model_gain"], values["model_damping"]
+    gain, damping = machine.loaded_plant(axis.name).rigid_model()
+    return gain, damping
 
 
 def _position(node: Node, units: tuple[str, str], model: _Model) -> Any:
@@ -277,12 +272,10 @@ def _position(node: Node, units: tuple[str, str], model: _Model) -> Any:
         raise node.error("is given beside gains = {...}, which works it out: leave one of the two out", both[0])
     wanted = read_wishes(kind, gains, units)
     rest = node.without("gains")
-    base = _Model(
-        _given(rest, "model_gain", units, kind, model.gain),
-        _given(rest, "model_damping", units, kind, model.damping),
-    )
+    names = [name for name in ("model_gain", "model_damping") if name in rest.entries and name in kind.parameters]
+    own = read_values(kind, replace(rest, entries={name: rest.entries[name] for name in names}), units)
     with located(gains):
-        placed = kind.designed(wanted, base.gain, base.damping)
+        placed = kind.designed(wanted, float(own.get("model_gain", model[0])), float(own.get("model_damping", model[1])))
     return read_component(rest, "controller", units, given=placed)
 
 
@@ -291,8 +284,43 @@ def _same_place(node: Any, gains: Table) -> bool:
     return bool(node.file == gains.file and node.key.rpartition(".")[0] == gains.key.rpartition(".")[0])
 
 
-def _given(table: Table, name: str, units: tuple[str, str], kind: type[Component], otherwise: float) -> float:
-    if name not in table.entries or name not in kind.parameters:
-        return otherwise
-    only = Table({name: table.entries[name]}, table.file, table.key)
-    return float(read_values(kind, only, units)[name])
+def in_place(table: Table, module: Axis, place: Axis) -> tuple[Axis, str]:
+    """Return a module in the place of an axis, and a note on what it takes over or lacks.
+
+    Stage mass, limits and substeps that the module's file leaves out are those of the place. Components and errors of the axis are the
+    module's own, or absent.
+
+    Parameters
+    ----------
+    table : Table
+        Content of the module's file.
+    module : Axis
+        As built of it.
+    place : Axis
+        The axis of the machine that it replaces.
+    """
+    kept, words = module, []
+    if "stage_mass" not in table.entries and place.stage_mass:
+        origins = {name: origin for name, origin in place.origins.items() if name == "stage_mass"}
+        kept = replace(kept, stage_mass=place.stage_mass, origins={**module.origins, **origins})
+        words.append(f"stage_mass, {place.stage_mass:g} kg")
+    if "substeps" not in table.entries and place.substeps != module.substeps:
+        kept = replace(kept, substeps=place.substeps)
+        words.append(f"substeps, {place.substeps}")
+    limits, names = _limits_in_place(table.table("limits"), module.limits, place.limits)
+    notes = ["; ".join([*words, *names]) + " (kept from the axis there)"] if words or names else []
+    lost = [slot for slot in AXIS_SLOTS[1:] if slot not in table.entries and getattr(module, slot) != getattr(place, slot)]
+    if "error" not in table.entries and (place.error.position.size or place.error.repeatability):
+        lost.append("error")
+    if lost:
+        notes.append(", ".join(lost) + " (taken without, unlike the axis there)")
+    return replace(kept, limits=limits), "; ".join(notes)
+
+
+def _limits_in_place(table: Table, own: Limits, there: Limits) -> tuple[Limits, list[str]]:
+    """Return limits, those that are left out as they are there, and the names of these."""
+    plain = Limits()
+    names = [name for name in LimitsTable.model_fields if name not in table.entries and getattr(there, name) != getattr(plain, name)]
+    origins = {name: there.origins[name] for name in names if name in there.origins}
+    given = {name: getattr(there, name) for name in names}
+    return replace(own, **given, origins={**own.origins, **origins}), [f"limits.{name}" for name in names]

@@ -1,25 +1,22 @@
-"""A scenario and its cases once they have been read: frozen values."""
+"""A scenario and its cases: frozen values. Schemes by their parts: ``fb``, ``ccc``, ``mr``, ``me`` and ``ilc``, joined by +."""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
-from dataclasses import dataclass, field, replace
+from collections.abc import Callable, Iterable, Iterator
+from dataclasses import dataclass, replace
 from functools import cached_property
 from pathlib import Path as File
-from typing import Any, TypeAlias
+from typing import Any
 
 import numpy as np
 
+from contourlab.components.registry import component
 from contourlab.errors import FeedError, ProgramError, ScenarioError
 from contourlab.feed import AxisLimits, Reference, Route, blended, plan, route_from_path, uniform
 from contourlab.feed.route import controlled
 from contourlab.loop import Change, Controller, Machine
-from contourlab.scenario.learning import LearningSettings
 from contourlab.scenario.motion_check import check_motion
-from contourlab.scenario.values import DEFAULT_CORNER_TOLERANCE, Contour, FeedSettings, Motion, PartProgram, RunSettings
-
-Overrides: TypeAlias = Mapping[str, object]
-"""What a scheme changes: dotted key -> value as written."""
+from contourlab.scenario.values import DEFAULT_CORNER_TOLERANCE, Contour, FeedSettings, LearningSettings, Motion, PartProgram, RunSettings
 
 
 @dataclass(frozen=True, eq=False)
@@ -57,7 +54,7 @@ class Case:
 
     @property
     def notes(self) -> tuple[str, ...]:
-        """What is to be known of the motion."""
+        """Notes on the motion."""
         return self.motion.notes
 
     @property
@@ -135,7 +132,7 @@ class Case:
     def _sampled(self, factor: float) -> Reference:
         period = self.machine.servo_period
         if self.feed.law == "uniform":
-            assert isinstance(self.motion, Contour) and self.feed.frequency is not None  # said by the reader
+            assert isinstance(self.motion, Contour) and self.feed.frequency is not None  # checked by the reader
             return uniform(self.motion.path, self.feed.frequency * factor, self.feed.laps, period)
         return plan(
             self._own_route if factor == self.feed.override else self._route(factor),
@@ -157,7 +154,7 @@ class Case:
     def _route(self, factor: float) -> Route:
         tolerance = DEFAULT_CORNER_TOLERANCE if self.feed.corner_tolerance is None else self.feed.corner_tolerance
         if isinstance(self.motion, Contour):
-            assert self.feed.feedrate is not None  # said by the reader
+            assert self.feed.feedrate is not None  # checked by the reader
             route = route_from_path(self.motion.path, self.feed.feedrate)
         else:
             route = self.motion.route(tolerance)
@@ -176,8 +173,6 @@ class Scenario:
     file : Path
     base : Case
         Machine, controller, motion, feed and run settings without any scheme.
-    schemes : mapping of str to Overrides
-        What each scheme changes.
     all_cases : tuple of Case
         One for each scheme; the base alone where there is none.
     files : tuple of Path
@@ -187,7 +182,6 @@ class Scenario:
     name: str
     file: File
     base: Case
-    schemes: Mapping[str, Overrides] = field(default_factory=dict)
     all_cases: tuple[Case, ...] = ()
     files: tuple[File, ...] = ()
 
@@ -205,16 +199,6 @@ class Scenario:
     def motion(self) -> Motion:
         """What is driven along."""
         return self.base.motion
-
-    @property
-    def feed(self) -> FeedSettings:
-        """The base's feed settings."""
-        return self.base.feed
-
-    @property
-    def run(self) -> RunSettings:
-        """The base's run settings."""
-        return self.base.run
 
     @property
     def inputs(self) -> tuple[File, ...]:
@@ -241,9 +225,99 @@ class Scenario:
                 return case
         raise ScenarioError(f"no scheme {name!r}: there are {', '.join(repr(c.name) for c in self.cases())}", file=self.file)
 
-    @property
-    def text(self) -> str:
-        """The scenario as TOML: machine, controller and schemes joined in; a part program or a drawing is named by its path."""
-        from contourlab.scenario.dump import dump
 
-        return dump(self)
+FEATURES = {
+    "fb": "the axes' own controllers alone",
+    "ccc": "cross-coupled control",
+    "mr": "modified reference",
+    "me": "modified error",
+    "ilc": "learning from trial to trial",
+}
+"""Parts of a scheme's name, and what they stand for."""
+
+_KINDS = {"ccc": ("cross-coupled", "cross-coupled-filter"), "mr": ("modified-reference",), "me": ("modified-error",)}
+_WANTED = {
+    "ccc": '[controller]\nestimator = "tangent"\ncoupling = {kind = "cross-coupled", gain = ...}',
+    "ilc": '[learning]\nlaw = {kind = "zero-phase", gain = 0.2, half_width = 11}',
+}
+
+
+def chosen(scenario: Scenario, names: Iterable[str]) -> Scenario:
+    """Return the scenario with these schemes and no others.
+
+    Parameters
+    ----------
+    scenario : Scenario
+    names : iterable of str
+        Schemes of the scenario, or parts joined by +: see `FEATURES`. A scheme of the scenario has priority. A scheme name with commas
+        may come in pieces, as split from a list.
+
+    Raises
+    ------
+    ScenarioError
+        If a name is neither, is given twice, or asks for a part that the scenario does not hold.
+    """
+    own = {case.name: case for case in scenario.all_cases}
+    wanted = _whole([name.strip() for name in names], own)
+    twice = [name for name in wanted if wanted.count(name) > 1]
+    if twice:
+        raise ScenarioError(f"scheme {twice[0]!r} is asked for twice", file=scenario.file)
+    cases = tuple(own[name] if name in own else _composed(scenario, name) for name in wanted)
+    if not cases:
+        raise ScenarioError("no scheme is asked for: give names such as fb,ccc,ilc,ccc+ilc", file=scenario.file)
+    return replace(scenario, all_cases=cases)
+
+
+def _whole(words: list[str], own: Iterable[str]) -> list[str]:
+    """Return names, those of schemes put together again of pieces that follow one another; of several the longest."""
+    pieces = {tuple(part.strip() for part in name.split(",")): name for name in own}
+    found = []
+    while words:
+        n = next((n for n in range(len(words), 1, -1) if tuple(words[:n]) in pieces), 1)
+        found.append(pieces[tuple(words[:n])] if n > 1 else words[0])
+        words = words[n:]
+    return found
+
+
+def _composed(scenario: Scenario, name: str) -> Case:
+    parts = name.split("+")
+    unknown = [part for part in parts if part not in FEATURES]
+    if unknown:
+        known = ", ".join([*(repr(case.name) for case in scenario.all_cases), *FEATURES])
+        raise ScenarioError(f"no scheme {name!r}: there are {known}, and these parts joined by +", file=scenario.file)
+    couplings = [part for part in parts if part in _KINDS]
+    if len(couplings) > 1 or len(set(parts)) < len(parts):
+        raise ScenarioError(f"scheme {name!r}: one coupling at most, and each part once: ccc+ilc, mr+ilc", file=scenario.file)
+    controller = _coupled(scenario, couplings[0]) if couplings else replace(scenario.base.controller, estimator=None, coupling=None)
+    learning = _learning(scenario) if "ilc" in parts else None
+    return replace(scenario.base, name=name, controller=controller, learning=learning)
+
+
+def _coupled(scenario: Scenario, part: str) -> Controller:
+    """Return the base's controller with a coupling, as it stands in the base or in the first scheme that has one of its kind."""
+    base, kinds = scenario.base.controller, _KINDS[part]
+    held = _first(scenario, lambda case: case.controller if case.controller.coupling and case.controller.coupling.kind in kinds else None)
+    estimator: Any
+    if held is not None:
+        estimator, coupling = held.estimator, held.coupling
+    elif part in _WANTED:
+        raise ScenarioError(_missing(part), file=scenario.file)
+    else:
+        estimator, coupling = base.estimator or component("estimator", "newton")(), component("coupling", kinds[0])()
+    return replace(base, estimator=estimator, coupling=coupling)
+
+
+def _learning(scenario: Scenario) -> LearningSettings:
+    found: LearningSettings | None = _first(scenario, lambda case: case.learning)
+    if found is None:
+        raise ScenarioError(_missing("ilc"), file=scenario.file)
+    return found
+
+
+def _first(scenario: Scenario, of: Callable[[Case], Any]) -> Any:
+    cases: Iterator[Case] = iter((scenario.base, *scenario.all_cases))
+    return next((found for found in map(of, cases) if found is not None), None)
+
+
+def _missing(part: str) -> str:
+    return f"{part} stands for {FEATURES[part]}, which neither the base nor a scheme has; write, for example:\n\n{_WANTED[part]}\n"

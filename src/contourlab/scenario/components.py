@@ -2,31 +2,19 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
-from contextlib import contextmanager
+from collections.abc import Mapping
 from dataclasses import replace
 from typing import Any
 
 from contourlab.components.contract import Component, Parameter
 from contourlab.components.origin import Origin
 from contourlab.components.registry import component, components
-from contourlab.errors import ComponentError, ContourlabError, ParameterError, ScenarioError, UnitError
+from contourlab.errors import ComponentError, ParameterError, UnitError
 from contourlab.scenario.provenance import bare, read_origins
 from contourlab.scenario.quantities import read_list, read_number, show_bound
-from contourlab.scenario.tree import Leaf, Node, Table, hint
+from contourlab.scenario.tree import Leaf, Node, Table, hint, located
 
 WORKED_OUT = Origin("design", note="worked out from gains = {...}")
-
-
-@contextmanager
-def located(table: Table, name: str = "") -> Iterator[None]:
-    """Turn an error about a value into one that names file and key."""
-    try:
-        yield
-    except ScenarioError:
-        raise
-    except ContourlabError as error:
-        raise table.error(str(error), name) from error
 
 
 def parameters_of(kind: type[Component], units: tuple[str, str]) -> dict[str, Parameter]:
@@ -35,7 +23,7 @@ def parameters_of(kind: type[Component], units: tuple[str, str]) -> dict[str, Pa
 
 
 def _as_table(node: Node, family: str) -> Table:
-    """Return the table of a component; ``drive = "saturation"`` is short for one with that kind alone."""
+    """Return the table of a component; ``drive = "saturation"`` is short for a table with that kind."""
     if isinstance(node, Table):
         return node
     if not isinstance(node.value, str):
@@ -139,10 +127,8 @@ def _read_declared(what: str, declared: Mapping[str, Parameter], table: Table) -
     for name, node in table.entries.items():
         if name not in declared:
             raise table.error(f"{what} has no parameter {name!r}: {hint(name, declared)}", name)
-        try:
+        with located(table, name):
             values[name] = _value(declared[name], bare(node).plain())
-        except (UnitError, ParameterError) as error:
-            raise table.error(str(error), name) from error
     return values
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping
 from dataclasses import fields
-from functools import partial, singledispatch
+from functools import partial
 from pathlib import Path as File
 from typing import Any
 
@@ -15,19 +15,19 @@ from contourlab.loop.machine import AXIS_SLOTS, CONTROLLER_SLOTS
 from contourlab.scenario.case import Case, Scenario
 from contourlab.scenario.components import parameters_of
 from contourlab.scenario.files import BUILTIN, builtin_file, builtin_names
-from contourlab.scenario.learning import LearningSettings
 from contourlab.scenario.provenance import origin_table, written
 from contourlab.scenario.toml_text import Noted, toml
 from contourlab.scenario.tree import DEFAULT
-from contourlab.scenario.values import Contour, Motion, PartProgram
+from contourlab.scenario.values import Contour, LearningSettings, Motion, PartProgram
 from contourlab.units import from_si, to_si
 
-_LIMITS = {
-    "velocity": ("m/s", "mm/min"),
-    "acceleration": ("m/s^2", "m/s^2"),
-    "jerk": ("m/s^3", "m/s^3"),
-    "following_error": ("m", "mm"),
+_LIMITS = {"velocity": ("m/s", "mm/min"), "acceleration": ("m/s^2", ""), "jerk": ("m/s^3", ""), "following_error": ("m", "mm")}
+_UNITS = dict.fromkeys(("tolerance", "corner_tolerance", "merge_tolerance"), ("m", "um")) | {
+    "feedrate": ("m/s", "mm/min"),
+    "frequency": ("Hz", ""),
+    "corner_angle": ("rad", "deg"),
 }
+"""Unit and display unit of the settings that have one."""
 
 
 def quantity(value: float, unit: str, display: str = "") -> str | float:
@@ -72,32 +72,16 @@ def dump(value: Machine | Controller | Axis | Scenario, machine: Machine | None 
         if machine is None:
             raise TypeError("dump(controller, machine): the units of the gains are those of the machine's commands")
         return toml({"controller": controller_table(value, machine)})
-    return _dump(value)
-
-
-@singledispatch
-def _dump(value: Any) -> str:
-    raise TypeError(f"{type(value).__name__} has no file of its own")
-
-
-@_dump.register
-def _(value: Axis) -> str:
-    return toml(axis_table(value))
-
-
-@_dump.register
-def _(value: Machine) -> str:
-    return toml(machine_tables(value))
-
-
-@_dump.register
-def _(value: Scenario) -> str:
+    if isinstance(value, Axis):
+        return toml(axis_table(value))
+    if isinstance(value, Machine):
+        return toml(machine_tables(value))
+    if not isinstance(value, Scenario):
+        raise TypeError(f"{type(value).__name__} has no file of its own")
     base = case_tables(value.base)
     content: dict[str, Any] = {"name": value.name, **motion_table(value.motion), **base}
     schemes = {case.name: difference(base, case_tables(case)) for case in value.all_cases}
-    if schemes:
-        content["schemes"] = schemes
-    return toml(content)
+    return toml(content | ({"schemes": schemes} if schemes else {}))
 
 
 # --- tables --------------------------------------------------------------------------------------------------------------------------
@@ -219,11 +203,16 @@ def motion_table(motion: Motion) -> dict[str, Any]:
     if isinstance(motion, Contour):
         offset = {"offset": [quantity(v, "m", "mm") for v in motion.offset]} if motion.offset else {}
         if motion.file is not None:
-            return {"contour": _contour_file_table(motion, motion.file) | offset}
-        units = _contour_units(motion.name)
-        return {"contour": {"name": motion.name, **{k: quantity(v, *units[k]) for k, v in motion.parameters.items()}, **offset}}
+            table: dict[str, Any] = {"file": Noted(motion.file.resolve().as_posix(), "; ".join(motion.reading.notes)[:200])}
+            options = {k: quantity(v, *_UNITS[k]) if k in _UNITS else v for k, v in motion.options.items()}
+            return {"contour": table | options | offset}
+        from contourlab.geometry import contour_parameters
+
+        units = {key: unit for key, (_, unit) in contour_parameters(motion.name).items()}
+        sizes = {k: quantity(v, units[k], "mm" if units[k] == "m" else units[k]) for k, v in motion.parameters.items()}
+        return {"contour": {"name": motion.name, **sizes, **offset}}
     reading = motion.reading
-    table: dict[str, Any] = {
+    table = {
         "file": _file_name(motion),
         "letters": list(motion.letters),
         "require_end": reading.require_end,
@@ -236,20 +225,6 @@ def motion_table(motion: Motion) -> dict[str, Any]:
     return {"program": table}
 
 
-def _contour_file_table(motion: Contour, file: File) -> dict[str, Any]:
-    units = {"tolerance": ("m", "um"), "corner_angle": ("rad", "deg")}
-    table: dict[str, Any] = {"file": Noted(file.resolve().as_posix(), "; ".join(motion.reading.notes)[:200])}
-    for name, value in motion.options.items():
-        table[name] = quantity(value, *units[name]) if name in units else value
-    return table
-
-
-def _contour_units(name: str) -> dict[str, tuple[str, str]]:
-    from contourlab.geometry import contour_parameters
-
-    return {key: (unit, "mm" if unit == "m" else unit) for key, (_, unit) in contour_parameters(name).items()}
-
-
 def _file_name(motion: PartProgram) -> str:
     resolved = motion.file.resolve()
     for name in builtin_names():
@@ -260,18 +235,11 @@ def _file_name(motion: PartProgram) -> str:
 
 def case_tables(case: Case) -> dict[str, Any]:
     """Return the tables of a case, without its motion."""
-    units = {
-        "feedrate": ("m/s", "mm/min"),
-        "frequency": ("Hz", "Hz"),
-        "tolerance": ("m", "um"),
-        "corner_tolerance": ("m", "um"),
-        "merge_tolerance": ("m", "um"),
-    }
 
     def settings(value: Any) -> dict[str, Any]:
         given = {f.name: getattr(value, f.name) for f in fields(value) if getattr(value, f.name) is not None}
         plain: dict[str, Any] = {k: list(v) if isinstance(v, tuple) else v for k, v in given.items()}
-        return {k: quantity(v, *units[k]) if k in units else v for k, v in plain.items()}
+        return {k: quantity(v, *_UNITS[k]) if k in _UNITS else v for k, v in plain.items()}
 
     run = settings(case.run)
     if case.changes:
@@ -304,15 +272,9 @@ def difference(base: Mapping[str, Any], other: Mapping[str, Any]) -> dict[str, A
     for name, value in other.items():
         if name not in base:
             found[name] = value
-        elif isinstance(value, Mapping) and isinstance(base[name], Mapping):
-            found |= _nested(name, base[name], value)
+        elif isinstance(value, Mapping) and isinstance(base[name], Mapping) and value.get("kind") == base[name].get("kind"):
+            inner = difference(base[name], value)
+            found |= {name: inner} if inner else {}
         elif value != base[name]:
             found[name] = value
     return found
-
-
-def _nested(name: str, base: Mapping[str, Any], value: Mapping[str, Any]) -> dict[str, Any]:
-    if "kind" in value and value["kind"] != base.get("kind"):
-        return {name: dict(value)}  # a component of another kind replaces the inherited one whole
-    inner = difference(base, value)
-    return {name: inner} if inner else {}

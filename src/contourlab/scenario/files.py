@@ -9,7 +9,7 @@ from pathlib import Path
 
 import contourlab
 from contourlab.errors import ScenarioError
-from contourlab.scenario.tree import DEFAULT, Leaf, Node, Table, hint, merge, read_tree
+from contourlab.scenario.tree import DEFAULT, Leaf, Node, Table, hint, located, merge, read_tree
 
 BUILTIN = "builtin:"
 """Prefix of the names of files that are shipped."""
@@ -52,6 +52,13 @@ def locate(reference: str, folder: Path) -> Path:
     if reference.startswith(BUILTIN):
         return builtin_file(reference)
     return folder / reference
+
+
+def named_in(table: Table, key: str) -> Path:
+    """Return the file that an entry names, relative to the file it stands in."""
+    node = table.entries[key]
+    with located(table, key):
+        return locate(str(node.plain()), Path(node.file).parent)
 
 
 @dataclass(frozen=True)
@@ -115,14 +122,14 @@ class Reader:
         return replace(join(base, own, self.names), afresh=True)
 
     def _split(self, node: Node, part: Callable[[Reader, Table], Table]) -> tuple[Table | None, Node | None]:
-        """Return what the file of a part holds, if it names one, and what is said besides."""
+        """Return the content of the file that a part names, if any, and the rest of the part."""
         if isinstance(node, Leaf):
             return (None, node) if node.value == DEFAULT else (self.include(node, part), None)
         reference = node.get("file")
         if reference is None:
             return None, node
         if isinstance(reference, Table):
-            raise reference_error(reference)
+            raise reference.error("the name of a file is wanted, in quotes")
         rest = node.without("file")
         return self.include(reference, part), rest if rest.entries else None
 
@@ -132,7 +139,9 @@ class Reader:
 
     def axis_file(self, content: Table) -> Table:
         """Read an axis' own file: plant, friction, drive ... stand at its top."""
-        refuse(content, ("machine", "axes"), "an axis")
+        for name in ("machine", "axes"):
+            if name in content.entries:
+                raise content.error("this is not the file of an axis: its parts stand at the top of its own file", name)
         return content
 
     def machine(self, content: Table) -> Table:
@@ -180,11 +189,6 @@ class Reader:
         return found
 
 
-def reference_error(reference: Table) -> ScenarioError:
-    """Return the error about a file name that is a table."""
-    return reference.error("the name of a file is wanted, in quotes")
-
-
 def refuse_others(content: Table, known: tuple[str, ...], what: str) -> None:
     """Refuse a key that has no place in a file."""
     for name in content.entries:
@@ -192,15 +196,8 @@ def refuse_others(content: Table, known: tuple[str, ...], what: str) -> None:
             raise content.error(f"unknown key in the file of {what}: {hint(name, known)}", name)
 
 
-def refuse(content: Table, names: tuple[str, ...], what: str) -> None:
-    """Refuse a file that is one of something else."""
-    for name in names:
-        if name in content.entries:
-            raise content.error(f"this is not the file of {what}: its parts stand at the top of its own file", name)
-
-
 def listed(machine: Table) -> tuple[str, ...]:
-    """Return the names that ``machine.axes`` lists; what is wrong with the list is said when the machine is built."""
+    """Return the names that ``machine.axes`` lists; `build_machine` reports faults of the list."""
     node = machine.get("machine")
     names = node.get("axes") if isinstance(node, Table) else None
     if not isinstance(names, Leaf) or not isinstance(names.value, list):
@@ -209,9 +206,9 @@ def listed(machine: Table) -> tuple[str, ...]:
 
 
 def join(base: Table, over: Table, names: tuple[str, ...]) -> Table:
-    """Merge two machines, or two controllers, whose ``axes`` may say something for every axis at once.
+    """Merge two machines, or two controllers, whose ``axes`` may have an entry for every axis.
 
-    What the upper one says for ``"*"`` goes before what the lower one says for an axis by name.
+    ``"*"`` in `over` has priority over an axis by name in `base`.
     """
     return merge(_spread(base, names), _spread(over, names))
 

@@ -10,13 +10,10 @@ from typing import Any
 from contourlab.components.registry import load_plugin
 from contourlab.errors import ScenarioError
 from contourlab.loop import Axis, Controller, Machine
-from contourlab.scenario.build import build_axis, build_controller, build_machine
+from contourlab.scenario.build import build_axis, build_controller, build_machine, in_place
 from contourlab.scenario.case import Case, Scenario
-from contourlab.scenario.changes import read_changes
 from contourlab.scenario.files import BUILTIN, EVERY, Reader, builtin_file, join, listed
-from contourlab.scenario.learning import read_learning
-from contourlab.scenario.motion import read_feed, read_motion, read_run
-from contourlab.scenario.place import in_place
+from contourlab.scenario.motion import read_changes, read_feed, read_learning, read_motion, read_run
 from contourlab.scenario.tables import ScenarioTable, read_table
 from contourlab.scenario.tree import Leaf, Node, Table, from_mapping, hint, merge, parse_tree, settle
 from contourlab.scenario.values import Contour, Motion
@@ -301,16 +298,7 @@ def _scenario(reader: Reader, content: Table, path: Path) -> Scenario:
     base = _case("base", layers, motion, content, reader)
     schemes = content.table("schemes")
     cases = tuple(_case(name, _over(reader, layers, schemes.table(name)), motion, schemes.table(name), reader) for name in schemes.entries)
-    overrides = {name: dict(_flat(schemes.table(name))) for name in schemes.entries}
-    return Scenario(plain.name or _title(path), path, base, overrides, cases, tuple(dict.fromkeys(reader.seen)))
-
-
-def _flat(table: Table, key: str = "") -> list[tuple[str, Any]]:
-    found: list[tuple[str, Any]] = []
-    for name, node in table.entries.items():
-        place = f"{key}.{name}" if key else name
-        found += _flat(node, place) if isinstance(node, Table) else [(place, node.value)]
-    return found
+    return Scenario(plain.name or _title(path), path, base, cases, tuple(dict.fromkeys(reader.seen)))
 
 
 def _over(reader: Reader, base: _Layers, scheme: Table) -> _Layers:

@@ -1,23 +1,25 @@
-"""What is driven along, how fast, and what is kept of it: the tables contour, program, feed and run."""
+"""Read what surrounds machine and controller: the tables contour, program, feed, run and learning."""
 
 from __future__ import annotations
 
 from dataclasses import replace
 from pathlib import Path
+from typing import Any
 
 from contourlab.contours import SUFFIXES, unit_size
 from contourlab.errors import ProgramError, ScenarioError
 from contourlab.geometry import contour_names, contour_parameters
-from contourlab.loop import Machine
+from contourlab.loop import Change, Machine
 from contourlab.loop.simulate import UNITS
 from contourlab.program import Reading, read_program
-from contourlab.scenario.components import located
-from contourlab.scenario.files import locate
-from contourlab.scenario.fit import fitted
+from contourlab.scenario.build import build_controller
+from contourlab.scenario.components import read_component
+from contourlab.scenario.files import Reader, join, named_in
+from contourlab.scenario.placing import fitted
 from contourlab.scenario.quantities import read_list, read_number
-from contourlab.scenario.tables import ContourFileTable, FeedTable, ProgramTable, RunTable, read_table
-from contourlab.scenario.tree import Leaf, Node, Table, hint
-from contourlab.scenario.values import Contour, FeedSettings, Motion, PartProgram, RunSettings
+from contourlab.scenario.tables import ChangeTable, ContourFileTable, FeedTable, LearningTable, ProgramTable, RunTable, read_table
+from contourlab.scenario.tree import Leaf, Node, Table, from_mapping, hint, located, settle
+from contourlab.scenario.values import Contour, FeedSettings, LearningSettings, Motion, PartProgram, RunSettings
 
 JUDGED = ("contour_error", "part_error", "planning_deviation", "foot_arc_length", "tracking_error")
 SIZES = (1e-6, 100.0)
@@ -103,29 +105,23 @@ def read_motion(content: Table, machine: Machine) -> Motion:
     if isinstance(node, Leaf):
         node = Table({"file": node}, node.file, node.key)
     plain = read_table(ProgramTable, node)
-    reference = node.entries["file"]
-    assert isinstance(reference, Leaf)  # its text has just been read
-    with located(node, "file"):
-        file = locate(plain.file, Path(reference.file).parent)
+    file = named_in(node, "file")
     letters = tuple(plain.letters) if plain.letters else tuple(name.lower() for name in machine.axis_names)
     _check_letters(node, letters, machine, bool(plain.letters))
-    tools = None
-    if plain.tools is not None:
-        with located(node, "tools"):
-            tools = locate(plain.tools, Path(reference.file).parent)
+    tools = None if plain.tools is None else named_in(node, "tools")
     reading = Reading(dialect=plain.dialect, require_end=plain.require_end, block_delete=plain.block_delete, tools=tools)
     try:
         program = read_program(file, reading=reading)
     except ProgramError as error:
         if error.line:
             raise
-        if reference.file.startswith("<"):  # typed, not read from a file: there is no key to name
+        if node.entries["file"].file.startswith("<"):  # typed, not read from a file: there is no key to name
             raise ScenarioError(error.message, file=error.file) from error
-        raise reference.error(str(error)) from error
+        raise node.error(str(error), "file") from error
     if not plain.fit:
         return PartProgram(file, program, letters, reading)
-    found = fitted(program, letters, machine)
-    return PartProgram(file, found.program, letters, reading, True, found.note)
+    program, note = fitted(program, letters, machine)
+    return PartProgram(file, program, letters, reading, True, note)
 
 
 def _check_letters(node: Table, letters: tuple[str, ...], machine: Machine, given: bool) -> None:
@@ -189,14 +185,11 @@ def _on_machine(found: Contour, offset: tuple[float, ...], machine: Machine, nod
 
 
 def _contour_file(node: Table, machine: Machine) -> Contour:
-    """Return the contour of a drawing, or of points; the file is read here, so that what is wrong with it is said before anything runs."""
+    """Return the contour of a drawing, or of points; read the file now, to report its faults before anything runs."""
     if "name" in node.entries:
         raise node.error("name and file are both given: a test contour has a name, a drawing a file", "name")
     plain = read_table(ContourFileTable, node)
-    reference = node.entries["file"]
-    assert isinstance(reference, Leaf)  # its text has just been read
-    with located(node, "file"):
-        file = locate(plain.file, Path(reference.file).parent)
+    file = named_in(node, "file")
     if plain.unit is not None:
         with located(node, "unit"):
             unit_size(plain.unit)
@@ -205,3 +198,48 @@ def _contour_file(node: Table, machine: Machine) -> Contour:
     with located(node, "file"):
         _ = found.path
     return _on_machine(found, plain.offset, machine, node, "file")
+
+
+def read_learning(table: Table, machine: Machine) -> LearningSettings | None:
+    """Return the settings of ``[learning]``; None where there are none, or ``law = "none"``.
+
+    Raises
+    ------
+    ScenarioError
+        With file and key of what is wrong.
+    """
+    if not table.entries:
+        return None
+    plain = read_table(LearningTable, table)
+    first = machine.axes[0].plant
+    law: Any = read_component(table.entries["law"], "learning", (first.command_unit, first.force_unit), optional=True)
+    if law is None:
+        return None
+    start = None if plain.table is None else named_in(table, "table")
+    return LearningSettings(law, plain.trials, plain.improvement, plain.patience, start)
+
+
+def read_changes(run: Table, machine: Machine, reader: Reader) -> tuple[Change, ...]:
+    """Return the changes that a table ``run`` asks for, their controllers read and checked.
+
+    Raises
+    ------
+    ScenarioError
+        With file and key.
+    """
+    given = read_table(RunTable, run).changes
+    node = run.get("changes")
+    found = []
+    for i, item in enumerate(given):
+        assert isinstance(node, Leaf)  # what the table's own check has read
+        if not isinstance(item, dict):
+            raise node.error(f'{item!r}: {{at = "2 s", controller = "other.toml"}} is wanted')
+        table = from_mapping(item, node.file, f"{node.key}[{i}]")
+        plain = read_table(ChangeTable, table)
+        leaf = table.entries["controller"]
+        assert isinstance(leaf, Leaf)
+        content = replace(reader, names=machine.axis_names).include(leaf, Reader.controller_file)
+        controller = build_controller(settle(join(content, Table({}, content.file, content.key), machine.axis_names)), machine)
+        with located(table):
+            found.append(Change(plain.at, controller, plain.handover_time, content.file))
+    return tuple(found)

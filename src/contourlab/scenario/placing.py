@@ -1,21 +1,29 @@
-"""Puts a contour on a machine: moved, and with coordinates that stay where they are for the axes that it does not move."""
+"""Place a path on a machine: move a contour, or scale and move a part program into the travel (only on request)."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 from functools import singledispatch
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from contourlab.feed import route_from_program
 from contourlab.geometry import Path
 from contourlab.geometry.arc import Arc
+from contourlab.geometry.box import box
 from contourlab.geometry.conics import EllipticalArc
 from contourlab.geometry.curve import Curve
 from contourlab.geometry.line import Line
 from contourlab.geometry.nurbs import BSpline, Nurbs
+from contourlab.loop import Machine
+from contourlab.program import Arc as ProgramArc
+from contourlab.program import Dwell, Move, Point, Program, Spline
 
 Array = NDArray[np.float64]
+MARGIN = 0.01
+"""Share of the travel that a fitted program leaves free at either end."""
 
 
 def placed(path: Path, offset: Sequence[float]) -> Path:
@@ -97,3 +105,64 @@ def _(curve: BSpline, move: Array) -> Curve:
 @_moved.register
 def _(curve: Nurbs, move: Array) -> Curve:
     return Nurbs(curve.degree, _wide(curve.points, move.size) + move, curve.knots, curve.weights)
+
+
+def fitted(program: Program, letters: Sequence[str], machine: Machine) -> tuple[Program, str]:
+    """Return a program within the travel of a machine, and what was done to it in words.
+
+    Parameters
+    ----------
+    program : Program
+    letters : sequence of str
+        The address that each axis of the machine obeys.
+    machine : Machine
+
+    Returns
+    -------
+    program : Program
+        Unchanged if it fits. Otherwise scaled down by one factor for all axes if it is too large, and moved no further than needed.
+        Feedrates stay.
+    note : str
+        Empty if it is unchanged.
+
+    Raises
+    ------
+    ProgramError
+        If the program moves an axis that the machine lacks.
+    """
+    low, high = box(route_from_program(program, letters).path)
+    travel = np.array([axis.limits.travel for axis in machine.axes], dtype=np.float64)
+    room = travel[:, 1] - travel[:, 0]
+    least, most = travel[:, 0], travel[:, 1]
+    if np.all(low >= least) and np.all(high <= most):
+        return program, ""
+    margin = np.where(np.isfinite(room), MARGIN * room, 0.0)
+    least, most = least + margin, most - margin
+    size = high - low
+    ratios = np.divide(most - least, size, out=np.full(size.shape, np.inf), where=size > 0.0)
+    scale = float(min(1.0, ratios.min()))
+    moved = np.maximum(least - scale * low, 0.0) + np.minimum(most - scale * high, 0.0)
+    shift = dict(zip(letters, moved.tolist(), strict=True))
+    x, y, z = (shift.get(letter, 0.0) for letter in "xyz")
+    moved_by = ", ".join(f"{value * 1e3:+.6g}" for value in (x, y, z))
+    scaled = "" if scale == 1.0 else f"scaled by {scale:.6g}, then "
+    return _scaled(program, scale, (x, y, z)), f"fitted into the machine's travel: {scaled}moved by ({moved_by}) mm"
+
+
+def _scaled(program: Program, scale: float, shift: Point) -> Program:
+    """Return a program with every point p of its moves at ``scale * p + shift`` [m]."""
+
+    def there(point: Point) -> Point:
+        x, y, z = (scale * value + offset for value, offset in zip(point, shift, strict=True))
+        return (x, y, z)
+
+    def moved(move: Move) -> Move:
+        if isinstance(move, Dwell):
+            return move
+        if isinstance(move, Spline):
+            return replace(move, points=tuple(there(point) for point in move.points))
+        if isinstance(move, ProgramArc):
+            return replace(move, start=there(move.start), end=there(move.end), centre=there(move.centre))
+        return replace(move, start=there(move.start), end=there(move.end))
+
+    return replace(program, moves=tuple(moved(move) for move in program.moves))

@@ -1,21 +1,25 @@
-"""Where the numbers of a file are from: ``mass = {value = "33 kg", source = "datasheet", from = "catalogue, page 12"}``.
+"""Sources and correlations of numbers: ``mass = {value = "33 kg", source = "datasheet", from = "catalogue, page 12"}``.
 
-The number and what is known of it stand in one table, so that whatever replaces the number replaces both.
+A number and its source stand in one table, so that a replacement replaces both.
 """
 
 from __future__ import annotations
 
 import math
 from collections.abc import Callable, Mapping
-from dataclasses import fields, is_dataclass, replace
+from dataclasses import dataclass, fields, is_dataclass, replace
 from typing import Any
+
+import numpy as np
 
 from contourlab.components.contract import Component, Parameter
 from contourlab.components.origin import SOURCES, Origin
-from contourlab.errors import ContourlabError, ParameterError
+from contourlab.errors import ParameterError
+from contourlab.loop import Machine
+from contourlab.loop.machine import AXIS_SLOTS
 from contourlab.scenario.quantities import read_number
 from contourlab.scenario.toml_text import Noted
-from contourlab.scenario.tree import STATED, Leaf, Node, Table, hint
+from contourlab.scenario.tree import STATED, Leaf, Node, Table, hint, located
 
 _KEYS = (STATED, "source", "deviation", "range", "from", "note")
 _EXAMPLE = '{value = "33 kg", source = "fitted", deviation = "1 %", from = "log.mat"}'
@@ -85,14 +89,16 @@ def _origin(table: Table, of: tuple[Parameter, float] | None, exact: str) -> Ori
     """Return what the table of a number says; `of` is what may have a deviation, and `exact` why it may not."""
     words = {name: _text(table, name) for name in ("source", "from", "note")}
     if words["source"] not in SOURCES:
-        told = ", ".join(f"{name} ({meaning})" for name, meaning in SOURCES.items())
-        raise table.error(f"{words['source']!r} is no source: {told}", "source")
+        known = ", ".join(f"{name} ({meaning})" for name, meaning in SOURCES.items())
+        raise table.error(f"{words['source']!r} is no source: {known}", "source")
     given: dict[str, Any] = {}
     for name in ("deviation", "range"):
         if name in table.entries:
             if of is None:
                 raise table.error(f"has no place here: this is {exact}", name)
-            given["span" if name == "range" else name] = _read(table, name, (_span if name == "range" else _deviation), *of)
+            with located(table, name):
+                value = table.entries[name].plain()
+                given |= {"span": _span(value, *of)} if name == "range" else {"deviation": _deviation(value, *of)}
     try:
         return Origin(words["source"], reference=words["from"], note=words["note"], **given)
     except ParameterError as error:
@@ -106,13 +112,6 @@ def _text(table: Table, name: str) -> str:
     if not isinstance(node, Leaf) or not isinstance(node.value, str) or not 0 < len(node.value) <= 400 or not node.value.isprintable():
         raise table.error("text in quotes is wanted, one line of up to 400 characters", name)
     return node.value
-
-
-def _read(table: Table, name: str, how: Callable[[Any, Parameter, float], Any], parameter: Parameter, value: float) -> Any:
-    try:
-        return how(table.entries[name].plain(), parameter, value)
-    except ContourlabError as error:
-        raise table.error(str(error), name) from error
 
 
 def _deviation(given: Any, parameter: Parameter, value: float) -> float:
@@ -136,6 +135,126 @@ def _span(given: Any, parameter: Parameter, value: float) -> tuple[float, float]
     if not (low <= value <= high and low < high):
         raise ParameterError("range", repr(given), "the lower one first, with the value between them")
     return low, high
+
+
+def read_correlations(table: Table, parts: Mapping[str, Component]) -> tuple[tuple[str, str, float], ...]:
+    """Return the correlations of an axis' numbers: ``correlations = [["plant.mass", "friction.coulomb", -0.3]]``.
+
+    Those of numbers that have lost their deviation, because something else was put in their place, are left out.
+
+    Parameters
+    ----------
+    table : Table
+        Of the axis.
+    parts : mapping of str to Component
+        By slot.
+
+    Raises
+    ------
+    ScenarioError
+        If an item is no correlation of two numbers of the axis, or together they contradict each other.
+    """
+
+    def replaced(slot: str, node: Leaf) -> bool:
+        part = table.get(slot)
+        return part is not None and (part.file, part.key.rpartition(".")[0]) != (node.file, node.key.rpartition(".")[0])
+
+    return _read_pairs(table, _Known(parts, ("plant.mass", "friction.coulomb"), replaced))
+
+
+def read_machine_correlations(table: Table, axes: Table, machine: Machine) -> tuple[tuple[str, str, float], ...]:
+    """Return the correlations between axes: ``correlations = [["x.plant.damping", "y.plant.damping", 0.4]]`` of ``[machine]``.
+
+    Parameters
+    ----------
+    table : Table
+        Of the machine.
+    axes : Table
+        Of its axes.
+    machine : Machine
+        With their parts and their own correlations.
+
+    Raises
+    ------
+    ScenarioError
+        If an item is no correlation of numbers of two axes, or together with those of the axes they contradict each other.
+    """
+    parts = {
+        f"{axis.name}.{slot}": part for axis in machine.axes for slot in AXIS_SLOTS if isinstance(part := getattr(axis, slot), Component)
+    }
+
+    def replaced(slot: str, node: Leaf) -> bool:
+        axis, _, inner = slot.partition(".")
+        part = axes.table(axis).get(inner) if axis in axes.entries else None
+        return part is not None and (part.file, part.key) != (node.file, axes.at(slot))
+
+    own = tuple((f"{axis.name}.{a}", f"{axis.name}.{b}", value) for axis in machine.axes for a, b, value in axis.correlations)
+    return _read_pairs(table, _Known(parts, ("x.plant.damping", "y.plant.damping"), replaced, own, between=True))
+
+
+@dataclass(frozen=True, eq=False)
+class _Known:
+    """Numbers that correlations may be of.
+
+    `parts` are components by slot, `example` two numbers for messages, `replaced` tells of a slot and the list whether something else was
+    put in the place of what the list speaks of. `own` are correlations that hold besides; `between` asks for numbers of two axes.
+    """
+
+    parts: Mapping[str, Component]
+    example: tuple[str, str]
+    replaced: Callable[[str, Leaf], bool]
+    own: tuple[tuple[str, str, float], ...] = ()
+    between: bool = False
+
+    @property
+    def shown(self) -> str:
+        return f'["{self.example[0]}", "{self.example[1]}", -0.3]'
+
+    def deviates(self, name: str) -> bool:
+        """Tell whether a number has a deviation."""
+        slot, _, number = name.rpartition(".")
+        origin = self.parts[slot].origins.get(number) if slot in self.parts else None
+        return origin is not None and origin.deviation is not None
+
+
+def _read_pairs(table: Table, known: _Known) -> tuple[tuple[str, str, float], ...]:
+    node = table.get("correlations")
+    if node is None:
+        return ()
+    if not isinstance(node, Leaf) or not isinstance(node.value, list):
+        raise table.error(f"a list is wanted: [{known.shown}, ...]", "correlations")
+    kept = []
+    for i, item in enumerate(node.value):
+        fault = _fault(item, node, known)
+        if fault:
+            raise node.error(f"item {i + 1}: {fault}")
+        if all(known.deviates(name) for name in item[:2]):
+            kept.append((item[0], item[1], float(item[2])))
+    if len({frozenset(item[:2]) for item in kept}) < len(kept):
+        raise node.error("a pair is listed twice")
+    names = sorted({name for item in (*kept, *known.own) for name in item[:2]})
+    matrix = np.eye(len(names))
+    for one, other, value in (*known.own, *kept):
+        i, j = names.index(one), names.index(other)
+        matrix[i, j] = matrix[j, i] = value
+    if kept and float(np.linalg.eigvalsh(matrix).min()) < -1e-3:
+        raise node.error("these contradict each other: no set of numbers has all of these correlations")
+    return tuple(kept)
+
+
+def _fault(item: Any, node: Leaf, known: _Known) -> str:
+    if not isinstance(item, list) or len(item) != 3 or not all(isinstance(name, str) for name in item[:2]) or item[0] == item[1]:
+        return f"{item!r:.80}: two different numbers and a coefficient are wanted, {known.shown}"
+    if isinstance(item[2], bool) or not isinstance(item[2], int | float) or not -1.0 <= item[2] <= 1.0:
+        return f"{item[2]!r:.40} is no coefficient: between -1 and 1"
+    for name in item[:2]:
+        numbers = [f"{label}.{key}" for label, part in known.parts.items() for key in part.numeric()]
+        if name not in numbers and not known.replaced(name.rpartition(".")[0], node):
+            return f"no number {name!r}: {hint(name, numbers)}"
+    axis = item[0].partition(".")[0]
+    if known.between and axis == item[1].partition(".")[0]:
+        return f"both are of axis {axis}: correlations within an axis stand at the top of the axis"
+    return ""
 
 
 # --- the way back --------------------------------------------------------------------------------------------------------------------
@@ -166,7 +285,7 @@ def written(table: dict[str, Any], origins: Mapping[str, Origin]) -> dict[str, A
 
 
 def unstated(value: Any) -> Any:
-    """Return a machine or a controller of which nothing is stated: what it is, for comparisons.
+    """Return a machine or a controller without sources and correlations, for comparisons.
 
     Parameters
     ----------

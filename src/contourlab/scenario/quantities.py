@@ -60,12 +60,12 @@ def read_number(value: Any, unit: str, display: str = "") -> float:
     if not isinstance(value, str):
         return _bare(value, unit, shown)
     example = f", such as {_example(shown)}" if unit else ""
-    said = f"{value[:60]!r} is no quantity: write a number, a space and a unit{example}"
+    message = f"{value[:60]!r} is no quantity: write a number, a space and a unit{example}"
     if len(value) > 120:
-        raise UnitError(said)
+        raise UnitError(message)
     given = split(value)[1]
     if not _UNIT.match(given):
-        raise UnitError(said)
+        raise UnitError(message)
     if unit and not given:
         raise UnitError(f'{value!r} has no unit: write "{value.strip()} {shown}", or the same in another unit')
     try:

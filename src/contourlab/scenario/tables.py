@@ -1,13 +1,14 @@
-"""The tables of fixed shape in scenario, machine and controller files, as strict models, and what is said when one does not fit."""
+"""The tables of fixed shape in scenario, machine and controller files, as strict models, and their error messages."""
 
 from __future__ import annotations
 
 import math
-from typing import Annotated, Any, Literal, TypeVar
+from typing import Annotated, Any, ClassVar, Literal, TypeVar
 
 from pydantic import BaseModel, BeforeValidator, ConfigDict, Field, ValidationError
 
 from contourlab.errors import ScenarioError, UnitError
+from contourlab.loop.machine import AXIS_SLOTS
 from contourlab.scenario.quantities import read_list, read_number, show_bound
 from contourlab.scenario.tree import Leaf, Table, hint
 
@@ -59,32 +60,28 @@ Letter = Literal["x", "y", "z"]
 
 
 class _Strict(BaseModel):
-    model_config = ConfigDict(extra="forbid", strict=True, frozen=True, arbitrary_types_allowed=True)
+    model_config = ConfigDict(extra="forbid", strict=True, frozen=True)
+    needed: ClassVar[tuple[str, ...]] = ()
+    """Keys that must be there, but are read elsewhere."""
+    parts: ClassVar[tuple[str, ...]] = ()
+    """Keys that may be there, and are read elsewhere."""
 
 
 class ScenarioTable(_Strict):
-    """The top of a scenario; the parts are read by their own models."""
+    """The top of a scenario."""
 
+    needed = ("machine", "controller")
+    parts = ("axes", "contour", "program", "feed", "run", "learning", "schemes")
     name: Text | None = None
-    machine: Any
-    axes: Any = None
-    controller: Any
-    contour: Any = None
-    program: Any = None
-    feed: Any = None
-    run: Any = None
-    learning: Any = None
-    schemes: Any = None
 
 
 class MachineTable(_Strict):
     """``[machine]``."""
 
+    parts = ("squareness", "correlations")
     name: Text
     servo_period: Period
     axes: Annotated[list[Name], Field(min_length=1, max_length=64)]
-    squareness: Any = None
-    correlations: Any = None
 
 
 class LimitsTable(_Strict):
@@ -106,56 +103,38 @@ class ErrorTable(_Strict):
 
 
 class AxisTable(_Strict):
-    """``[axes.x]``; the components are read by their own declarations."""
+    """``[axes.x]``."""
 
-    plant: Any
-    friction: Any = None
-    motor_friction: Any = None
-    drive: Any = None
-    sensor: Any = None
-    motor_sensor: Any = None
-    disturbance: Any = None
-    limits: Any = None
-    error: Any = None
+    needed = AXIS_SLOTS[:1]
+    parts = (*AXIS_SLOTS[1:], "limits", "error", "correlations")
     mounted_on: Name | Literal[""] = ""
     alignment: Cosine = 0.0
     stage_mass: Mass = 0.0
     substeps: Annotated[int, Field(ge=1, le=1000)] = 1
-    correlations: Any = None
 
 
 class ControllerTable(_Strict):
     """``[controller]``."""
 
-    axes: Any
-    estimator: Any = None
-    coupling: Any = None
+    needed = ("axes",)
+    parts = ("estimator", "coupling")
 
 
 class AxisControllerTable(_Strict):
     """``[controller.axes.x]``."""
 
-    controller: Any
-    velocity: Any = None
-    observer: Any = None
-    gap_observer: Any = None
-    predictor: Any = None
-    feedforward: Any = None
-    compensation: Any = None
-    supervisor: Any = None
-    others: Any = None
+    needed = ("controller",)
+    parts = ("velocity", "observer", "gap_observer", "predictor", "feedforward", "compensation", "supervisor", "others", "link")
     feedback: Literal["load", "motor"] = "load"
     velocity_feedback: Literal["load", "motor"] = "motor"
     local: list[str] = []
-    link: Any = None
 
 
 class LinkTable(_Strict):
-    """``[controller.axes.x.link]``; the links themselves are read by their own declarations."""
+    """``[controller.axes.x.link]``."""
 
+    parts = ("down", "up")
     division: Literal["drive", "observer", "controller"]
-    down: Any = None
-    up: Any = None
 
 
 class ZeroPhaseTable(_Strict):
@@ -227,16 +206,16 @@ class ChangeTable(_Strict):
 
 
 class LearningTable(_Strict):
-    """``[learning]``; the law is read by its own declaration."""
+    """``[learning]``."""
 
-    law: Any
+    needed = ("law",)
     trials: Annotated[int, Field(ge=1, le=100_000)] = 30
     improvement: Part = 0.01
     patience: Annotated[int, Field(ge=2, le=100_000)] = 10
     table: Annotated[str, Field(min_length=1)] | None = None
 
 
-Model = TypeVar("Model", bound=BaseModel)
+Model = TypeVar("Model", bound=_Strict)
 
 
 def read_table(model: type[Model], table: Table) -> Model:
@@ -247,27 +226,34 @@ def read_table(model: type[Model], table: Table) -> Model:
     ScenarioError
         At the first fault, with file, key, what is wrong and what would be right; missing keys are listed together.
     """
+    elsewhere = (*model.needed, *model.parts)
+    missing = [name for name in model.needed if name not in table.entries]
     try:
-        return model.model_validate(table.plain())
+        found = model.model_validate(table.without(*elsewhere).plain())
     except ValidationError as error:
-        raise _explained(model, table, error) from None
+        raise _explained([*elsewhere, *model.model_fields], table, error, missing) from None
+    if missing:
+        raise _missing(table, missing)
+    return found
 
 
-def _explained(model: type[BaseModel], table: Table, error: ValidationError) -> ScenarioError:
+def _missing(table: Table, names: list[str]) -> ScenarioError:
+    return table.error(f"{len(names)} {'key is' if len(names) == 1 else 'keys are'} missing: {', '.join(names)}")
+
+
+def _explained(known: list[str], table: Table, error: ValidationError, missing: list[str]) -> ScenarioError:
     faults = error.errors(include_url=False, include_context=False)
     # An unknown key is often a missing one with a slip of the pen: it is named first.
-    faults.sort(key=lambda fault: {"extra_forbidden": 0, "missing": 1}.get(fault["type"], 2))
-    first = faults[0]
-    name = str(first["loc"][0]) if first["loc"] else ""
-    if first["type"] == "extra_forbidden":
-        return table.error(f"unknown key: {hint(name, model.model_fields)}", name)
-    if first["type"] == "missing":
-        missing = [str(fault["loc"][0]) for fault in faults if fault["type"] == "missing"]
-        word = "key is" if len(missing) == 1 else "keys are"
-        return table.error(f"{len(missing)} {word} missing: {', '.join(missing)}")
+    faults.sort(key=lambda fault: fault["type"] != "extra_forbidden")
+    name = str(faults[0]["loc"][0]) if faults[0]["loc"] else ""
+    if faults[0]["type"] == "extra_forbidden":
+        return table.error(f"unknown key: {hint(name, known)}", name)
+    missing = [*missing, *(str(fault["loc"][0]) for fault in faults if fault["type"] == "missing")]
+    if missing:
+        return _missing(table, missing)
     node = table.get(name)
     given = repr(node.value)[:80] if isinstance(node, Leaf) else "this table"
-    return table.error(_in_words(first, given), name)
+    return table.error(_in_words(faults[0], given), name)
 
 
 _WORDS = {
@@ -282,7 +268,7 @@ _WORDS = {
 
 
 def _in_words(fault: Any, given: str) -> str:
-    """Return a fault in words that a person who edits the file understands."""
+    """Return a fault in plain words."""
     message = str(fault["msg"])
     if fault["type"] == "value_error":
         return message.removeprefix("Value error, ")

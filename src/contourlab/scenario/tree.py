@@ -9,13 +9,14 @@ import difflib
 import json
 import re
 import tomllib
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Iterator, Mapping
+from contextlib import contextmanager
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import Any, TypeAlias
 
 from contourlab.components.contract import FAMILIES
-from contourlab.errors import ScenarioError
+from contourlab.errors import ContourlabError, ScenarioError
 
 DEFAULT = "default"
 """What a file writes to take back a value that it inherits."""
@@ -104,6 +105,17 @@ class Table:
 
 
 Node: TypeAlias = Leaf | Table
+
+
+@contextmanager
+def located(table: Table, name: str = "") -> Iterator[None]:
+    """Turn an error about a value into one that names file and key."""
+    try:
+        yield
+    except ScenarioError:
+        raise
+    except ContourlabError as error:
+        raise table.error(str(error), name) from error
 
 
 def dotted(key: str, name: str) -> str:

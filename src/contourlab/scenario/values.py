@@ -1,4 +1,4 @@
-"""What is driven along, how fast, and what is kept of it: the values of a scenario besides machine and controller."""
+"""The values of a scenario besides machine and controller: motion, feed, run and learning."""
 
 from __future__ import annotations
 
@@ -8,6 +8,7 @@ from functools import cached_property
 from pathlib import Path as File
 from typing import Any, Literal, TypeAlias
 
+from contourlab.components.learning.law import LearningLaw
 from contourlab.contours import ContourReading, study_contour
 from contourlab.feed import Route, route_from_program
 from contourlab.feed.route import PathControl
@@ -35,9 +36,9 @@ class Contour:
     file : Path or None
         Drawing or points.
     options : mapping of str to object
-        What was said of the file: arguments of `contourlab.contours.read_contour`.
+        Arguments of `contourlab.contours.read_contour`.
     offset : tuple of float [m]
-        How far it is moved along each of the machine's first axes.
+        Shift along each of the machine's first axes.
     axes : tuple of str
         The machine's axes, where it may have more of them than the contour: the others hold still.
     """
@@ -51,7 +52,7 @@ class Contour:
 
     @cached_property
     def reading(self) -> ContourReading:
-        """The contour, and what there is to say about how it came about."""
+        """The contour, and notes on how it was read."""
         if self.file is None:
             return ContourReading(contour(self.name, **self.parameters))
         return study_contour(self.file, **self.options)
@@ -70,14 +71,14 @@ class Contour:
 
     @property
     def notes(self) -> tuple[str, ...]:
-        """What there is to say about how the contour came about."""
-        said = () if self.file is None else tuple(self.reading.notes)
+        """Notes on how the contour was read, and on axes held still."""
+        notes = () if self.file is None else tuple(self.reading.notes)
         n = self.reading.path.n_axis
         if n >= len(self.axes):
-            return said
+            return notes
         places = dict.fromkeys(self.axes[n:], 0.0) | dict(zip(self.axes, self.offset, strict=False))
         still = ", ".join(f"{name} at {places[name] * 1e3:g} mm" for name in self.axes[n:])
-        return (*said, f"the contour moves {' and '.join(self.axes[:n])}; held still: {still}")
+        return (*notes, f"the contour moves {' and '.join(self.axes[:n])}; held still: {still}")
 
 
 @dataclass(frozen=True)
@@ -119,7 +120,7 @@ class PartProgram:
 
     @property
     def notes(self) -> tuple[str, ...]:
-        """Where the reader was lenient, and what was done to the program."""
+        """Where the reader was lenient, and how the program was fitted."""
         lenient = [f"line {notice.line}: {notice.message}" for notice in self.program.notices[:MOST_NOTICES]]
         more = len(self.program.notices) - len(lenient)
         return (*lenient, *([f"{more} more such lines"] if more > 0 else []), *([self.note] if self.note else []))
@@ -187,3 +188,26 @@ class RunSettings:
     seed: int = 0
     evaluate: Literal["last-lap", "whole"] = "last-lap"
     start: Literal["rest", "moving"] = "rest"
+
+
+@dataclass(frozen=True)
+class LearningSettings:
+    """How a case learns.
+
+    Attributes
+    ----------
+    law : LearningLaw
+    trials : int
+        Largest number of trials after the first, which has learned nothing.
+    improvement : float, 0 to 1
+        Learning has converged once `patience` trials bring no more than this part of the contour error.
+    patience : int
+    table : path or None
+        A learned table to start with.
+    """
+
+    law: LearningLaw
+    trials: int = 30
+    improvement: float = 0.01
+    patience: int = 10
+    table: File | None = None

@@ -9,8 +9,8 @@ import numpy as np
 import pytest
 
 import contourlab as cl
-from contourlab.analysis.backlash.axis_backlash import axis_backlash_loop
-from contourlab.analysis.backlash.orbit_search import find_orbits
+from contourlab.analysis.backlash.lure import axis_backlash_loop
+from contourlab.analysis.backlash.periodic_orbit import find_orbits
 from contourlab.components.controller.cascade import Cascade
 from contourlab.components.controller.contact_zone_2 import ContactZone2
 from contourlab.components.controller.gap_zone_2 import GapZone2

@@ -12,7 +12,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from contourlab.analysis.linear.margins import margins
-from contourlab.analysis.linear.response import AxisResponse
+from contourlab.analysis.linear.sampled_loop import AxisResponse
 from contourlab.components.contract import Component, LinearModel
 from contourlab.components.controller.position import PositionController
 from contourlab.components.drive.delayed_saturation import DelayedSaturation

@@ -5,8 +5,15 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from contourlab.analysis.identification.coloured_residual import bartlett, coloured_deviations, flat_top, long_run, memory, parzen
-from contourlab.analysis.identification.output_error import lasting_window
+from contourlab.analysis.identification.output_error import (
+    bartlett,
+    coloured_deviations,
+    flat_top,
+    lasting_window,
+    long_run,
+    memory,
+    parzen,
+)
 
 WINDOWS = {"bartlett": bartlett(7), "parzen": parzen(9), "flat": flat_top(4), "longer than the record": bartlett(500), "none": bartlett(0)}
 

@@ -2,19 +2,16 @@
 
 from __future__ import annotations
 
-import math
-
 import numpy as np
 import pytest
 from coupled_axes import alike, circle, stages, unlike
 from hypothesis import given
 from hypothesis import strategies as st
 
-from contourlab.analysis.learning.trial_map import TrialMap, normal_frames
-from contourlab.analysis.linear.contour_transfer import contour_error_transfer, contour_margins, contour_transfer
+from contourlab.analysis.linear.contour_transfer import contour_margins, contour_transfer, internal_stability
 from contourlab.analysis.linear.coupled_loop import coupled_loop, coupling_model, normal_basis
-from contourlab.analysis.linear.hull_margins import hull_modulus
-from contourlab.analysis.linear.internal_stability import internal_stability
+from contourlab.analysis.linear.margins import hull_modulus
+from contourlab.analysis.linear.trial_map import TrialMap, normal_frames
 from contourlab.components.coupling.cross_coupled import CrossCoupled
 from contourlab.components.coupling.cross_coupled_filter import CrossCoupledFilter
 from contourlab.components.coupling.modified_error import ModifiedError
@@ -28,19 +25,6 @@ from contourlab.loop import Controller, Learned, simulate
 PID = {"gain": 2500.0, "integral_rate": 20.0, "derivative_time": 0.02, "derivative_filter": 4e-3}
 
 
-@given(st.floats(0.05, 10.0), st.floats(0.0, 2.0 * math.pi), st.floats(0.0, 0.02), st.floats(0.01, 0.5))
-def test_alike_axes_and_a_share_of_their_controller_give_one_over_one_plus_kappa_t(
-    kappa: float, angle: float, delay: float, t_a: float
-) -> None:
-    s = 1j * np.geomspace(0.1, 500.0, 40)
-    plant = 150.0**2 * np.exp(-s * delay) / (s * (s * s + 330.0 * s + 150.0**2))
-    feedback = (s * s + 330.0 * s + 150.0**2) / (t_a * 150.0**2)
-    closed = plant * feedback / (1.0 + plant * feedback)
-    both = np.stack([plant, plant], axis=1), np.stack([feedback, feedback], axis=1)
-    found = contour_error_transfer(kappa * feedback, *both, [math.cos(angle), math.sin(angle)])
-    np.testing.assert_allclose(found * (1.0 + kappa * closed), 1.0, rtol=0.0, atol=1e-9)
-
-
 @pytest.mark.parametrize("n_axis", [2, 3])
 def test_the_sampled_loop_does_so_with_its_own_t(n_axis: int) -> None:
     kappa, kp = 1.7, 300.0
@@ -48,7 +32,7 @@ def test_the_sampled_loop_does_so_with_its_own_t(n_axis: int) -> None:
     w = transfer.loop.frequencies(60)
     closed = transfer.loop.axes[0].loop.response(w).closed_loop
     for direction in np.random.default_rng(0).normal(size=(5, n_axis)):
-        np.testing.assert_allclose(transfer.cetf(w, direction), 1.0 / (1.0 + kappa * closed), rtol=1e-10)
+        np.testing.assert_allclose(1.0 + transfer.loop_gain(w, direction), 1.0 + kappa * closed, rtol=1e-10)
 
 
 @pytest.mark.parametrize("n_axis", [2, 3])

@@ -11,7 +11,7 @@ import pytest
 from scipy.linalg import expm
 
 import contourlab as cl
-from contourlab.analysis.linear.divided_loop import LinkTiming, axis_delay_margin, divided_loop, timing_of
+from contourlab.analysis.linear.divided_loop import LinkTiming, divided_loop, timing_of
 from contourlab.analysis.linear.margins import delay_margin
 from contourlab.analysis.linear.sampled_loop import sampled_loop
 from contourlab.components.link.ideal import IdealLink
@@ -65,7 +65,8 @@ def test_whole_ticks_of_delay_are_borne_up_to_the_delay_margin(division: str, sc
     """The gain of the undivided loop, opened where the link cuts it, says the same as the poles of the loop with the delay in it."""
     mine = servo(velocity_gain=100.0 * scale, position_gain=4000.0 * scale)
     controller = divided(mine, division)
-    margin = axis_delay_margin(single(), controller, "x") / PERIOD
+    alone = sampled_loop(axis(), mine, PERIOD)
+    margin = alone.delay_margin(observed_in_axis=division == "observer") / PERIOD
     loop = divided_loop(single(), controller)
     assert 1.0 < margin < 60.0
     last = math.floor(margin)
@@ -77,7 +78,6 @@ def test_whole_ticks_of_delay_are_borne_up_to_the_delay_margin(division: str, sc
 
 def test_a_delay_on_the_axis_own_loop_is_none_where_the_controller_is_in_it() -> None:
     controller = divided(servo(), "controller")
-    assert axis_delay_margin(single(), controller, "x") == math.inf
     loop = divided_loop(single(), controller)
     assert loop.growth(LinkTiming(7, 30), LinkTiming(3, 20)) == pytest.approx(loop.growth(NONE, NONE), rel=1e-9)
 
@@ -150,13 +150,11 @@ def test_where_axes_are_coupled_the_direction_matters() -> None:
 def test_what_has_no_timing_or_no_link_is_refused() -> None:
     assert timing_of(Network(message_period=2.5e-3, delay=1e-3, jitter=1.2e-3), PERIOD) == LinkTiming(3, 3)
     assert timing_of(IdealLink(), PERIOD) == timing_of(None, PERIOD) == NONE
-    with pytest.raises(ComponentError, match="held"):
+    with pytest.raises(ComponentError, match="hold"):
         timing_of(Network(between="extrapolate"), PERIOD)
     with pytest.raises(ParameterError, match="link"):
         divided_loop(single(), cl.Controller({"x": servo()}))
-    with pytest.raises(ParameterError, match="link"):
-        axis_delay_margin(single(), cl.Controller({"x": servo()}), "x")
     with pytest.raises(ParameterError, match="tangent"):
         divided_loop(single(), divided(servo(), "drive"), (0.0,))
-    with pytest.raises(ComponentError, match="together"):
+    with pytest.raises(ComponentError, match="repeat only"):
         divided_loop(single(), divided(servo(), "drive")).growth(LinkTiming(997, 0), LinkTiming(991, 0))

@@ -8,8 +8,11 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from contourlab.analysis.identification.closed_first_order import closed_loop_position, identify_closed_loop
-from contourlab.analysis.identification.first_order import FirstOrderSettings, identify_first_order
+from contourlab.analysis.identification.first_order import (
+    closed_loop_position,
+    identify_closed_loop,
+    identify_first_order,
+)
 from contourlab.analysis.identification.first_order_motion import delayed, first_order_motion
 from contourlab.errors import ParameterError
 
@@ -99,8 +102,7 @@ def test_noise_does_not_bias_the_output_error_fit_and_its_deviations_hold() -> N
     """Over 25 noisy records the mean lies within its own deviation of the truth; a fit of the equation is off by far more than that."""
     u = levels(n=3000)
     time = TIME[:3000]
-    settings = FirstOrderSettings(delay=False, smoothing=5)
-    fits = [identify_first_order(time, u, measured(u, 2e-5, seed=seed), settings) for seed in range(25)]
+    fits = [identify_first_order(time, u, measured(u, 2e-5, seed=seed)) for seed in range(25)]
     b = np.array([fit["b"] for fit in fits])
     deviation = float(np.mean([fit.found.deviation("b") for fit in fits]))
     assert abs(b.mean() - B) < 4.0 * b.std() / math.sqrt(b.size)

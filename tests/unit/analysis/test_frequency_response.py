@@ -9,17 +9,26 @@ import pytest
 from axis_bench import driven
 from numpy.typing import NDArray
 
-from contourlab.analysis.identification.drive_fit import fit_linear_motor, fit_two_inertia
-from contourlab.analysis.identification.drive_models import damping_ratio, held_response, linear_motor, load_side, resonances, two_inertia
+from contourlab.analysis.identification.drive_fit import (
+    damping_ratio,
+    fit_linear_motor,
+    fit_two_inertia,
+    held_response,
+    linear_motor,
+    load_side,
+    resonances,
+    two_inertia,
+)
 from contourlab.analysis.identification.frequency_response import (
     Measured,
     MeasuredResponse,
+    is_sweep,
     period_of,
     periodic_response,
     spectral_response,
+    swept_response,
 )
 from contourlab.analysis.identification.sine_response import sine_point, sine_responses, sine_stretch
-from contourlab.analysis.identification.swept_response import is_sweep, swept_response
 from contourlab.components.drive.delayed_saturation import DelayedSaturation
 from contourlab.components.plant.mass_damper import MassDamper
 from contourlab.components.plant.two_inertia import TwoInertia
@@ -189,7 +198,7 @@ def test_from_the_load_the_whole_mass_and_the_resonance_are_told_and_no_more() -
     fit = fit_two_inertia(periodic_response(Measured(period, TURN * u, place), 2000), "load")
     assert fit["mass"] == pytest.approx(9e-4 * TURN**2, rel=0.02)
     assert fit["resonance"] == pytest.approx(151.0, rel=0.01)
-    assert any("not how motor and load share it" in said for said in fit.remarks)
+    assert any("not the shares of motor and load" in said for said in fit.remarks)
 
 
 @pytest.mark.parametrize("share", [0.2, 0.5, 0.8])
@@ -236,9 +245,9 @@ def test_what_is_wrong_is_said() -> None:
             Measured(*arguments)
     with pytest.raises(ParameterError, match="at least 256"):
         spectral_response([Measured(PERIOD, u[:100], place[:100])])
-    with pytest.raises(ParameterError, match="counted the other way round"):
+    with pytest.raises(ParameterError, match="goes against its command"):
         fit_linear_motor(spectral_response([Measured(PERIOD, u, -place)]))
-    with pytest.raises(ParameterError, match="stand out of the noise"):
+    with pytest.raises(ParameterError, match="above the noise"):
         fit_linear_motor(spectral_response([Measured(PERIOD, u, noise(4000, 1.0))]))
     with pytest.raises(ParameterError, match="side"):
         fit_two_inertia(spectral_response([Measured(PERIOD, u, place)]), "middle")

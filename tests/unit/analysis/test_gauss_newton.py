@@ -6,8 +6,7 @@ import numpy as np
 import pytest
 from scipy.signal import lfilter
 
-from contourlab.analysis.identification.fit_covariance import fit_covariance
-from contourlab.analysis.identification.gauss_newton import DescentSettings, descend, jacobian, spread_starts
+from contourlab.analysis.identification.gauss_newton import DescentSettings, descend, fit_covariance, jacobian, spread_starts
 from contourlab.errors import ParameterError
 
 RNG = np.random.default_rng(5)

@@ -245,9 +245,9 @@ def test_rest_is_remarked_on_and_left_out_when_asked() -> None:
     q += 1e-8 * np.random.default_rng(2).normal(size=t.size)
     force = np.where(t > t[stop], 11.0, force_of(v, a, **AXIS))  # any force up to Coulomb friction holds
     whole = identify_inverse_dynamics(t, q, force, SETTINGS)
-    assert any("stand still" in said for said in whole.remarks)
+    assert any("are at rest" in said for said in whole.remarks)
     moving = identify_inverse_dynamics(t, q, force, replace(SETTINGS, slowest=5e-3))
-    assert not any("stand still" in said for said in moving.remarks)
+    assert not any("are at rest" in said for said in moving.remarks)
     assert moving["offset"] == pytest.approx(AXIS["offset"], abs=0.2)
     assert abs(whole["offset"] - AXIS["offset"]) > 1.0
 

@@ -10,11 +10,16 @@ import pytest
 from coupled_axes import circle, stages, unlike
 from numpy.typing import NDArray
 
-from contourlab.analysis.learning.learning_analysis import learning_analysis
-from contourlab.analysis.learning.learning_frequency import averaging, error_factor, frequency_learning, robust_factor
-from contourlab.analysis.learning.learning_law import law_kernels
+from contourlab.analysis.learning.learning_analysis import (
+    design_zero_phase,
+    first_zero,
+    largest_gain,
+    learning_analysis,
+    quarter_turn,
+    worst_zero_phase,
+)
+from contourlab.analysis.learning.learning_frequency import averaging, frequency_learning, law_kernels
 from contourlab.analysis.learning.learning_lifted import TrialOperator, lifted_learning
-from contourlab.analysis.learning.learning_rules import design_zero_phase, first_zero, largest_gain, quarter_turn, worst_zero_phase
 from contourlab.analysis.linear.coupled_loop import coupled_loop
 from contourlab.components.coupling.cross_coupled import CrossCoupled
 from contourlab.components.learning.cross_coupled import CrossCoupledLearning
@@ -73,7 +78,7 @@ def test_p_type_learning_at_half_the_integral_gain_passes_one_where_published(t_
     w = TURN * np.linspace(0.5, 30.0, 30000)
     s = 1j * w
     plant = 150.0**2 / (s * (s * s + 330.0 * s + 150.0**2))
-    factor = np.abs(error_factor(1.0, 0.5 / t_a, plant / (1.0 + 1.0 / (s * t_a))))
+    factor = np.abs(1.0 - 0.5 / t_a * plant / (1.0 + 1.0 / (s * t_a)))
     assert w[np.argmax(factor > 1.0)] / TURN == pytest.approx(hertz, abs=0.06)
     machine, controller = stages(t_a, 0.0)
     response = frequency_learning(coupled_loop(machine, controller), PType(gain=0.5 / t_a))
@@ -103,13 +108,6 @@ def test_the_rules_of_a_delayed_loop() -> None:
         dense = np.linspace(1e-3, math.pi / period, 40000)
         factor = 1.0 - made.gain * averaging(dense, period, made.half_width, made.passes, made.lead) * integrating(t_a, delay)(dense)
         assert np.abs(factor).max() <= made.worst_factor + 1e-9
-
-
-def test_uncertainty_is_the_worst_of_all_plants() -> None:
-    g, w = 0.4 * np.exp(-0.7j), 0.5
-    turned = g * (1.0 + w * np.exp(1j * np.linspace(0.0, TURN, 3601)))
-    worst = np.abs(error_factor(0.9, 1.2, turned)).max()
-    assert robust_factor(0.9, 1.2, g, w) == pytest.approx(worst, rel=1e-6)
 
 
 def test_a_law_is_known_by_its_impulses() -> None:

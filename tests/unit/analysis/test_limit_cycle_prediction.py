@@ -10,8 +10,7 @@ from backlash_loops import HALF_GAP, J_L, K_S, PAPER, SCHEME_II, drive
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from contourlab.analysis.backlash.describing_function import dead_zone_gain, harmonic
-from contourlab.analysis.backlash.limit_cycle_prediction import predict_limit_cycles, real_frequencies
+from contourlab.analysis.backlash.limit_cycle_prediction import dead_zone_gain, harmonic, predict_limit_cycles, real_frequencies
 from contourlab.analysis.backlash.lure import BacklashLoop
 from contourlab.papers.shahin.two_inertia_loop import p_pi_cascade, two_inertia_loop
 
@@ -31,7 +30,7 @@ def test_lossless_load_side_cascade_in_closed_form(velocity_gain: float, share: 
 def test_beyond_the_stiffness_there_is_none() -> None:
     """K_p K_v > k: contact itself is unstable, and no amplitude has N that large."""
     assert predict_limit_cycles(two_inertia_loop(PAPER, p_pi_cascade(200.0, 5.0))).cycles == ()
-    assert "no limit cycle" in str(predict_limit_cycles(two_inertia_loop(PAPER, SCHEME_II)))
+    assert predict_limit_cycles(two_inertia_loop(PAPER, SCHEME_II)).cycles == ()
 
 
 def test_all_solutions_are_found() -> None:

@@ -5,9 +5,17 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from contourlab.analysis.linear.modular_lmi import lmi_design
-from contourlab.analysis.linear.modular_lq import GAINS, LinearAxis, LqWeights, blind_swaps, cost, direct_design, optimum
-from contourlab.analysis.linear.modular_three_step import lead, series_allocation, three_step_design
+from contourlab.analysis.linear.modular_design import (
+    GAINS,
+    LinearAxis,
+    LqWeights,
+    blind_swaps,
+    cost,
+    direct_design,
+    lmi_design,
+    optimum,
+    three_step_design,
+)
 from contourlab.errors import ParameterError
 
 RAW = [LinearAxis(1695.0, 10.1), LinearAxis(648.0, 6.5), LinearAxis(1116.0, 5.8)]
@@ -62,25 +70,3 @@ def test_bounds_of_the_lmi_are_bounds() -> None:
 def test_an_unknown_gain_is_refused() -> None:
     with pytest.raises(ParameterError, match="integral, position, velocity"):
         direct_design(RAW, ("acceleration",))
-
-
-def test_a_swapped_lag_wants_one_local_parameter() -> None:
-    # Plant 1/(tau s + 1)/s^0 G(s): with the local lead (tau s + 1)/(tau_f s + 1) every variant looks like G(s)/(tau_f s + 1).
-    frequency, fast = np.geomspace(0.1, 1e3, 120), 0.005
-    s = 1j * frequency
-    lags = np.array([0.05, 0.12, 0.3])
-    plant = 4.0 / (s * (0.2 * s + 1.0))
-    base = 3.0 + 1.5 / s
-    # Optimal for each: the one that closes the same loop.
-    controllers = np.array([base * lead(frequency, tau, fast) for tau in lags])
-    found, parameters, residual = series_allocation(controllers, lambda tau: lead(frequency, tau, fast), (0.01, 1.0))
-    assert parameters == pytest.approx(lags, rel=1e-3) and residual < 1e-4
-    assert found == pytest.approx(base, rel=1e-3)
-    closed = []
-    for tau, parameter in zip(lags, parameters, strict=True):
-        loop = found * lead(frequency, parameter, fast) * plant / (tau * s + 1.0)
-        closed.append(loop / (1.0 + loop))
-    assert closed[0] == pytest.approx(closed[1], rel=1e-3) and closed[0] == pytest.approx(closed[2], rel=1e-3)
-    # With one value for all, nothing of it is left.
-    _, _, shared = series_allocation(controllers, lambda tau: np.ones_like(s), (0.01, 1.0))
-    assert shared > 0.3

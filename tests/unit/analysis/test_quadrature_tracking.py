@@ -10,8 +10,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from contourlab.analysis.encoder.quadrature import QuadratureConstants, fit_ellipse
-from contourlab.analysis.encoder.quadrature_tracking import track_ellipse
+from contourlab.analysis.encoder.quadrature import QuadratureConstants, fit_ellipse, track_ellipse
 from contourlab.errors import ParameterError
 
 TURN = 2.0 * math.pi
@@ -129,7 +128,7 @@ def test_the_nominal_amplitude_is_only_a_scale() -> None:
     assert other.constants().amplitude == pytest.approx(0.25 * one.constants().amplitude, rel=1e-12)
 
 
-@pytest.mark.parametrize("bad", [{"forgetting": 1.1}, {"forgetting": 0.5}, {"forgetting": math.nan}, {"update_travel": 0.0}, {"told": 1}])
+@pytest.mark.parametrize("bad", [{"forgetting": 1.1}, {"forgetting": 0.5}, {"forgetting": math.nan}, {"update_travel": 0.0}, {"n_kept": 1}])
 def test_numbers_out_of_range_are_refused(bad: dict[str, float]) -> None:
     with pytest.raises(ParameterError, match=next(iter(bad))):
         track_ellipse(np.ones(3), np.ones(3), CIRCLE, **bad)  # type: ignore[arg-type]

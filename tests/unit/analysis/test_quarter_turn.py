@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from contourlab.analysis.learning.learning_rules import quarter_turn
+from contourlab.analysis.learning.learning_analysis import quarter_turn
 
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]

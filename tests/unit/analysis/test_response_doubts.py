@@ -5,9 +5,8 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from contourlab.analysis.identification.drive_models import held_response, linear_motor, two_inertia
-from contourlab.analysis.identification.frequency_response import MeasuredResponse
-from contourlab.analysis.identification.response_doubts import response_doubts
+from contourlab.analysis.identification.drive_fit import held_response, linear_motor, two_inertia
+from contourlab.analysis.identification.frequency_response import MeasuredResponse, response_doubts
 
 PERIOD = 1e-3
 TWO = {"motor_mass": 4.0, "load_mass": 3.0, "stiffness": 2.4e5, "shaft_damping": 60.0, "damping": 40.0, "delay": 1e-3}

@@ -8,8 +8,8 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+from contourlab.analysis.linear.loop_lanes import rough_margins, sampled_loops
 from contourlab.analysis.linear.sampled_loop import sampled_loop
-from contourlab.analysis.linear.sampled_loops import rough_margins, sampled_loops
 from contourlab.components.drive.delayed_saturation import DelayedSaturation
 from contourlab.design import Space
 from contourlab.errors import ComponentError

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-import sys
 from pathlib import Path as File
 
 import numpy as np
@@ -180,9 +179,3 @@ def test_files_that_are_no_drawings(tmp_path: File, text: str, message: str) -> 
     file.write_text(text, encoding="utf-8")
     with pytest.raises(GeometryError, match=message):
         read_contour(file)
-
-
-def test_the_extra_is_named_where_it_is_missing(tmp_path: File, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setitem(sys.modules, "svgelements", None)
-    with pytest.raises(GeometryError, match=r'pip install "contourlab\[svg\]"'):
-        read_contour(svg(tmp_path, "<circle r='1'/>"))

@@ -10,7 +10,8 @@ import pytest
 from scipy.io import savemat
 
 from contourlab.errors import LogError, ParameterError
-from contourlab.logs import FORMATS, format_of, load_log, parse_columns, read_record
+from contourlab.logs import load_log, parse_columns, read_record
+from contourlab.logs.formats import FORMATS, format_of
 from contourlab.result import Result, Signal
 
 HALSAMPLER = "10 0.000000 1.500000 1 \n11 0.001000 1.501000 0 \noverrun\n14 0.004000 1.504000 1 \n"

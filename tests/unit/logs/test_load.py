@@ -62,7 +62,7 @@ def test_a_column_named_as_a_signal_is_that_signal_whatever_else_sounds_alike() 
 
 
 def test_a_date_is_the_time_only_where_no_other_column_is() -> None:
-    date, time = Channel("timestamp", np.arange(3.0), "s", is_moment=True), Channel("time", np.arange(3.0), "s")
+    date, time = Channel("timestamp", np.arange(3.0), "s", is_timestamp=True), Channel("time", np.arange(3.0), "s")
     assert guessed(record(date, time))["time", ""] == ["time"]
     assert guessed(record(date))["time", ""] == ["timestamp"]
 

@@ -6,9 +6,9 @@ import pytest
 
 from contourlab.errors import ProgramError
 from contourlab.program import Program, parse_program
-from contourlab.program.fault import BlockError
-from contourlab.program.lexer import read_words
+from contourlab.program.block import read_words
 from contourlab.program.parameters import Parameters
+from contourlab.program.vocabulary import BlockError
 
 
 def of(text: str, parameters: Parameters | None = None) -> float:

@@ -10,8 +10,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from contourlab.errors import ProgramError
-from contourlab.program import Arc, Dwell, Reading, parse_program, read_tools
-from contourlab.program.coordinates import Frame
+from contourlab.program import Arc, Dwell, Reading, parse_program
+from contourlab.program.coordinates import Frame, read_tools
 
 lengths = st.floats(-10.0, 10.0)
 points = st.tuples(lengths, lengths, lengths)

@@ -173,13 +173,6 @@ def test_sweep_of_next_to_nothing_is_a_full_circle() -> None:
     assert only_arc("G0 X10", "G3 X10 Y0.001 I-10 F600").sweep == pytest.approx(1e-4)
 
 
-def test_used_axes() -> None:
-    assert parse_program("G0 X1\nM2").used_axes == ("x",)
-    assert parse_program("G0 Z1\nX1\nM2").used_axes == ("x", "z")
-    assert parse_program("G19 G2 J5 F100\nG4 P1\nM2").used_axes == ("y", "z")
-    assert parse_program("G2 I5 Z1 F100\nM2").used_axes == ("x", "y", "z")
-
-
 @pytest.mark.parametrize(
     ("text", "end"),
     [

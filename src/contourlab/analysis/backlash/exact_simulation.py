@@ -12,13 +12,13 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from contourlab.analysis.backlash.lure import BacklashLoop
-from contourlab.analysis.backlash.mode_flow import ABOVE, BELOW, GAP, Flow, Motion
+from contourlab.analysis.backlash.mode_flow import ABOVE, BELOW, GAP, Flow
 from contourlab.errors import ParameterError
 
 Array = NDArray[np.float64]
 
 RUNAWAY = 1e9
-"""How many times its start, or the gap, the state may grow before a run is given up."""
+"""Largest state, over its start or the gap; beyond it a run has diverged."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -35,7 +35,7 @@ class Span:
 
 
 def spans(flow: Flow, w: Array, mode: int, duration: float, most: int) -> Iterator[Span]:
-    """Yield the stretches of a motion, whole ones, in order; `w` and `mode` are where it starts.
+    """Yield the spans of a motion that starts at `w` in `mode`.
 
     Raises
     ------
@@ -48,7 +48,7 @@ def spans(flow: Flow, w: Array, mode: int, duration: float, most: int) -> Iterat
         while True:
             step, w, following, level = flow.advance(w, mode, duration - time, level)
             time += step
-            # The last step ends at the duration but for the rounding of a sum.
+            # The sum of the steps equals the duration up to rounding.
             done = duration - time <= 1e-15 * duration
             if following is not None or done or not np.abs(w).max() < limit:
                 break
@@ -57,7 +57,7 @@ def spans(flow: Flow, w: Array, mode: int, duration: float, most: int) -> Iterat
             return
         w, mode, begun = flow.reset(mode, following) @ w, following, time
         origin = w
-    raise ParameterError("changes of mode", most, f"fewer within {duration:g} s (ask for a shorter time or allow more)")
+    raise ParameterError("changes of mode", most, f"fewer within {duration:g} s: shorten the time or allow more")
 
 
 @dataclass(frozen=True, eq=False)
@@ -68,7 +68,7 @@ class ExactRun:
     ----------
     loop : BacklashLoop
     duration : float [s]
-        How far it goes: less than asked for if it ran away.
+        Shorter than requested if the motion ran away.
     times, modes : ndarray (n_span,)
         When each mode begins, and which: -1, 0 (gap), 1.
     diverged : bool
@@ -102,7 +102,7 @@ class ExactRun:
         return np.asarray(self.state(time) @ self.loop.c)
 
     def twist(self, time: ArrayLike) -> Array:
-        """Return the twist of the shaft (n_time,) at times (n_time,) [s]: beyond the gap in contact, what is left of it in the gap."""
+        """Return the twist of the shaft (n_time,) at times (n_time,) [s]."""
         w, modes = self._lengthened(time)
         beyond = w[:, : self.loop.n] @ self.loop.c - modes * self.loop.half_gap
         inside = w[:, self.loop.n] if self.flow.twisted else np.zeros(len(w))
@@ -116,15 +116,9 @@ class ExactRun:
 
 
 def simulate_exact(
-    loop: BacklashLoop,
-    start: ArrayLike,
-    duration: float,
-    reference: Motion | None = None,
-    *,
-    twist: float | None = None,
-    most: int = 100_000,
+    loop: BacklashLoop, start: ArrayLike, duration: float, reference: float = 0.0, *, twist: float | None = None, most: int = 100_000
 ) -> ExactRun:
-    """Carry a loop exactly from a start.
+    """Simulate a loop exactly.
 
     Parameters
     ----------
@@ -132,10 +126,10 @@ def simulate_exact(
     start : array_like (n,)
         State at 0.
     duration : float, > 0 [s]
-    reference : Motion, optional
-        Zero if left out.
+    reference : float
+        At rest.
     twist : float, optional
-        Twist of a damped shaft at the start, if it starts in the gap; at rest if left out.
+        Of a damped shaft that starts in the gap; relaxed by default.
     most : int
         Changes of mode at most.
 
@@ -154,7 +148,7 @@ def simulate_exact(
         raise ParameterError("start", f"an array of shape {x.shape}", f"{loop.n} finite numbers, one for each state")
     if not 0.0 < duration < np.inf:
         raise ParameterError("duration", duration, "above 0", "s")
-    flow = Flow(loop, reference or Motion.constant())
+    flow = Flow(loop, reference)
     w, mode = flow.lengthened(x, twist)
     found = tuple(spans(flow, w, mode, duration, most))
     end = found[-1].time + found[-1].duration

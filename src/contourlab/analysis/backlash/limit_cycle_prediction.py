@@ -1,4 +1,9 @@
-"""Limit cycles of a loop with a gap by the describing function: all solutions of 1 + N(A, w) G(j w) = 0, and how far to trust them."""
+"""Limit cycles of a loop with a gap by the describing function: all solutions of 1 + N(A, w) G(j w) = 0, and their reliability.
+
+N is the torque's first harmonic over a sinusoidal motor-load difference. Without shaft damping it is that of a dead zone,
+N = k (1 - 2/pi (asin(h/A) + h/A sqrt(1 - (h/A)^2))). With it, contact begins where the motor meets the relaxing shaft and ends where the
+torque falls to 0; in between the torque is a sine, and its harmonics are closed forms.
+"""
 
 from __future__ import annotations
 
@@ -6,27 +11,118 @@ import math
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
-from contourlab.analysis.backlash.describing_function import harmonic, inverse_dead_zone_gain
 from contourlab.analysis.backlash.lure import BacklashLoop
+from contourlab.errors import ParameterError
 
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
 
+
+def dead_zone_gain(amplitude: ArrayLike, half_gap: float = 1.0) -> Array:
+    """Return the describing function N(A)/k of a dead zone, in [0, 1).
+
+    >>> float(dead_zone_gain(1.0)), round(float(dead_zone_gain(2.0)), 6)
+    (0.0, 0.391002)
+    """
+    ratio = np.minimum(half_gap / np.maximum(np.asarray(amplitude, dtype=float), half_gap), 1.0)
+    return np.asarray(1.0 - 2.0 / math.pi * (np.arcsin(ratio) + ratio * np.sqrt(1.0 - ratio**2)))
+
+
+def inverse_dead_zone_gain(gain: float) -> float:
+    """Return A/h at which the describing function N/k is `gain`, in (0, 1).
+
+    >>> round(inverse_dead_zone_gain(0.391002), 5)
+    2.0
+    """
+    from scipy.optimize import brentq
+
+    if not 0.0 < gain < 1.0:
+        raise ParameterError("gain", gain, "between 0 and 1, the range of a dead zone's describing function")
+    # Over the angle p with sin p = h/A it is smooth at both ends: gain = 1 - (2 p + sin 2 p)/pi.
+    angle = brentq(lambda p: 1.0 - (2.0 * p + math.sin(2.0 * p)) / math.pi - gain, 0.0, math.pi / 2.0, xtol=1e-15)
+    return 1.0 / math.sin(angle)
+
+
+def contact_phases(amplitude: ArrayLike, damping: ArrayLike) -> tuple[Array, Array]:
+    """Return the phases (n,), (n,) between which a sinusoidal difference A sin p, p = w t, is in contact above, nan where it never is.
+
+    Parameters
+    ----------
+    amplitude : array_like (n,)
+        A over half of the gap.
+    damping : array_like (n,)
+        w d/k: damping of the shaft over its stiffness, times the frequency.
+    """
+    a, q = np.broadcast_arrays(np.asarray(amplitude, dtype=float), np.asarray(damping, dtype=float))
+    size = a * np.hypot(1.0, q)
+    inside = np.where(a > 1.0, size, np.nan)
+    # Torque a sin p + q a cos p - 1 = 0, where it falls.
+    end = math.pi - np.arcsin(1.0 / inside) - np.arctan(q)
+    left = a * np.sin(end) - 1.0
+    # Half a turn before, the other side was left with the twist -left, which relaxes.
+    low, high = end - math.pi, np.full_like(end, math.pi / 2.0)
+    with np.errstate(over="ignore"):
+        for _ in range(60):
+            middle = 0.5 * (low + high)
+            relaxed = -left * np.exp(-(middle - end + math.pi) / np.maximum(q, 1e-300))
+            overrun = a * np.sin(middle) - relaxed > 1.0
+            low, high = np.where(overrun, low, middle), np.where(overrun, middle, high)
+    return np.where(a > 1.0, 0.5 * (low + high), np.nan), end
+
+
+def harmonic(amplitude: ArrayLike, damping: ArrayLike, order: int = 1) -> Complex:
+    """Return a harmonic of the torque over k A, for theta_d = A sin(w t); order 1 is the describing function N/k.
+
+    Parameters
+    ----------
+    amplitude : array_like (n,)
+        A over half of the gap.
+    damping : array_like (n,)
+        w d/k; 0 is the dead zone.
+    order : int, odd
+        Even harmonics are zero by symmetry.
+
+    Returns
+    -------
+    ndarray (n,) of complex
+        H with torque = k A Im(sum of H_n e^(j n w t)); 0 without contact.
+
+    References
+    ----------
+    Gelb & Vander Velde, Multiple-Input Describing Functions, table of dead zones; Nordin, Galic & Gutman for the damped shaft.
+    """
+    a, q = np.broadcast_arrays(np.asarray(amplitude, dtype=float), np.asarray(damping, dtype=float))
+    begin, end = contact_phases(a, q)
+    n = order
+
+    def part(m: int) -> Complex:
+        """Integral of e^(j m p) over the contact."""
+        if m == 0:
+            return np.asarray(end - begin, dtype=complex)
+        return np.asarray((np.exp(1j * m * end) - np.exp(1j * m * begin)) / (1j * m))
+
+    # a sin p + q a cos p - 1, times e^(-j n p), over half a turn; the other half doubles it.
+    sine = (part(1 - n) - part(-1 - n)) / 2j
+    cosine = (part(1 - n) + part(-1 - n)) / 2.0
+    total = 2.0 / math.pi * 1j * (a * sine + q * a * cosine - part(-n)) / a
+    return np.asarray(np.where(np.isfinite(begin), total, 0.0))
+
+
 HARMONICS = (3, 5, 7, 9)
 TRUSTED = 0.05
-"""Share of higher harmonics in the motor-load difference up to which a prediction is called good."""
+"""Largest share of higher harmonics in the motor-load difference of a good prediction."""
 DOUBTFUL = 0.2
 SURE = 0.25
-"""Uncertainty of the amplitude up to which a prediction is called good."""
+"""Largest uncertainty of the amplitude of a good prediction."""
 LARGEST = 1e4
 """Amplitude over half of the gap up to which a loop with shaft damping is searched."""
 
 
 @dataclass(frozen=True)
 class LimitCycle:
-    """A limit cycle as the describing function sees it.
+    """A limit cycle predicted by the describing function.
 
     Attributes
     ----------
@@ -36,13 +132,12 @@ class LimitCycle:
     ratio : float
         Amplitude over half of the gap.
     stable : bool
-        By Loeb's criterion, read off the quasi-linear loop: at a larger amplitude its critical pair decays, and no other pole grows.
+        By Loeb's criterion on the quasi-linear loop: at a larger amplitude its critical pair decays, and no other pole grows.
     harmonics : float
-        The filter hypothesis, measured: higher harmonics that the torque would leave in the difference (root of the sum of squares up to
-        the ninth), over the amplitude.
+        Test of the filter hypothesis: higher harmonics of the difference (root of the sum of squares up to the ninth) over the amplitude.
     sensitivity : float
         Relative change of the amplitude over a relative error of N G, in the worst phase. It is large where the loop's phase hardly turns
-        with frequency: then few harmonics are enough to move the cycle far, or to make it vanish.
+        with frequency: there a few harmonics move the cycle far, or make it vanish.
     """
 
     amplitude: float
@@ -54,44 +149,32 @@ class LimitCycle:
 
     @property
     def uncertainty(self) -> float:
-        """What the harmonics may do to the amplitude, relative, to first order: harmonics times sensitivity."""
+        """Relative uncertainty of the amplitude, to first order: harmonics times sensitivity."""
         return self.harmonics * self.sensitivity
 
     @property
     def validity(self) -> str:
-        """How far to trust it, in words."""
+        """How far to trust the prediction: good, rough or poor, with the numbers behind it."""
         share = f"the loop passes {100.0 * self.harmonics:.2g} % of higher harmonics, amplitude {self.ratio:.3g} half-gaps"
         share += f", uncertain by {100.0 * self.uncertainty:.2g} %"
         if self.harmonics <= TRUSTED and self.ratio >= 2.0 and self.uncertainty <= SURE:
             return f"good: {share}"
         if self.harmonics <= DOUBTFUL and self.ratio >= 1.25 and self.uncertainty <= 2.0 * SURE:
             return f"rough: {share}"
-        return f"poor: {share}; only the exact periodic orbit tells"
+        return f"poor: {share}; trust only the exact periodic orbit"
 
 
 @dataclass(frozen=True)
 class Prediction:
-    """What the describing function says of a loop.
+    """Limit cycles predicted for a loop.
 
     Attributes
     ----------
     cycles : tuple of LimitCycle
         By falling amplitude; empty if none is predicted.
-    searched : str
-        Where was looked, in words.
     """
 
     cycles: tuple[LimitCycle, ...]
-    searched: str
-
-    def __str__(self) -> str:
-        if not self.cycles:
-            return f"no limit cycle predicted ({self.searched})"
-        lines = [
-            f"{'stable' if cycle.stable else 'unstable'} at {cycle.frequency:.4g} rad/s, amplitude {cycle.amplitude:.4g}: {cycle.validity}"
-            for cycle in self.cycles
-        ]
-        return "\n".join(lines)
 
 
 def predict_limit_cycles(loop: BacklashLoop) -> Prediction:
@@ -119,9 +202,7 @@ def predict_limit_cycles(loop: BacklashLoop) -> Prediction:
     """
     loop.require_one_controller("a describing function")
     pairs = _undamped(loop) if loop.shaft_damping == 0.0 else _damped(loop)
-    cycles = sorted((_cycle(loop, ratio, w) for ratio, w in pairs), key=lambda cycle: -cycle.ratio)
-    where = "every frequency and amplitude" if loop.shaft_damping == 0.0 else f"amplitudes from 1 to {LARGEST:g} half-gaps, on a grid"
-    return Prediction(tuple(cycles), f"searched: {where}")
+    return Prediction(tuple(sorted((_cycle(loop, ratio, w) for ratio, w in pairs), key=lambda cycle: -cycle.ratio)))
 
 
 def real_frequencies(loop: BacklashLoop) -> list[float]:
@@ -144,7 +225,7 @@ def real_frequencies(loop: BacklashLoop) -> list[float]:
 
 
 def _polished(loop: BacklashLoop, near: Array) -> list[float]:
-    """Make frequencies at which G is nearly real exact; those where it is not after all are left out."""
+    """Refine frequencies at which G is nearly real, and drop those where it is not."""
     found: list[float] = []
     for w in near:
         for _ in range(30):

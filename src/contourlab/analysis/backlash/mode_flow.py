@@ -1,14 +1,13 @@
-"""The three modes of a loop with a gap (contact below, gap, contact above), each carried exactly in time and left at the right instant.
+"""The three modes of a loop with a gap (contact below, gap, contact above), each propagated exactly and left at the right instant.
 
-The state is made longer by the twist of a damped shaft in the gap, by the reference, which is the output of a linear system of its own,
-and by a constant 1, so that each mode is w' = M w and a matrix exponential carries it over any time. When a mode ends is found on
+The state is made longer by the twist of a damped shaft in the gap and by a constant 1, so that each mode is w' = M w and a matrix
+exponential carries it over any time. When a mode ends is found on
 Chebyshev interpolants of its guard: a chunk of time is halved until its interpolant is as exact as the arithmetic, so no crossing, nor a
-pair of them, goes unseen between two samples; the instant is then polished on the exponential itself.
+pair of them, is missed between two samples. The instant is then refined on the exponential itself.
 """
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
@@ -16,7 +15,6 @@ from numpy.typing import NDArray
 
 from contourlab.analysis.backlash.lure import BacklashLoop, dead_zone
 from contourlab.analysis.linear.small_exponential import exponentials
-from contourlab.errors import ParameterError
 
 Array = NDArray[np.float64]
 
@@ -27,52 +25,21 @@ ROUNDING = float(np.finfo(float).eps)
 DEEPEST = 60
 
 
-@dataclass(frozen=True, eq=False)
-class Motion:
-    """A reference as the output of a linear system: q' = s q, (r, r', r'') = output q, q(0) = start; the last of q is the constant 1.
-
-    Made by `constant`, `sine` and `ramp`.
-    """
-
-    s: Array
-    output: Array
-    start: Array
-
-    @classmethod
-    def constant(cls, value: float = 0.0) -> Motion:
-        """Return a reference at rest."""
-        return cls(np.zeros((1, 1)), np.array([[value], [0.0], [0.0]]), np.ones(1))
-
-    @classmethod
-    def ramp(cls, velocity: float, start: float = 0.0) -> Motion:
-        """Return r = start + velocity t."""
-        return cls(np.array([[0.0, 1.0], [0.0, 0.0]]), np.array([[velocity, start], [0.0, velocity], [0.0, 0.0]]), np.array([0.0, 1.0]))
-
-    @classmethod
-    def sine(cls, amplitude: float, frequency: float, offset: float = 0.0) -> Motion:
-        """Return r = offset + amplitude sin(frequency t), frequency in rad/s."""
-        if not 0.0 < frequency < np.inf:
-            raise ParameterError("frequency", frequency, "above 0", "rad/s")
-        s = np.array([[0.0, frequency, 0.0], [-frequency, 0.0, 0.0], [0.0, 0.0, 0.0]])
-        top = np.array([amplitude, 0.0, offset])
-        rate = np.array([0.0, amplitude * frequency, 0.0])
-        return cls(s, np.array([top, rate, [-amplitude * frequency**2, 0.0, 0.0]]), np.array([0.0, 1.0, 1.0]))
-
-
 class Flow:
-    """Modes, guards and exact propagation of a loop under a reference.
+    """Modes, guards and exact propagation of a loop.
 
     Parameters
     ----------
     loop : BacklashLoop
-    reference : Motion
+    reference : float
+        At rest.
     """
 
-    def __init__(self, loop: BacklashLoop, reference: Motion) -> None:
+    def __init__(self, loop: BacklashLoop, reference: float = 0.0) -> None:
         self.loop, self.reference = loop, reference
         self.twisted = loop.shaft_damping > 0.0
         self.n = loop.n
-        self.size = loop.n + int(self.twisted) + len(reference.start)
+        self.size = loop.n + int(self.twisted) + 1
         self.matrices = {mode: self._matrix(mode) for mode in (BELOW, GAP, ABOVE)}
         self.guards = {mode: self._guards(mode) for mode in (BELOW, GAP, ABOVE)}
         self._chunks: dict[tuple[int, int], tuple[Array, Array]] = {}
@@ -84,15 +51,15 @@ class Flow:
         return 4.0 / max(float(max(rates)), 1e-300)
 
     def lengthened(self, x: Array, twist: float | None = None) -> tuple[Array, int]:
-        """Return state w and mode of a start x (n,), with the shaft's twist in the gap if it is not at rest."""
+        """Return state w and mode of a start x (n,), with the shaft's twist in the gap, relaxed by default."""
         loop = self.loop
         lag = float(dead_zone(loop.c @ x, loop.half_gap))
         if self.twisted and twist is not None:
             lag = twist
-        w = np.concatenate([x, [lag] if self.twisted else [], self.reference.start])
+        w = np.concatenate([x, [lag] if self.twisted else [], [1.0]])
         reach = float(loop.c @ x) - lag
         for side in (BELOW, ABOVE):
-            # At the very edge of a dead zone there is no torque yet: what counts is where it goes.
+            # At the edge of a dead zone there is no torque yet: the direction of motion decides.
             pushed = side * float(self.torque_row(side) @ w) > 0.0 or (not self.twisted and side * float(self.difference_rate @ w) > 0.0)
             if side * reach >= loop.half_gap * (1.0 - 1e-12) and pushed:
                 return w, side
@@ -110,7 +77,7 @@ class Flow:
         """Row of theta_d' on w."""
         row = np.zeros(self.size)
         row[: self.n] = self.loop.rate
-        row[self.size - len(self.reference.start) :] = self.loop.c @ self.loop.reference_input @ self.reference.output
+        row[-1] = float(self.loop.c @ self.loop.reference_input[:, 0]) * self.reference
         return row
 
     def torque_row(self, mode: int) -> Array:
@@ -123,11 +90,10 @@ class Flow:
 
     def _matrix(self, mode: int) -> Array:
         """Return M of w' = M w."""
-        loop, n, q = self.loop, self.n, len(self.reference.start)
+        loop, n = self.loop, self.n
         m = np.zeros((self.size, self.size))
         m[:n, :n] = loop.a if mode == GAP or loop.contact_a is None else loop.contact_a
-        m[:n, -q:] = loop.reference_input_in(mode == GAP) @ self.reference.output
-        m[-q:, -q:] = self.reference.s
+        m[:n, -1] = loop.reference_input_in(mode == GAP)[:, 0] * self.reference
         m[:n] -= np.outer(loop.b, self.torque_row(mode))
         if self.twisted:
             m[n] = self.difference_rate if mode != GAP else 0.0
@@ -141,7 +107,7 @@ class Flow:
         return tuple((self._reach(side), side) for side in (BELOW, ABOVE))
 
     def _reach(self, side: int) -> Array:
-        """Return the row of how far the gap is overrun: theta_d less the shaft's twist, beyond half of the gap."""
+        """Return the row of theta_d less the shaft's twist, beyond half of the gap."""
         row = side * self.difference
         if self.twisted:
             row[self.n] -= side
@@ -169,7 +135,7 @@ class Flow:
         return np.asarray(scale, dtype=np.float64)
 
     def reset(self, mode: int, following: int) -> Array:
-        """Return what a change of mode does to w: the shaft that leaves contact keeps its twist."""
+        """Return the map of w at a change of mode: a shaft that leaves contact keeps its twist."""
         change = np.eye(self.size)
         if self.twisted and mode != GAP and following == GAP:
             change[self.n] = self.difference
@@ -177,12 +143,12 @@ class Flow:
         return change
 
     def advance(self, w: Array, mode: int, limit: float, level: int) -> tuple[float, Array, int | None, int]:
-        """Carry w over one chunk, or to the end of its mode, or to the limit.
+        """Propagate w over one chunk, or to the end of its mode, or to the limit.
 
         Returns
         -------
-        time, w : how far it came, and the state there
-        following : the mode that follows, before `reset`; None if this one goes on
+        time, w : time propagated, and the state there
+        following : next mode, before `reset`; None if this one continues
         level : length for the next chunk, `unit` times 2^-level
         """
         level = max(level, int(np.ceil(np.log2(self.unit / limit))) - 1)
@@ -220,7 +186,7 @@ class Flow:
         return best
 
     def _polish(self, w: Array, mode: int, row: Array, at: float, span: float) -> float:
-        """Make an instant better with the exponential itself."""
+        """Refine an instant on the exponential itself."""
         for _ in range(4):
             there = self.exponential(mode, at) @ w
             slope = float(row @ self.matrices[mode] @ there)
@@ -254,7 +220,7 @@ def _rises(series: Array) -> list[float]:
     places = np.sort(roots.real[(np.abs(roots.imag) < 1e-5) & (np.abs(roots.real) < 1.0 + 1e-9)]).clip(-1.0, 1.0)
     if not places.size:
         return []
-    # Signs between neighbours tell a crossing from a touch, however the roots of a touch came out.
+    # Signs between neighbours separate a crossing from a touch.
     edges = np.concatenate([[-1.0], places, [1.0]])
     above = chebyshev.chebval(0.5 * (edges[:-1] + edges[1:]), kept) > 0.0
     return [float(places[i]) for i in range(places.size) if above[i + 1] and not above[i]]

@@ -1,7 +1,7 @@
-"""The exact periodic orbit of a loop with a gap: shooting with Newton steps whose Jacobian is exact, and its Floquet multipliers.
+"""Exact periodic orbits of a loop with a gap: a search for starts, shooting by Newton's method, and Floquet multipliers.
 
-The modes that an orbit runs through are not assumed: each shot goes where the loop goes. The Jacobian is the product of the modes'
-exponentials and of a saltation matrix wherever the mode changes.
+The sequence of modes is not assumed: each shot follows the loop. Its Jacobian is the product of the modes' exponentials and of a saltation
+matrix at each change of mode.
 """
 
 from __future__ import annotations
@@ -12,9 +12,10 @@ from dataclasses import dataclass, field
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from contourlab.analysis.backlash.exact_simulation import ExactRun, Span, spans
+from contourlab.analysis.backlash.exact_simulation import ExactRun, Span, simulate_exact, spans
+from contourlab.analysis.backlash.limit_cycle_prediction import Prediction, predict_limit_cycles, quasi_linear
 from contourlab.analysis.backlash.lure import BacklashLoop
-from contourlab.analysis.backlash.mode_flow import GAP, Flow, Motion
+from contourlab.analysis.backlash.mode_flow import GAP, Flow
 from contourlab.errors import ParameterError
 
 Array = NDArray[np.float64]
@@ -22,7 +23,7 @@ Complex = NDArray[np.complex128]
 
 STEPS = 40
 CLOSED = 1e-10
-"""Largest part by which a closed orbit misses itself, over the size of the orbit, state by state."""
+"""Largest gap between start and end of a closed orbit, over its size, state by state."""
 MOST = 4000
 SAMPLES = 2048
 
@@ -35,15 +36,15 @@ class PeriodicOrbit:
     ----------
     period : float [s]
     start : ndarray (n,)
-        A state on it; at time 0 of the reference where there is one.
+        A state on it.
     amplitude : float
         Half of the range of the motor-load difference [rad or m].
     ratio : float
         Amplitude over half of the gap.
     multipliers : ndarray (m,) of complex
-        Floquet multipliers by falling size; the one at 1 along an orbit that runs by itself is left out.
+        Floquet multipliers by falling size; the one at 1 along the orbit is left out.
     residual : float
-        By how much it misses itself, over its size.
+        Gap between start and end, over the size of the orbit.
     modes : tuple of int
         Modes that it runs through in a period, from `start` on.
     run : ExactRun
@@ -69,15 +70,10 @@ class PeriodicOrbit:
         """Whether neighbouring motions come closer."""
         return bool((np.abs(self.multipliers) < 1.0).all())
 
-    def __str__(self) -> str:
-        size = f"amplitude {self.amplitude:.4g} ({self.ratio:.4g} half-gaps)"
-        largest = np.abs(self.multipliers).max(initial=0.0)
-        return f"{'stable' if self.stable else 'unstable'} orbit of {self.frequency:.6g} rad/s, {size}, largest multiplier {largest:.4g}"
-
 
 @dataclass(frozen=True, eq=False)
 class Shot:
-    """Where a start leads within a time, and how that depends on the start."""
+    """End of a motion, and its dependence on the start."""
 
     start: Array
     end: Array
@@ -94,11 +90,10 @@ class Shooter:
     Parameters
     ----------
     loop : BacklashLoop
-    reference : Motion
     """
 
-    def __init__(self, loop: BacklashLoop, reference: Motion) -> None:
-        self.flow = Flow(loop, reference)
+    def __init__(self, loop: BacklashLoop) -> None:
+        self.flow = Flow(loop)
         self.n = loop.n + int(self.flow.twisted)
 
     def shot(self, y: Array, duration: float) -> Shot:
@@ -119,7 +114,7 @@ class Shooter:
         return Shot(w[: self.n], end, jacobian[: self.n, : self.n], slope[: self.n], modes, found)
 
     def _twist(self, y: Array) -> float | None:
-        """Return the twist of a start: that of contact beyond the gap, else its own, which cannot leave the gap behind."""
+        """Return the twist of a start, limited to what contact allows."""
         if not self.flow.twisted:
             return None
         loop, own = self.flow.loop, float(y[-1])
@@ -127,7 +122,7 @@ class Shooter:
         return float(np.clip(own, d - loop.half_gap, d + loop.half_gap))
 
     def _settled(self, span: Span) -> Array:
-        """Return the end of a motion; in contact the shaft's twist is what the positions say."""
+        """Return the end of a motion; in contact the positions define the shaft's twist."""
         end = span.end[: self.n].copy()
         if self.flow.twisted and span.mode != GAP:
             end[-1] = self.flow.loop.c @ end[: self.flow.n] - span.mode * self.flow.loop.half_gap
@@ -135,7 +130,7 @@ class Shooter:
 
 
 def _saltation(flow: Flow, mode: int, following: int, w: Array) -> Array:
-    """Return how a change of mode at w carries small differences: some arrive earlier than others."""
+    """Return the saltation matrix of a change of mode at w: small differences arrive at different times."""
     row = next(row for row, after in flow.guards[mode] if after == following)
     reset = flow.reset(mode, following)
     before = flow.matrices[mode] @ w
@@ -144,9 +139,7 @@ def _saltation(flow: Flow, mode: int, following: int, w: Array) -> Array:
     return np.asarray(reset + np.outer(jump, row) / slope) if slope > 0.0 else reset
 
 
-def close_orbit(
-    loop: BacklashLoop, start: ArrayLike, period: float, reference: Motion | None = None, *, twist: float = 0.0, fixed: bool | None = None
-) -> PeriodicOrbit | None:
+def close_orbit(loop: BacklashLoop, start: ArrayLike, period: float, *, twist: float = 0.0) -> PeriodicOrbit | None:
     """Return the periodic orbit near a start, if Newton's steps lead to one.
 
     Parameters
@@ -155,18 +148,14 @@ def close_orbit(
     start : array_like (n,)
         A state near the orbit.
     period : float [s]
-        A guess; or the period itself, if it is fixed.
-    reference : Motion, optional
-        Zero if left out.
+        A guess.
     twist : float
         Of a damped shaft at the start.
-    fixed : bool, optional
-        Whether the period is given by the reference; so it is for one that moves.
 
     Returns
     -------
     PeriodicOrbit or None
-        None where it does not converge or ends at a point of rest.
+        None if Newton's steps do not converge, or end at a point of rest.
 
     Raises
     ------
@@ -175,19 +164,17 @@ def close_orbit(
     """
     if not 0.0 < period < math.inf:
         raise ParameterError("period", period, "above 0", "s")
-    motion = reference or Motion.constant()
-    shooter = Shooter(loop, motion)
-    held = bool(motion.output.any() and len(motion.start) > 1) if fixed is None else fixed
+    shooter = Shooter(loop)
     y = np.asarray(start, dtype=float)
     y = np.append(y, twist) if shooter.flow.twisted else y
     try:
-        found = _newton(shooter, y, period, held)
+        closed = _newton(shooter, y, period)
     except (ParameterError, np.linalg.LinAlgError):
         return None
-    return None if found is None else _orbit(shooter, *_prime(shooter, *found, held), held)
+    return None if closed is None else _orbit(shooter, *_single_round(shooter, *closed))
 
 
-def _newton(shooter: Shooter, y: Array, period: float, held: bool) -> tuple[Shot, float] | None:
+def _newton(shooter: Shooter, y: Array, period: float) -> tuple[Shot, float] | None:
     """Return the closed shot near y, and its period."""
     first = period
     shot = shooter.shot(y, period)
@@ -196,30 +183,28 @@ def _newton(shooter: Shooter, y: Array, period: float, held: bool) -> tuple[Shot
         missed = shot.end - shot.start
         if np.abs(missed / size).max() <= CLOSED:
             return shot, period
-        step, longer = _step(shot, size, held)
+        step, longer = _step(shot, size)
         shot, period, better = _damped(shooter, shot, period, step, longer, size)
         if not better or not 0.2 * first < period < 5.0 * first:
             return None
     return None
 
 
-def _prime(shooter: Shooter, shot: Shot, period: float, held: bool) -> tuple[Shot, float]:
-    """Return one round of an orbit that was closed after several."""
+def _single_round(shooter: Shooter, shot: Shot, period: float) -> tuple[Shot, float]:
+    """Return one round of an orbit that closed after several."""
     size = _size(shot)
-    for rounds in range(9, 1, -1) if not held else ():
+    for rounds in range(9, 1, -1):
         once = shooter.shot(shot.start, period / rounds)
         if np.abs((once.end - once.start) / size).max() <= 1e3 * CLOSED:
             return once, period / rounds
     return shot, period
 
 
-def _step(shot: Shot, size: Array, held: bool) -> tuple[Array, float]:
-    """Return Newton's step of the start and of the period; at right angles to the motion where the phase is free."""
+def _step(shot: Shot, size: Array) -> tuple[Array, float]:
+    """Return Newton's step of the start and of the period; at right angles to the motion, since the phase is free."""
     n = len(size)
     scaled = shot.jacobian * size / size[:, None]
     missed, slope = (shot.end - shot.start) / size, shot.slope / size
-    if held:
-        return np.linalg.lstsq(scaled - np.eye(n), -missed, rcond=1e-13)[0] * size, 0.0
     unit = slope / max(float(np.linalg.norm(slope)), 1e-300)
     matrix = np.block([[scaled - np.eye(n), unit[:, None]], [unit[None, :], np.zeros((1, 1))]])
     solution = np.linalg.lstsq(matrix, np.append(-missed, 0.0), rcond=1e-13)[0]
@@ -227,7 +212,7 @@ def _step(shot: Shot, size: Array, held: bool) -> tuple[Array, float]:
 
 
 def _damped(shooter: Shooter, shot: Shot, period: float, step: Array, longer: float, size: Array) -> tuple[Shot, float, bool]:
-    """Take the step, or the part of it that makes the gap of the orbit smaller."""
+    """Take the step, or the part of it that shrinks the gap of the orbit."""
     now = float(np.linalg.norm((shot.end - shot.start) / size))
     part = 1.0
     while part > 1e-4:
@@ -248,18 +233,17 @@ def _size(shot: Shot) -> Array:
     return np.asarray(np.maximum(largest, 1e-9 * largest.max()))
 
 
-def _orbit(shooter: Shooter, shot: Shot, period: float, held: bool) -> PeriodicOrbit | None:
+def _orbit(shooter: Shooter, shot: Shot, period: float) -> PeriodicOrbit | None:
     """Return a closed shot as an orbit, unless it is a point of rest."""
     loop, found = shooter.flow.loop, shot.found
     times, modes = np.array([span.time for span in found]), np.array([span.mode for span in found], dtype=np.int64)
     run = ExactRun(loop, period, times, modes, False, shooter.flow, found)
     difference = run.difference(np.linspace(0.0, period, SAMPLES + 1))
     amplitude = _half_range(difference)
-    if not held and amplitude < loop.half_gap:
+    if amplitude < loop.half_gap:
         return None
     multipliers = np.linalg.eigvals(shot.jacobian).astype(np.complex128)
-    if not held:
-        multipliers = np.delete(multipliers, int(np.argmin(np.abs(multipliers - 1.0))))
+    multipliers = np.delete(multipliers, int(np.argmin(np.abs(multipliers - 1.0))))
     multipliers = multipliers[np.argsort(-np.abs(multipliers))]
     residual = float(np.abs((shot.end - shot.start) / _size(shot)).max())
     ratio = amplitude / loop.half_gap
@@ -276,3 +260,114 @@ def _half_range(values: Array) -> float:
         return here if bend >= 0.0 else here - (after - before) ** 2 / (8.0 * bend)
 
     return 0.5 * (top(values) + top(-values))
+
+
+KICKS = (1.5, 5.0, 30.0, 200.0)
+"""Starts of the motions that are followed: motor-load differences over half of the gap."""
+SETTLING = 60
+"""Changes of mode after which a motion is tested for returns to itself."""
+
+
+@dataclass(frozen=True, eq=False)
+class OrbitSearch:
+    """Periodic orbits that were found.
+
+    Attributes
+    ----------
+    orbits : tuple of PeriodicOrbit
+        By falling amplitude.
+    """
+
+    orbits: tuple[PeriodicOrbit, ...]
+
+    @property
+    def stable(self) -> tuple[PeriodicOrbit, ...]:
+        """Those that a motion settles on."""
+        return tuple(orbit for orbit in self.orbits if orbit.stable)
+
+
+def find_orbits(loop: BacklashLoop, *, prediction: Prediction | None = None, kicks: tuple[float, ...] = KICKS) -> OrbitSearch:
+    """Return the limit cycles of a loop at rest.
+
+    Shots start from each prediction of the describing function, and from where motions settle.
+
+    Parameters
+    ----------
+    loop : BacklashLoop
+    prediction : Prediction, optional
+        Of the describing function, if known; a loop that switches its controller has none.
+    kicks : tuple of float
+        Motor-load differences, over half of the gap, from which motions are followed until they settle.
+
+    Notes
+    -----
+    An empty result is no proof that there is no orbit.
+    """
+    if prediction is None and loop.contact_a is None:
+        prediction = predict_limit_cycles(loop)
+    shots = []
+    for cycle in prediction.cycles if prediction is not None else ():
+        start = _predicted_start(loop, cycle.amplitude, cycle.ratio, cycle.frequency)
+        shots.append(close_orbit(loop, start, 2.0 * math.pi / cycle.frequency))
+    shots += [_settled_orbit(loop, kick) for kick in kicks]
+    orbits: list[PeriodicOrbit] = []
+    for orbit in shots:
+        if orbit is not None and not any(_same(orbit, other) for other in orbits):
+            orbits.append(orbit)
+    return OrbitSearch(tuple(sorted(orbits, key=lambda orbit: -orbit.amplitude)))
+
+
+def _predicted_start(loop: BacklashLoop, amplitude: float, ratio: float, w: float) -> Array:
+    """Return a state on the sinusoid of the quasi-linear loop, where the difference passes its peak."""
+    values, vectors = np.linalg.eig(quasi_linear(loop, ratio, w))
+    vector = vectors[:, int(np.argmin(np.abs(values - 1j * w)))]
+    return np.asarray((vector * (amplitude / (loop.c @ vector))).real)
+
+
+def _settled_orbit(loop: BacklashLoop, kick: float) -> PeriodicOrbit | None:
+    """Follow a motion until it is at rest, has run away, or returns to itself; then shoot from there."""
+    start = kick * loop.half_gap * loop.c / float(loop.c @ loop.c)
+    duration = _first_look(loop)
+    for _ in range(10):
+        try:
+            run = simulate_exact(loop, start, duration, most=20_000)
+        except ParameterError:
+            return None
+        if run.diverged:
+            return None
+        if run.times.size >= SETTLING:
+            break
+        duration *= 2.0
+    contacts = [i for i, mode in enumerate(run.modes) if mode == 1]
+    if run.times.size < SETTLING or len(contacts) < 4:
+        return None
+    return _from_returns(loop, run, contacts)
+
+
+def _from_returns(loop: BacklashLoop, run: ExactRun, contacts: list[int]) -> PeriodicOrbit | None:
+    """Shoot from the last contact, with the time since the contact that came closest to it."""
+    states = np.array([run.spans[i].start[: loop.n] for i in contacts])
+    size = np.maximum(np.abs(states).max(axis=0), 1e-300)
+    last = len(contacts) - 1
+    earlier = range(max(0, last - 6), last)
+    best = min(earlier, key=lambda i: (np.abs((states[i] - states[last]) / size).max() > 0.3, last - i))
+    # Half-way through a contact a start is safe from the edges of the mode.
+    span = run.spans[contacts[last]]
+    middle = run.flow.exponential(span.mode, 0.5 * span.duration) @ span.start
+    period = float(run.times[contacts[last]] - run.times[contacts[best]])
+    return close_orbit(loop, middle[: loop.n], period, twist=float(middle[loop.n]) if run.flow.twisted else 0.0)
+
+
+def _first_look(loop: BacklashLoop) -> float:
+    """Return the duration of some turns of the slowest motion that rings in contact."""
+    poles = np.linalg.eigvals(loop.contact_matrix)
+    ringing = poles.imag[poles.imag > 1e-6 * np.abs(poles).max()]
+    slowest = float(ringing.min()) if ringing.size else float(np.abs(poles).min())
+    return 100.0 * 2.0 * math.pi / max(slowest, 1e-300)
+
+
+def _same(one: PeriodicOrbit, other: PeriodicOrbit) -> bool:
+    """Whether two orbits are equal, or one is several rounds of the other."""
+    rounds = one.period / other.period
+    whole = max(round(rounds), 1) if rounds >= 1.0 else 1.0 / max(round(1.0 / rounds), 1)
+    return abs(rounds / whole - 1.0) < 1e-6 and abs(one.amplitude / other.amplitude - 1.0) < 1e-5

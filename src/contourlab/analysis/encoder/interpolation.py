@@ -1,4 +1,4 @@
-"""From corrected quadrature signals to counts finer than their period: sinusoids of higher order, counts of zero crossings.
+"""Counts finer than the period of corrected quadrature signals: sinusoids of higher order and their zero crossings.
 
 References
 ----------
@@ -18,7 +18,7 @@ from contourlab.errors import ParameterError
 Array = NDArray[np.float64]
 Whole = NDArray[np.int64]
 ENTRIES = 64
-"""Of the table for each order: the interpolated sinusoids are off by 1/(8 ENTRIES^2) = 3e-5."""
+"""Table entries for each order: the interpolated sinusoids have an error of 1/(8 ENTRIES^2) = 3e-5."""
 HIGHEST = 100_000
 
 
@@ -46,9 +46,9 @@ def interpolation_order(pitch: float, resolution: float) -> int:
     order = round(exact) if exact < 2.0 * HIGHEST else 0
     if not 1 <= order <= HIGHEST or abs(exact - order) > 1e-6 * order:
         near = sorted({pitch / (4.0 * n) for n in (np.floor(exact), np.ceil(exact)) if 1 <= n <= HIGHEST})
-        words = " or ".join(f"{value:.9g}" for value in near) or f"from {pitch / (4.0 * HIGHEST):.6g} to {0.25 * pitch:.6g}"
+        nearest = " or ".join(f"{value:.9g}" for value in near) or f"from {pitch / (4.0 * HIGHEST):.6g} to {0.25 * pitch:.6g}"
         raise ParameterError(
-            "resolution", f"{resolution:g} m", f"a pitch of {pitch:g} m over four times a whole number, such as {words}", "m"
+            "resolution", f"{resolution:g} m", f"a pitch of {pitch:g} m over four times a whole number, such as {nearest}", "m"
         )
     return order
 
@@ -62,7 +62,7 @@ class Counts:
     counts : ndarray of int (n,)
         The first lies within half a pitch of zero.
     missed : ndarray of bool (n,)
-        Samples at which whole pitches may have been lost.
+        Samples at which whole pitches may be lost.
     """
 
     counts: Whole
@@ -73,8 +73,8 @@ class SinusoidTable:
     """Sinusoids of a higher order from two signals, by quadrant and ratio: no arctangent, no sine.
 
     The smaller magnitude of the two signals over the larger is the tangent of an angle between 0 and 45 degrees; a table over it holds
-    cos(n phi) and sin(n phi) of that octant, and the number of zero crossings that lie before it. Signs and order of the signals say which
-    octant it is. The amplitude falls out of the ratio.
+    cos(n phi) and sin(n phi) of that octant, and the number of zero crossings before it. Signs and order of the signals select the octant.
+    The amplitude cancels in the ratio.
 
     Parameters
     ----------
@@ -86,7 +86,7 @@ class SinusoidTable:
     Notes
     -----
     sin(n phi) = sin(phi) U_{n-1}(cos phi) with the Chebyshev polynomials of the second kind: the signal of higher order is a function of
-    the two measured ones alone, which is why a table can hold it.
+    the two measured ones alone, so a table can hold it.
     """
 
     def __init__(self, order: int, entries: int | None = None) -> None:
@@ -118,8 +118,8 @@ class SinusoidTable:
     def in_period(self, u1: ArrayLike, u2: ArrayLike) -> Whole:
         """Return the count (n,) within the period, -2 n to 2 n: round(4 n phi/(2 pi)) for phi from -pi to pi.
 
-        The table tells the count to within one; the signs of the sinusoids of higher order, whose sum and difference cross zero half-way
-        between two counts, tell which.
+        The table gives the count to within one. The signs of the sinusoids of higher order, whose sum and difference cross zero half-way
+        between two counts, decide.
         """
         first, second = (np.asarray(u, dtype=np.float64) for u in (u1, u2))
         i, _, beyond = self._place(first, second)
@@ -131,7 +131,7 @@ class SinusoidTable:
         return np.asarray(coarse + (fine - coarse + 1) % 4 - 1, dtype=np.int64)
 
     def turns(self, u1: ArrayLike, u2: ArrayLike) -> Array:
-        """Return the angle (n,) in turns, -1/2 to 1/2, to 1e-5 of a count: what tells one period from the next."""
+        """Return the angle (n,) in turns, -1/2 to 1/2, to 1e-5 of a count."""
         first, second = (np.asarray(u, dtype=np.float64) for u in (u1, u2))
         i, part, beyond = self._place(first, second)
         angle = (1.0 - part) * self._turns[i] + part * self._turns[i + 1]
@@ -169,7 +169,7 @@ def zero_crossings(cosine: ArrayLike, sine: ArrayLike) -> tuple[Whole, NDArray[n
     counts : ndarray of int (n,)
         From 0 at the first sample.
     lost : ndarray of bool (n,)
-        Where two crossings fell into one sample, so that the direction is not known. They are counted as none.
+        Where two crossings fall into one sample, so that the direction is unknown. They count as none.
     """
     state = quadrant(np.asarray(cosine, dtype=np.float64), np.asarray(sine, dtype=np.float64))
     step = np.diff(state, prepend=state[:1]) % 4
@@ -193,9 +193,9 @@ def period_count(turns: ArrayLike) -> tuple[Whole, NDArray[np.bool_]]:
 
     Notes
     -----
-    True while the axis moves less than half a pitch from sample to sample. A faster one looks like one that moves the other way: no signal
-    can tell. What can be told is the moment at which it became too fast: there the apparent speed jumps by a whole pitch a sample, which is
-    marked wherever it jumps by more than half a pitch. An axis that starts the record too fast is not found out.
+    Correct while the axis moves less than half a pitch per sample. A faster axis looks like one that moves the other way. Only the moment
+    at which it becomes too fast shows: the apparent speed jumps by a whole pitch per sample. Jumps of more than half a pitch are marked. An
+    axis that is too fast from the start goes undetected.
     """
     angle = np.asarray(turns, dtype=np.float64)
     step = np.diff(angle, prepend=angle[:1])

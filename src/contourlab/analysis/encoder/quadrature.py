@@ -1,30 +1,38 @@
-"""Quadrature signals as measured: their constants from an ellipse, and the errors of position that they make.
+"""Quadrature signals as measured: their constants from an ellipse, at once or sample by sample, and the position errors they cause.
 
-`QuadratureConstants` is the model of the signals and of their correction, `fit_ellipse` finds it from all samples of a record, and
-`subdivisional_error` measures what is left of errors that repeat with every pitch. The recursive fit is in
-`contourlab.analysis.encoder.quadrature_tracking`, interpolation and counting in `contourlab.analysis.encoder.interpolation`.
+`fit_ellipse` uses all samples of a record. `track_ellipse` runs the very step of the sensor component, tick by tick. Interpolation and
+counting are in `contourlab.analysis.encoder.interpolation`.
 
 References
 ----------
-P. L. M. Heydemann, "Determination and correction of quadrature fringe measurement errors in interferometers", Applied Optics 20 (1981).
+P. L. M. Heydemann, "Determination and correction of quadrature fringe measurement errors in interferometers", Applied Optics 20 (1981);
+E. Ulu, N. Gecer Ulu, M. Cakmakci, "Development and validation of an adaptive method to generate high-resolution quadrature encoder
+signals", Journal of Dynamic Systems, Measurement, and Control 136 (2014).
 """
 
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from contourlab.components.quadrature import ellipse
+from contourlab.components.quadrature import DERIVED, LEAST_COVARIANCE, STATES, TABLES, TUNING, arctangents, ellipse, followed
+from contourlab.engine.runner import Group, make_group
+from contourlab.engine.schedule import Node, Schedule
+from contourlab.engine.step import Port, Step
 from contourlab.errors import ParameterError
+from contourlab.loop.simulate import jit_enabled
 
 Array = NDArray[np.float64]
+Whole = NDArray[np.int64]
+
 FEWEST = 16
-"""Samples of a fit, and sectors of a turn that have to hold some."""
+"""Fewest samples of a fit, and number of sectors that each need one."""
 ROUNDEST = 0.2
-"""Scatter (rms, over the radius) of points round a fitted ellipse that are still called one."""
+"""Largest scatter (rms, over the radius) of points round a fitted ellipse."""
 SINGULAR = 1e12
 ORDERS = 8
 BLOCK = 1 << 16
@@ -32,7 +40,7 @@ BLOCK = 1 << 16
 
 @dataclass(frozen=True)
 class QuadratureConstants:
-    """What is wrong with two signals: u1d = u1 + p, u2d = (u2 cos al - u1 sin al)/r + q of u1 = R cos phi, u2 = R sin phi.
+    """Errors of two signals: u1d = u1 + p, u2d = (u2 cos al - u1 sin al)/r + q of u1 = R cos phi, u2 = R sin phi.
 
     Parameters
     ----------
@@ -103,13 +111,13 @@ class QuadratureConstants:
         return u1 + self.offset_1, self.amplitude * np.sin(angle - self.phase_error) / self.ratio + self.offset_2
 
     def corrected(self, u1: ArrayLike, u2: ArrayLike) -> tuple[Array, Array]:
-        """Return the signals (n,) without the errors, on a circle of the same amplitude."""
+        """Return the corrected signals (n,), on a circle of the same amplitude."""
         first = np.asarray(u1, dtype=np.float64) - self.offset_1
         second = self.ratio * (np.asarray(u2, dtype=np.float64) - self.offset_2)
         return first, (first * math.sin(self.phase_error) + second) / math.cos(self.phase_error)
 
     def error_without(self, phase: ArrayLike) -> Array:
-        """Return by how much the angle of the uncorrected signals is off [rad] at phases (n,) [rad].
+        """Return the angle error [rad] of the uncorrected signals at phases (n,) [rad].
 
         To first order, for offsets p and q: (q cos phi - p sin phi)/R; for ratio and phase error: -(r - 1)/2 sin 2 phi - al cos^2 phi.
         """
@@ -152,8 +160,7 @@ def fit_ellipse(u1: ArrayLike, u2: ArrayLike) -> EllipseFit:
     Raises
     ------
     ParameterError
-        If there are too few samples, a value is not finite, the signals do not move, the points are no ellipse, or they cover a part of it
-        only, from which the rest cannot be told.
+        If there are too few samples, a value is not finite, the signals do not move, or the points are no ellipse or only part of one.
 
     Notes
     -----
@@ -165,7 +172,7 @@ def fit_ellipse(u1: ArrayLike, u2: ArrayLike) -> EllipseFit:
     for name, values in (("u1", first), ("u2", second)):
         if not np.isfinite(values).all():
             raise ParameterError(name, f"not finite at sample {int(np.argmin(np.isfinite(values)))}", "finite everywhere")
-    # About the middle and over the size, so that neither a large offset nor the unit spoils the equations.
+    # Centred and scaled, so that offset and unit do not spoil the equations.
     middle = [0.5 * (float(u.min()) + float(u.max())) for u in (first, second)]
     half = [0.5 * (float(u.max()) - float(u.min())) for u in (first, second)]
     for name, size, values in zip(("u1", "u2"), half, (first, second), strict=True):
@@ -184,7 +191,7 @@ def fit_ellipse(u1: ArrayLike, u2: ArrayLike) -> EllipseFit:
 
 
 def _solved(x: Array, y: Array) -> tuple[float, ...]:
-    """Return A .. E by least squares; the equations are summed up block by block, so that no array of five columns is held."""
+    """Return A .. E by least squares; summed block by block to save memory."""
     gram, right = np.zeros((5, 5)), np.zeros(5)
     for start in range(0, x.size, BLOCK):
         a, b = x[start : start + BLOCK], y[start : start + BLOCK]
@@ -197,7 +204,7 @@ def _solved(x: Array, y: Array) -> tuple[float, ...]:
 
 
 def _judged(found: QuadratureConstants, first: Array, second: Array) -> EllipseFit:
-    """Return the fit if the points are an ellipse, and all of it."""
+    """Return the fit if the points form a whole ellipse."""
     c1, c2 = found.corrected(first, second)
     radius = np.hypot(c1, c2) / found.amplitude
     scatter = float(np.sqrt(np.mean((radius - 1.0) ** 2)))
@@ -223,7 +230,7 @@ class Subdivisional:
     orders : tuple of float [m]
         Amplitudes, once a pitch, twice, and so on.
     rest : float [m]
-        What does not repeat, rms: noise, counts, slow errors of the scale beyond a straight line.
+        The rest, rms: noise, counts, slow errors of the scale beyond a straight line.
     """
 
     peak: float
@@ -232,16 +239,16 @@ class Subdivisional:
 
 
 def subdivisional_error(position_error: ArrayLike, phase: ArrayLike, orders: int = ORDERS) -> Subdivisional:
-    """Measure what repeats with every pitch in an error of position.
+    """Measure the error of position that repeats with every pitch.
 
     Parameters
     ----------
     position_error : array_like (n,) [m]
-        Measured less true position. A constant and a straight line over the travel (mounting, temperature) are taken out with it.
+        Measured minus true position. A constant and a straight line over the travel (mounting, temperature) are removed.
     phase : array_like (n,) [rad]
         True phase, unwrapped: 2 pi x/pitch.
     orders : int, >= 1
-        Harmonics that are looked for.
+        Number of harmonics.
 
     Raises
     ------
@@ -254,7 +261,7 @@ def subdivisional_error(position_error: ArrayLike, phase: ArrayLike, orders: int
         raise ParameterError("samples", error.size, f"one phase for each error, at least {4 * n_unknown}")
     travel = float(np.ptp(angle)) / (2.0 * np.pi)
     if travel < 2.0:
-        raise ParameterError("travel", f"{travel:.3g} pitches", "at least 2: less does not tell what repeats")
+        raise ParameterError("travel", f"{travel:.3g} pitches", "at least 2, to separate what repeats")
     middle = 0.5 * (float(angle.min()) + float(angle.max()))
     gram, right = np.zeros((n_unknown, n_unknown)), np.zeros(n_unknown)
 
@@ -274,3 +281,113 @@ def subdivisional_error(position_error: ArrayLike, phase: ArrayLike, orders: int
     sums = sum(weights[2 * k] * np.cos(k * one) + weights[2 * k + 1] * np.sin(k * one) for k in range(1, orders + 1))
     amplitudes = tuple(float(np.hypot(weights[2 * k], weights[2 * k + 1])) for k in range(1, orders + 1))
     return Subdivisional(float(np.abs(sums).max()), amplitudes, math.sqrt(square / error.size))
+
+
+BLOCK = 1 << 16
+
+
+@dataclass(frozen=True, eq=False)
+class Tracked:
+    """Signals corrected on line.
+
+    Parameters
+    ----------
+    u1, u2 : ndarray (n,)
+        Corrected, over the nominal amplitude.
+    sample : ndarray of int (m,)
+        Samples at which the fit is kept.
+    coefficients : ndarray (m, 5)
+        A .. E there, of the signals over the nominal amplitude.
+    amplitude : float
+        The nominal one.
+    updated : ndarray of bool (n,)
+        Samples that updated the fit.
+    """
+
+    u1: Array
+    u2: Array
+    sample: Whole
+    coefficients: Array
+    amplitude: float
+    updated: NDArray[np.bool_]
+
+    def constants(self, index: int = -1) -> QuadratureConstants:
+        """Return the constants at one of the kept samples, the last by default, in the unit of the signals."""
+        found = QuadratureConstants.from_coefficients(*(float(value) for value in self.coefficients[index]))
+        scaled = {name: getattr(found, name) * self.amplitude for name in ("offset_1", "offset_2", "amplitude")}
+        return replace(found, **scaled)
+
+
+def _track(par: Any, x: Any, inp: Any, clock: Any) -> Any:
+    states, (u1, u2) = followed(par, x, inp.u1 / par.amplitude, inp.u2 / par.amplitude, x.turns)
+    return states, (u1, u2, states[4], states[3])
+
+
+def track_ellipse(
+    u1: ArrayLike,
+    u2: ArrayLike,
+    start: QuadratureConstants,
+    *,
+    forgetting: float = 0.998,
+    initial_covariance: float = 10.0,
+    update_travel: float = 1.0 / 32.0,
+    n_kept: int = 1024,
+) -> Tracked:
+    """Correct signals sample by sample, as a controller does: recursive least squares with forgetting and covariance resetting.
+
+    Parameters
+    ----------
+    u1, u2 : array_like (n,)
+        Measured and finite; each sample is corrected with the fit before it.
+    start : QuadratureConstants
+        Initial constants; their amplitude is the nominal one.
+    forgetting : float, 0.9 to 1
+        lambda, for each update; 0.995 to 0.9995 is usual. The memory is 1/(1 - lambda) updates.
+    initial_covariance : float, >= 40 (1 - lambda)
+        Of each coefficient, over the squared noise. Greater values give the initial constants less weight.
+    update_travel : float, > 0
+        Travel between two updates, in pitches. An axis at rest, or dithering within a pitch, causes none.
+    n_kept : int, >= 2
+        Number of samples at which the coefficients are kept.
+
+    Raises
+    ------
+    ParameterError
+        If a number is out of its range.
+    """
+    first, second = (np.asarray(u, dtype=np.float64) for u in (u1, u2))
+    if first.ndim != 1 or first.shape != second.shape or first.size == 0:
+        raise ParameterError("signals", f"{first.shape} and {second.shape}", "two records of one length")
+    for name, value, low, high in (
+        ("forgetting", forgetting, 0.9, 1.0),
+        ("initial_covariance", initial_covariance, LEAST_COVARIANCE * (1.0 - forgetting), 1e6),
+        ("update_travel", update_travel, 1e-4, 10.0),
+        ("n_kept", n_kept, 2, 1 << 30),
+    ):
+        if not low <= value <= high:
+            raise ParameterError(name, value, f"from {low:g} to {high:g}")
+    size = start.amplitude
+    theta = replace(start, offset_1=start.offset_1 / size, offset_2=start.offset_2 / size, amplitude=1.0).coefficients()
+    group, rows = _group({**dict(zip(DERIVED, theta, strict=True)), "amplitude": size}, (forgetting, initial_covariance, update_travel))
+    n = first.size
+    chosen = np.unique(np.linspace(0, n - 1, min(n, n_kept)).astype(np.int64))
+    out, kept = np.empty((3, n)), []
+    for at in range(0, n, BLOCK):
+        part = slice(at, min(at + BLOCK, n))
+        log = group.run(np.column_stack([first[part], second[part]]), rows)[:, :, 0]
+        out[:, part] = log[:, [0, 1, 7]].T
+        kept.append(log[chosen[(chosen >= at) & (chosen < part.stop)] - at, 2:7])
+    # The place of the last update changes with each update; the first sample is one.
+    updated = np.diff(out[2], prepend=np.nan) != 0.0
+    return Tracked(out[0], out[1], chosen, np.concatenate(kept), size, updated)
+
+
+def _group(parameters: dict[str, float], tuning: tuple[float, float, float]) -> tuple[Group, list[int]]:
+    """Return the engine's group that runs the recursive fit, and the rows of its outputs."""
+    outputs = (Port("u1"), Port("u2"), Port("theta", 5), Port("used"))
+    step = Step("quadrature", _track, ("amplitude", *TUNING, *DERIVED), TABLES, "", STATES, (Port("u1"), Port("u2")), outputs)
+    values = {**parameters, **dict(zip(TUNING, tuning, strict=True))}
+    node = Node("fit", step, {"u1": "in.u1", "u2": "in.u2"}, values, {"arctangent": arctangents()})
+    schedule = Schedule((node,), step.inputs, 1.0, 1)
+    first = schedule.row("fit.u1")
+    return make_group(schedule, 1, slice(0, 1), jit=jit_enabled()), list(range(first, first + 8))

@@ -1,6 +1,6 @@
-"""Stretches of a record in which an axis moves at a constant speed, and what its drive gives there on the mean.
+"""Stretches of a record in which an axis moves at a constant speed, and the mean command there.
 
-At a constant speed nothing is spent on acceleration, so that the mean force is friction; over whole turns ripple is out of it.
+At a constant speed nothing accelerates, so the mean force is friction; over whole turns ripple averages out.
 """
 
 from __future__ import annotations
@@ -11,52 +11,28 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from contourlab.errors import ParameterError
+from contourlab.analysis.identification.filtered_motion import require_finite, true_spans
 
 Array = NDArray[np.float64]
 BATCHES = 8
-"""Parts of a stretch whose means tell how well its mean is known, ripple and all."""
+"""Parts of a stretch; the scatter of their means gives the deviation of its mean, ripple included."""
 TURN = 0.08
 """Share of a straight line at its end that belongs to the turn after it."""
 CHANGED, OUTLYING = 0.003, 6.0
-"""Share of the speed, and times the median of what all parts are apart, by which a part at an end has to be apart to be left out: of normal
-scatter six times the median are four standard deviations."""
+"""A part at an end is left out if its speed differs from the median by this share of the speed, and by this multiple of the median
+difference: for normal scatter, four standard deviations."""
 FEWEST = 40
 """Fewest samples of a stretch."""
-
-
-@dataclass(frozen=True)
-class StretchSettings:
-    """What counts as constant speed.
-
-    Attributes
-    ----------
-    dropped : float
-        Share of a stretch that is left to settling at its start.
-    tolerance : float
-        Largest difference of speed between the halves of what remains, as a share of the speed.
-    shortest : float [s]
-        What has to remain.
-    straightness : float
-        Without a reference: how far the position may stray from straight lines, as a share of the whole way.
-    """
-
-    dropped: float = 0.25
-    tolerance: float = 0.15
-    shortest: float = 0.2
-    straightness: float = 0.02
-
-    def __post_init__(self) -> None:
-        bounds = {"dropped": 0.9, "tolerance": 1.0, "shortest": 1e4, "straightness": 0.2}
-        for name, high in bounds.items():
-            value = getattr(self, name)
-            if not 0.0 < value < high:
-                raise ParameterError(name, f"{value:g}", f"> 0 and < {high:g}")
-
-    @property
-    def least_way(self) -> float:
-        """Share of the whole way that a stretch goes at least, where it is told from the position alone."""
-        return 4.0 * self.straightness
+DROPPED = 0.25
+"""Share of a stretch at its start, dropped because the axis settles."""
+TOLERANCE = 0.15
+"""Largest difference of speed between the halves of the rest, as a share of the speed."""
+SHORTEST = 0.2
+"""Shortest rest [s]."""
+STRAIGHTNESS = 0.02
+"""Without a reference: largest distance of the position from straight lines, as a share of the whole travel."""
+LEAST_TRAVEL = 4.0 * STRAIGHTNESS
+"""Shortest travel of a stretch found from the position alone, as a share of the whole travel."""
 
 
 @dataclass(frozen=True)
@@ -94,12 +70,7 @@ class Stretch:
 
 
 def constant_speed_stretches(
-    period: float,
-    position: Array,
-    command: Array,
-    reference: Array | None = None,
-    settings: StretchSettings | None = None,
-    source: str = "",
+    period: float, position: Array, command: Array, reference: Array | None = None, source: str = ""
 ) -> list[Stretch]:
     """Find the stretches of constant speed of a record.
 
@@ -109,9 +80,7 @@ def constant_speed_stretches(
     position : ndarray (n,) [m]
     command : ndarray (n,)
     reference : ndarray (n,) [m], optional
-        With it the stretches are those in which it has one speed, less the time that the axis takes to settle; else they are told from
-        the position.
-    settings : StretchSettings, optional
+        With it the stretches are those of one reference speed, less the time to settle; without it they follow from the position.
     source : str
         Name of the record.
 
@@ -120,27 +89,18 @@ def constant_speed_stretches(
     ParameterError
         If the record is not finite.
     """
-    chosen = settings or StretchSettings()
     for name, values in (("position", position), ("command", command), ("reference", position if reference is None else reference)):
-        bad = np.flatnonzero(~np.isfinite(values))
-        if bad.size:
-            raise ParameterError(name, f"{values[bad[0]]} at sample {bad[0]}", "finite")
-    shortest = max(round(chosen.shortest / period), FEWEST)
-    spans = _spans_of_position(position, chosen) if reference is None else _spans_of_reference(reference, shortest)
+        require_finite(name, values)
+    shortest = max(round(SHORTEST / period), FEWEST)
+    spans = _spans_of_position(position) if reference is None else _spans_of_reference(reference, shortest)
     found = []
     for start, stop in spans:
-        settled = start + math.ceil(chosen.dropped * (stop - start))
+        settled = start + math.ceil(DROPPED * (stop - start))
         if reference is None:
             settled, stop = _without_turns(position, settled, stop)
-        if stop - settled >= shortest and _is_even(position[settled:stop], chosen.tolerance):
+        if stop - settled >= shortest and _is_even(position[settled:stop]):
             found.append(_stretch(period, position, command, settled, stop, source))
     return found
-
-
-def _runs(steady: NDArray[np.bool_]) -> list[tuple[int, int]]:
-    """Return the spans [start, stop) of samples that are true."""
-    edges = np.flatnonzero(np.diff(np.r_[False, steady, False].astype(np.int8)))
-    return list(zip(edges[::2].tolist(), edges[1::2].tolist(), strict=True))
 
 
 def _spans_of_reference(reference: Array, shortest: int) -> list[tuple[int, int]]:
@@ -153,10 +113,10 @@ def _spans_of_reference(reference: Array, shortest: int) -> list[tuple[int, int]
     ahead, behind = slope[step:], slope[:n]
     fastest = float(np.abs(slope).max())
     steady = (np.abs(ahead - behind) <= 1e-2 * np.abs(behind)) & (np.abs(behind) > 1e-3 * fastest)
-    return [(start, stop + 2 * step - 1) for start, stop in _runs(steady) if stop - start + 2 * step > shortest]
+    return [(start, stop + 2 * step - 1) for start, stop in true_spans(steady) if stop - start + 2 * step > shortest]
 
 
-def _spans_of_position(position: Array, settings: StretchSettings) -> list[tuple[int, int]]:
+def _spans_of_position(position: Array) -> list[tuple[int, int]]:
     """Return where the position is a straight line over time: the sides of the polygon that keeps within a tolerance of it."""
     stride = max(1, position.size // 4000)
     places = position[::stride]
@@ -169,18 +129,18 @@ def _spans_of_position(position: Array, settings: StretchSettings) -> list[tuple
         line = np.linspace(places[first], places[last], last - first + 1)
         apart = np.abs(places[first : last + 1] - line)
         worst = int(np.argmax(apart))
-        if apart[worst] > settings.straightness * whole:
+        if apart[worst] > STRAIGHTNESS * whole:
             waiting += [(first + worst, last), (first, first + worst)]
-        elif abs(places[last] - places[first]) > settings.least_way * whole:
-            # A corner of the polygon lies on either side of the turn that it stands for.
+        elif abs(places[last] - places[first]) > LEAST_TRAVEL * whole:
+            # A corner of the polygon may lie on either side of its turn.
             spans.append((first * stride, last * stride - round(TURN * (last - first) * stride)))
     return spans
 
 
 def _without_turns(position: Array, start: int, stop: int) -> tuple[int, int]:
-    """Return the span less the eighths at its ends in which the speed is not that of the others, nor within their scatter: a change of it.
+    """Return the span without the eighths at its ends whose speed lies outside the scatter of the others.
 
-    Where an axis slows down without stopping, the corner of the polygon lies within that, and the halves of what follows hardly show it.
+    If an axis slows down without stopping, the corner of the polygon lies within the change, and the halves of the rest hardly show it.
     """
     if stop - 1 - start < BATCHES:
         return start, stop
@@ -198,11 +158,11 @@ def _part_speeds(position: Array, start: int, stop: int) -> tuple[NDArray[np.int
     return edges, np.diff(position[edges]) / np.diff(edges)
 
 
-def _is_even(position: Array, tolerance: float) -> bool:
-    """Tell whether both halves go at one speed, which is not zero."""
+def _is_even(position: Array) -> bool:
+    """Return whether both halves have one speed, not zero."""
     half = position.size // 2
     first, second = position[half] - position[0], position[2 * half - 1] - position[half - 1]
-    return bool(first * second > 0.0 and abs(second - first) <= tolerance * abs(first + second) / 2.0)
+    return bool(first * second > 0.0 and abs(second - first) <= TOLERANCE * abs(first + second) / 2.0)
 
 
 def _stretch(period: float, position: Array, command: Array, start: int, stop: int, source: str) -> Stretch:

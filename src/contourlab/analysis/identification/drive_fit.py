@@ -1,11 +1,12 @@
-"""Models of a drive fitted to its frequency response: a mass with damping and delay, and two inertias with a shaft between them.
+"""Models of a drive over frequency and their fit to a measured response: one mass with damping and delay, or two inertias and a shaft.
 
 Magnitude and phase are fitted in logarithm and radians, each point weighted by its deviation. The command is held between samples and the
-position is sampled: the model's response is the sum over the aliases of that, so that a point near half the sample frequency counts too.
+position is sampled: the model's response is summed over its aliases, so that points near half the sample frequency count too.
 
 References
 ----------
-Pintelon & Schoukens, "System Identification: a frequency domain approach", 2nd ed., section 9.8 (logarithmic least squares).
+Altintas, Verl, Brecher, Uriarte & Pritschow, "Machine tool feed drives", CIRP Annals 60 (2011), for the two-inertia drive; Pintelon &
+Schoukens, "System Identification: a frequency domain approach", 2nd ed., section 9.8 (logarithmic least squares).
 """
 
 from __future__ import annotations
@@ -18,7 +19,6 @@ from itertools import product
 import numpy as np
 from numpy.typing import NDArray
 
-from contourlab.analysis.identification.drive_models import held_response, linear_motor, load_side, resonances, two_inertia
 from contourlab.analysis.identification.frequency_response import MeasuredResponse
 from contourlab.analysis.identification.output_error import Free, OutputFit, fit_output, fit_percent
 from contourlab.errors import ParameterError
@@ -26,16 +26,86 @@ from contourlab.errors import ParameterError
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
 Parameters = Mapping[str, float]
+
+ALIASES = 4
+"""Aliases on either side; the rest is below 1e-3 of the response of a position."""
+
+
+def linear_motor(x: Parameters, s: Complex) -> Complex:
+    """Return position over force of a mass M with damping B behind a delay."""
+    return np.asarray(np.exp(-s * x.get("delay", 0.0)) / (s * (x["M"] * s + x["B"])))
+
+
+def two_inertia(x: Parameters, s: Complex, side: str = "motor") -> Complex:
+    """Return position over force of two masses with a shaft between them, at the motor's or the load's side."""
+    shaft = x["shaft_damping"] * s + x["stiffness"]
+    load = x["load_mass"] * s * s + shaft
+    # motor load - shaft^2, without the terms that cancel at low frequencies.
+    whole = (x["motor_mass"] * s + x["damping"]) * load + x["load_mass"] * s * shaft
+    return np.asarray(np.exp(-s * x.get("delay", 0.0)) * (load if side == "motor" else shaft) / (s * whole))
+
+
+def load_side(x: Parameters, s: Complex) -> Complex:
+    """Return position over force at the load, by the parameters visible there: whole mass, resonance [Hz], damping ratio, damping, delay.
+
+    Notes
+    -----
+    Seen from the load a drive is (1 + s d/k)/(s (M s + c)) times one resonance; how motor m and load l share the mass M is not in it. The
+    damping ratio is the resonance's own, to first order
+
+        zeta = d/(2 w m l/M) + c l/(2 w m M),
+
+    whose shaft and motor parts cannot be separated without the share. The lead d/k is taken as 2 zeta/w, as if all were the
+    shaft's; what is the motor's lets the delay come out larger, by less than 2 zeta/w.
+    """
+    w = 2.0 * math.pi * x["resonance"]
+    lead = 2.0 * x["damping_ratio"] / w
+    rigid = s * (x["mass"] * s + x["damping"])
+    return np.asarray(np.exp(-s * x["delay"]) * (1.0 + lead * s) / (rigid * (1.0 + lead * s + (s / w) ** 2)))
+
+
+def held_response(model: Callable[[Complex], Complex], frequency: Array, period: float) -> Complex:
+    """Return the response of a continuous model between samples: its command held, its position sampled, aliases summed.
+
+    Parameters
+    ----------
+    model : callable
+        From s (n,) to the response.
+    frequency : ndarray (n,) [Hz]
+        Below half the sample frequency.
+    period : float [s]
+    """
+    total = np.zeros(frequency.size, dtype=complex)
+    for k in range(-ALIASES, ALIASES + 1):
+        s = np.asarray(2j * np.pi * (frequency + k / period), dtype=complex)
+        total += model(s) * -np.expm1(-s * period) / (s * period)
+    return total
+
+
+def resonances(x: Parameters) -> tuple[float, float]:
+    """Return resonance and antiresonance [Hz] of two masses, without damping."""
+    k, motor, load = x["stiffness"], x["motor_mass"], x["load_mass"]
+    return math.sqrt(k * (1.0 / motor + 1.0 / load)) / (2.0 * math.pi), math.sqrt(k / load) / (2.0 * math.pi)
+
+
+def damping_ratio(x: Parameters) -> float:
+    """Return the damping ratio of the resonance of two masses, by what both their shaft and the motor damp."""
+    motor, load, shaft, c = x["motor_mass"], x["load_mass"], x["shaft_damping"], x["damping"]
+    powers = [motor * load, (motor + load) * shaft + load * c, (motor + load) * x["stiffness"] + c * shaft, c * x["stiffness"]]
+    pole = max(np.roots(powers), key=lambda root: abs(root.imag))
+    return float(-pole.real / abs(pole))
+
+
 CLEAREST = 2e-3
-"""Relative deviation below which a point is not believed."""
+"""Smallest relative deviation of a point."""
 LEAST_COHERENCE = 0.5
 """Points below it are left out of a fit."""
 LEAST_SURE = 0.3
 """Relative deviation from which a sine's point is left out."""
 WELL_KNOWN, USELESS = 10.0, 50.0
-"""Relative deviations [percent] from which a parameter is remarked on, and from which a model cannot be used."""
+"""Relative deviations [percent] from which a parameter gets a remark, and from which a model cannot be used."""
 EXPLAINED = 80.0
-"""Fit [percent] below which a model is remarked on."""
+"""Fit [percent] below which a model gets a remark."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -56,7 +126,7 @@ class DriveFit:
     usable : bool
     remarks : tuple of str
     given : mapping of str to float
-        Parameters that were not looked for.
+        Parameters that were not fitted.
     """
 
     found: OutputFit
@@ -79,7 +149,7 @@ class DriveFit:
 
     @property
     def whole_mass(self) -> float:
-        """All that is moved [kg, or over newtons per command]."""
+        """Whole moved mass [kg, or over newtons per command]."""
         return sum(self.parameters.get(name, 0.0) for name in ("M", "mass", "motor_mass", "load_mass"))
 
 
@@ -92,7 +162,7 @@ class _Points:
     left_out: int
 
     def row(self, response: Complex) -> Array:
-        """Return logarithm and phase, weighted; the phase is taken as near the measured one as it goes."""
+        """Return logarithm and phase, weighted; the phase is unwrapped towards the measured one."""
         turn = np.angle(self.response) + np.angle(response / self.response)
         return np.concatenate([np.log(np.abs(response)) * self.weight, turn * self.weight])
 
@@ -105,11 +175,11 @@ class _Points:
 
 
 def _points(measured: MeasuredResponse, fewest: int) -> _Points:
-    # Of a sine, least squares over many periods finds the response where coherence would give it up.
+    # For a sine, least squares over many periods finds the response even at low coherence.
     trusted = np.where(np.isnan(measured.distortion), measured.coherence >= LEAST_COHERENCE, measured.deviation < LEAST_SURE)
     good = trusted & np.isfinite(measured.response) & (np.abs(measured.response) > 0.0)
     if np.count_nonzero(good) < fewest:
-        bound = f"at least {fewest} that stand out of the noise: excite the axis more, or longer"
+        bound = f"at least {fewest} above the noise: excite the axis more, or longer"
         raise ParameterError("frequency", f"{np.count_nonzero(good)} points", bound)
     deviation = np.maximum(np.nan_to_num(measured.deviation[good], nan=1.0, posinf=1.0), CLEAREST)
     return _Points(
@@ -118,7 +188,7 @@ def _points(measured: MeasuredResponse, fewest: int) -> _Points:
 
 
 def _rigid_start(points: _Points) -> dict[str, Free]:
-    """Return where to start: mass and damping from one over the velocity response at the delay that suits best."""
+    """Return the start of the fit: mass and damping from the inverse velocity response, at the best delay."""
     s = 2j * np.pi * points.frequency
     hold = held_response(lambda z: 1.0 / z, points.frequency, points.period) * s
     best, least = (0.0, 0.0, 0.0), math.inf
@@ -132,7 +202,7 @@ def _rigid_start(points: _Points) -> dict[str, Free]:
             best, least = (float(found[0]), float(found[1]), float(delay)), cost
     mass, damping, delay = best
     if mass <= 0.0:
-        raise ParameterError("M", "below zero", "> 0: the axis goes against its command, one of the two is counted the other way round")
+        raise ParameterError("M", "below zero", "> 0: the axis goes against its command; reverse the sign of one of the two")
     damping = max(damping, 1e-3 * mass)
     top = 2.0 * math.pi * float(points.frequency.max())
     return {
@@ -209,7 +279,7 @@ def fit_load_share(measured: MeasuredResponse, whole: DriveFit, motor_mass: floa
 
 
 def _share_start(points: _Points, whole: DriveFit, motor: float) -> dict[str, Free]:
-    """Return where to start with a motor of known mass: at what it leaves the load of the whole mass, and its shaft of the resonance."""
+    """Return the start of the fit with a motor of known mass: the rest of the mass, and the shaft that gives the resonance."""
     x = whole.parameters
     load, w = x["mass"] - motor, 2.0 * math.pi * x["resonance"]
     reduced = motor * load / x["mass"]
@@ -231,7 +301,7 @@ def _late(points: _Points, delay: float) -> Free:
 
 
 def _two_inertia_start(points: _Points, side: str, delay: float) -> dict[str, Free]:
-    """Return where to start: the best of a grid over resonance, share of the load and losses, each with the mass that suits it best."""
+    """Return the start of the fit: the best of a grid over resonance, share of the load and losses, each with its best mass."""
     low, high = float(points.frequency.min()), float(points.frequency.max())
     best: dict[str, float] = {}
     least, w2 = math.inf, points.weight**2
@@ -248,7 +318,7 @@ def _two_inertia_start(points: _Points, side: str, delay: float) -> dict[str, Fr
             "delay": waiting,
         }
         ratio = two_inertia(x, s, side) / points.response
-        # Masses, stiffness and damping together only make the response smaller.
+        # Masses, stiffness and damping together only scale the response.
         log = np.log(np.abs(ratio))
         scale = float(np.sum(w2 * log) / np.sum(w2))
         cost = float(np.sum(w2 * ((log - scale) ** 2 + np.angle(ratio) ** 2)))
@@ -269,7 +339,7 @@ def _two_inertia_start(points: _Points, side: str, delay: float) -> dict[str, Fr
 
 MASSES = ("motor_mass", "load_mass", "stiffness")
 VITAL = ("M", "mass", "resonance", *MASSES)
-"""Without these a model is none."""
+"""Parameters that a usable model needs."""
 
 
 def _fitted(points: _Points, model: Callable[[Parameters, Complex], Complex], free: dict[str, Free]) -> DriveFit:
@@ -277,43 +347,41 @@ def _fitted(points: _Points, model: Callable[[Parameters, Complex], Complex], fr
         return held_response(lambda s: model(x, s), points.frequency, points.period)
 
     found = fit_output(lambda x: points.row(response(x)), points.measured, free)
-    # Points over frequency are no record in time, and often few: their colour may not make a deviation smaller than white ones do.
+    # Points over frequency are not a record in time, and often few: colour may not lower a deviation.
     found = replace(found, robust_deviations=np.maximum(found.deviations, found.robust_deviations))
     predicted = response(dict(zip(found.names, found.values.tolist(), strict=True)))
     fit = fit_percent(points.speed(points.response), points.speed(predicted))
-    said, usable = [], True
+    remarks, usable = [], True
     if points.left_out:
-        said.append(f"{points.left_out} points that do not stand out of the noise are left out, by coherence or deviation")
+        remarks.append(f"{points.left_out} points within the noise are left out, by coherence or deviation")
     for name in found.names:
         value, deviation = found[name], found.deviation(name)
         if name == "delay" and value < 1e-3 * points.period:
-            said.append("no delay is told")
+            remarks.append("no delay is visible")
         elif name in found.at_bound:
-            said.append(f"{name} = {value:.3g} is at the bound of what is looked for: not told by this response")
+            remarks.append(f"{name} = {value:.3g} is at the bound of what is looked for: this response does not determine it")
             usable = usable and name not in VITAL
         elif deviation > 0.01 * WELL_KNOWN * abs(value) and not (name == "delay" and deviation < points.period):
-            said.append(f"{name} = {value:.4g} is poorly determined: known to {100.0 * deviation / abs(value):.2g} % only")
+            remarks.append(f"{name} = {value:.4g} is poorly determined: known to {100.0 * deviation / abs(value):.2g} % only")
             usable = usable and (name not in VITAL or deviation < 0.01 * USELESS * value)
     if fit < EXPLAINED:
-        said.append(f"the model explains {fit:.3g} % of the response: a resonance, a delay or friction of another kind is at work")
+        remarks.append(f"the model explains {fit:.3g} % of the response: a resonance, a delay or friction of another kind is at work")
         usable = usable and fit > 0.5 * EXPLAINED
-    return DriveFit(found, points.frequency, points.response, predicted, fit, usable, tuple(said))
+    return DriveFit(found, points.frequency, points.response, predicted, fit, usable, tuple(remarks))
 
 
 def _with_resonance(points: _Points, fit: DriveFit, rigid: DriveFit) -> DriveFit:
-    """Return the fit with what its resonance is worth: whether it lies among the points, and whether one mass would do."""
+    """Return the fit with remarks on its resonance: does it lie among the points, and would one mass do?"""
     x = fit.parameters
     resonance = x["resonance"] if "resonance" in x else resonances(x)[0]
-    said, usable = list(fit.remarks), fit.usable
+    remarks, usable = list(fit.remarks), fit.usable
     if not points.frequency.min() < resonance < 1.1 * points.frequency.max():
-        said.append(f"the resonance, {resonance:.4g} Hz, lies beyond the points: a guess from its foot")
+        remarks.append(f"the resonance, {resonance:.4g} Hz, lies outside the points: extrapolated")
         usable = False
     if "resonance" in x:
-        said.append("from the load's side the whole mass and the resonance are told, not how motor and load share it: measure at the motor")
+        remarks.append("the load's side shows the whole mass and the resonance, not the shares of motor and load: measure at the motor")
     elif fit.given:
-        said.append(
-            "from the load's side the share of the motor is not told: load, stiffness and shaft damping are as right as what was given"
-        )
+        remarks.append("the load's side does not show the share of the motor: load, stiffness and shaft damping depend on the given mass")
     n = 2 * points.frequency.size
 
     def criterion(one: DriveFit) -> float:
@@ -322,6 +390,6 @@ def _with_resonance(points: _Points, fit: DriveFit, rigid: DriveFit) -> DriveFit
         return n * math.log(max(left / n, 1e-300)) + 2.0 * k + 2.0 * k * (k + 1) / max(n - k - 1, 1)
 
     if criterion(fit) > criterion(rigid) - 2.0:
-        said.append("one mass explains the response as well: no second inertia is told, take linear-motor")
+        remarks.append("one mass explains the response as well: use linear-motor")
         usable = False
-    return replace(fit, usable=usable, remarks=tuple(said))
+    return replace(fit, usable=usable, remarks=tuple(remarks))

@@ -1,4 +1,4 @@
-"""Velocity and acceleration out of a measured position without lag, and fewer samples of a signal without aliasing.
+"""Preparation of a measured record: checks, velocity and acceleration without lag, decimation without aliasing.
 
 References
 ----------
@@ -8,6 +8,7 @@ central differences, parallel filter and decimation; the latter with the filter 
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 
 import numpy as np
@@ -119,3 +120,54 @@ def kept_samples(n_sample: int, factor: int) -> slice:
     """Return which samples of a record `decimate` keeps: always its last."""
     left_over = factor * -(-n_sample // factor) - n_sample
     return slice(factor - left_over - 1, None, factor)
+
+
+JITTER = 1e-3
+"""Share of the period by which times may be uneven: a clock that is read rather than counted jitters by parts in a hundred thousand."""
+
+
+def require_finite(name: str, values: Array) -> None:
+    """Refuse a signal (n,) that is not finite throughout."""
+    bad = np.flatnonzero(~np.isfinite(values))
+    if bad.size:
+        raise ParameterError(name, f"{values[bad[0]]} at sample {bad[0]}", "finite")
+
+
+def true_spans(mask: NDArray[np.bool_]) -> list[tuple[int, int]]:
+    """Return the spans [start, stop) of samples at which a mask (n,) is true."""
+    edges = np.flatnonzero(np.diff(np.r_[False, mask, False].astype(np.int8)))
+    return list(zip(edges[::2].tolist(), edges[1::2].tolist(), strict=True))
+
+
+def even_record(time: ArrayLike, signals: Mapping[str, ArrayLike], shortest: int = 50) -> tuple[float, list[Array]]:
+    """Return the period [s] of a record, and its times and signals as arrays (n,), checked.
+
+    Parameters
+    ----------
+    time : array_like (n,) [s]
+    signals : mapping of str to array_like (n,)
+        By the names that messages have.
+    shortest : int
+        Fewest samples.
+
+    Raises
+    ------
+    ParameterError
+        If there are too few samples, a signal is of another length or not finite, or time does not rise evenly.
+    """
+    t = np.asarray(time, dtype=float)
+    if t.ndim != 1:
+        raise ParameterError("time", f"shape {t.shape}", "one record, (n,)")
+    if t.size < shortest:
+        raise ParameterError("time", f"{t.size} samples", f"a record of at least {shortest}")
+    found = []
+    for name, values in (("time", t), *signals.items()):
+        array = np.asarray(values, dtype=float)
+        if array.shape != t.shape:
+            raise ParameterError(name, f"shape {array.shape}", f"as long as time, {t.shape}")
+        require_finite(name, array)
+        found.append(array)
+    period = float(t[-1] - t[0]) / (t.size - 1)
+    if not (period > 0.0 and np.all(np.abs(np.diff(t) - period) <= JITTER * period)):
+        raise ParameterError("time", "a record", "rising and evenly spaced: resample it first")
+    return period, found

@@ -1,13 +1,16 @@
-"""Identification of the first-order axis v' = -b v + a (u - friction - offset) from any open-loop command: steps, squares, random levels.
+"""Identification of the first-order axis v' = -b v + a (u - friction - offset), from its command or from its closed loop.
 
-Gain, damping, Coulomb friction, offset, delay and first velocity come from one output-error fit: the model is simulated from the command
-alone and held against the measured velocity. A fit of the equation itself, with measured v and v' in it, draws b to one side as soon as
-the velocity has noise. The measured velocity is the way over some samples by their time, and the model's is the same, so that the
-difference brings no lag and no bias.
+Open loop (steps, squares, random levels): gain, damping, Coulomb friction, offset, delay and first velocity come from one output-error fit.
+The model is simulated from the command alone and compared with the measured velocity. A fit of the equation itself, with measured v and v'
+in it, biases b as soon as the velocity has noise. Measured and simulated velocity are the same difference quotient, so that the difference
+adds no lag and no bias.
+
+Closed loop, behind a disturbance observer with proportional position and velocity feedback (eq 18):
+P/R = a' K_P/(s^2 + (b' + a' K_V) s + a' K_P). The reference is free of the axis' noise, so the feedback does not bias the fit.
 
 References
 ----------
-Ghaffari & Ulsoy, "Component swapping modularity for distributed precision contouring", section III.
+Ghaffari & Ulsoy, "Component swapping modularity for distributed precision contouring", section III and eq (18).
 """
 
 from __future__ import annotations
@@ -19,56 +22,33 @@ from dataclasses import dataclass, field, replace
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from contourlab.analysis.identification.even_record import even_record
+from contourlab.analysis.identification.filtered_motion import even_record
 from contourlab.analysis.identification.first_order_motion import delayed, first_order_motion
 from contourlab.analysis.identification.output_error import Free, OutputFit, fit_output
 from contourlab.errors import ParameterError
 
 Array = NDArray[np.float64]
+
 WELL_KNOWN = 10.0
 """Relative deviation [percent] up to which a or b counts as identified."""
 EXPLAINED = 80.0
-"""Fit [percent] below which the model is remarked on."""
+"""Fit [percent] below which the model gets a remark."""
 LONGEST_DELAY = 0.05
-"""Longest delay that is looked for [s]."""
-
-
-@dataclass(frozen=True)
-class FirstOrderSettings:
-    """What is looked for, and how the velocity is had.
-
-    Attributes
-    ----------
-    friction : bool
-        Coulomb friction besides a and b, and an offset: what of the command goes into a constant force, as gravity.
-    delay : bool
-        A delay of the command.
-    smoothing : int or None, >= 1
-        Samples over which the position is differenced; None takes the fewest at which noise and counts of the encoder are below half a
-        percent of the velocity, up to a four-hundredth of the record.
-    """
-
-    friction: bool = True
-    delay: bool = True
-    smoothing: int | None = None
-
-    def __post_init__(self) -> None:
-        if self.smoothing is not None and not (isinstance(self.smoothing, int) and self.smoothing >= 1):
-            raise ParameterError("smoothing", self.smoothing, "a whole number of 1 or more")
+"""Longest delay that is fitted [s]."""
 
 
 @dataclass(frozen=True, eq=False)
 class FirstOrderFit:
-    """An axis of first order found from a record.
+    """An axis of first order, identified from a record.
 
     Attributes
     ----------
     found : OutputFit
-        Of a [m/s^2 per command], b [1/s], and where they were looked for friction, offset [command], delay [s] and start [m/s].
+        Of a [m/s^2 per command], b [1/s] and, if fitted, friction, offset [command], delay [s] and start [m/s].
     time : ndarray (n,) [s]
-        Of the velocities, the middle of what they were differenced over.
+        Middle of the difference of each velocity.
     command : ndarray (n,)
-        Mean over the same.
+        Mean over each difference.
     smoothing : int
     usable : bool
     remarks : tuple of str
@@ -92,17 +72,17 @@ class FirstOrderFit:
         return self.found.predicted
 
     def __getitem__(self, name: str) -> float:
-        """Return a parameter by name; 0 for one that was not looked for."""
+        """Return a parameter by name; 0 for one that was not fitted."""
         return self.found[name] if name in self.found.names else 0.0
 
 
 def smoothing_of(position: Array) -> int:
-    """Return over how many samples a position is differenced: counts then make half a percent of the velocity or less."""
+    """Return the samples over which to difference a position: counts and noise then are half a percent of the velocity or less."""
     steps = np.abs(np.diff(position))
     if not steps.any():
         raise ParameterError("position", "one place throughout", "a record in which the axis moves")
     count = float(steps[steps > 0.0].min())
-    # Of a smooth motion little is left of third differences; of noise that is white 20 times its variance.
+    # Third differences nearly vanish for a smooth motion; for white noise they have 20 times its variance.
     noise = max(count / math.sqrt(12.0), float(np.median(np.abs(np.diff(position, 3)))) / 0.6745 / math.sqrt(20.0))
     size = float(np.sqrt(np.mean(steps**2)))
     return int(np.clip(math.ceil(math.sqrt(2.0) * noise / (0.005 * size)), 1, max(position.size // 400, 1)))
@@ -110,7 +90,7 @@ def smoothing_of(position: Array) -> int:
 
 @dataclass(frozen=True, eq=False)
 class _Blocks:
-    """A record and the stretches over which its velocity is had."""
+    """A record, and the model's velocities over the same differences."""
 
     command: Array
     period: float
@@ -135,9 +115,7 @@ class _Blocks:
         return np.asarray(values[: n * self.smoothing].reshape(n, self.smoothing).mean(axis=1))
 
 
-def identify_first_order(
-    time: ArrayLike, command: ArrayLike, position: ArrayLike, settings: FirstOrderSettings | None = None
-) -> FirstOrderFit:
+def identify_first_order(time: ArrayLike, command: ArrayLike, position: ArrayLike, *, friction: bool = True) -> FirstOrderFit:
     """Find gain and damping, and friction, offset and delay, of an axis from its command and position.
 
     Parameters
@@ -148,43 +126,43 @@ def identify_first_order(
         Held from each sample to the next.
     position : array_like (n,) [m]
         Measured.
-    settings : FirstOrderSettings, optional
+    friction : bool
+        Fit Coulomb friction, and an offset: the part of the command that balances a constant force such as gravity.
 
     Raises
     ------
     ParameterError
-        If the record is too short, uneven, not finite or at rest, if the axis goes against its command, or parameters are not told apart.
+        If the record is too short, uneven, not finite or at rest, if the axis goes against its command, or parameters cannot be separated.
     """
-    chosen = settings or FirstOrderSettings()
     period, (_, u, p) = even_record(time, {"command": command, "position": position})
     if not np.ptp(u) > 0.0:
-        raise ParameterError("command", f"{u[0]:g} throughout", "a record whose command changes: a and b are not told apart by one level")
-    smoothing = chosen.smoothing or smoothing_of(p)
+        raise ParameterError("command", f"{u[0]:g} throughout", "a record whose command changes: one level cannot separate a and b")
+    smoothing = smoothing_of(p)
     blocks = _Blocks(u, period, smoothing)
     measured = blocks.differenced(p)
     if not np.ptp(measured) > 0.0:
         raise ParameterError("position", "a record", "one in which the axis moves")
-    free = _start(blocks, measured, chosen)
+    free = _start(blocks, measured, friction)
     found = fit_output(blocks.model, measured, free)
-    said: list[str] = []
+    left_out: list[str] = []
     for name in ("start", "delay", "friction"):
         if name in free and (name in found.at_bound or abs(found[name]) < 2.0 * found.deviation(name)):
-            said.append(f"no {name} is told apart from zero; it is left out")
+            left_out.append(f"{name} is not distinguishable from zero and is left out")
             free = {key: replace(part, start=found[key]) for key, part in free.items() if key != name}
             found = fit_output(blocks.model, measured, free)
     middle = np.asarray(time, dtype=float)[0] + period * smoothing * (np.arange(measured.size) + 0.5)
-    remarks, usable = _remarks(found)
-    return FirstOrderFit(found, middle, blocks.averaged(u), smoothing, usable, (*said, *remarks))
+    remarks, usable = _remarks(found, "velocity", "other friction, a resonance or a load is at work")
+    return FirstOrderFit(found, middle, blocks.averaged(u), smoothing, usable, (*left_out, *remarks))
 
 
-def _start(blocks: _Blocks, measured: Array, settings: FirstOrderSettings) -> dict[str, Free]:
-    """Return where to start: the best of a grid over damping and friction, each with the gain that suits it best."""
+def _start(blocks: _Blocks, measured: Array, with_friction: bool) -> dict[str, Free]:
+    """Return the start of the fit: the best of a grid over damping and friction, each with its best gain."""
     u, whole = blocks.command, blocks.period * blocks.command.size
     size = float(np.sqrt(np.mean(u**2)))
     fastest = 1.0 / (2.0 * blocks.period * blocks.smoothing)
     best, least = (0.0, 1.0, 0.0), math.inf
     for b in np.geomspace(0.3 / whole, fastest, 14):
-        for share in (0.0, 0.2, 0.5, 0.8) if settings.friction else (0.0,):
+        for share in (0.0, 0.2, 0.5, 0.8) if with_friction else (0.0,):
             unit = blocks.unit({"b": float(b), "friction": share * size})
             power = float(unit @ unit)
             a = float(unit @ measured) / power if power > 0.0 else 0.0
@@ -197,26 +175,104 @@ def _start(blocks: _Blocks, measured: Array, settings: FirstOrderSettings) -> di
             "velocity", "a record", "rising with the command: one of the two is counted the other way round, or they are not of one axis"
         )
     free = {"a": Free(a, 1e-6 * a, 1e6 * a, a), "b": Free(b, 0.0, 20.0 * fastest, max(b, 0.01 * fastest))}
-    if settings.friction:
+    if with_friction:
         free |= {"friction": Free(friction, 0.0, float(np.abs(u).max()), size), "offset": Free(0.0, -2.0 * size, 2.0 * size, 0.1 * size)}
-    if settings.delay:
-        free["delay"] = Free(0.5 * blocks.period, 0.0, min(LONGEST_DELAY, 0.1 * whole), blocks.period)
+    free["delay"] = Free(0.5 * blocks.period, 0.0, min(LONGEST_DELAY, 0.1 * whole), blocks.period)
     if abs(measured[0]) > 0.01 * float(np.abs(measured).max()):
         free["start"] = Free(float(measured[0]), scale=float(np.abs(measured).max()))
     return free
 
 
-def _remarks(found: OutputFit) -> tuple[list[str], bool]:
-    said, usable = [], True
+def _remarks(fit: OutputFit, output: str, other_causes: str) -> tuple[list[str], bool]:
+    """Return remarks on a, b and the share of the output that the model explains, and whether the model is usable."""
+    remarks, usable = [], True
     for name in ("a", "b"):
-        value, deviation = found[name], found.deviation(name)
-        if name in found.at_bound:
-            said.append(f"{name} = {value:.4g} is at the bound of what is looked for: the record does not tell it")
+        value, deviation = fit[name], fit.deviation(name)
+        if name in fit.at_bound or deviation > 0.5 * value:
+            remarks.append(f"{name} = {value:.4g}: this record does not determine it")
             usable = False
         elif deviation > 0.01 * WELL_KNOWN * value:
-            said.append(f"{name} = {value:.4g} is known to {100.0 * deviation / value:.2g} % only: too little excitation")
-            usable = usable and deviation < 0.5 * value
-    if found.fit < EXPLAINED:
-        said.append(f"the model explains {found.fit:.3g} % of the velocity: friction of another kind, a resonance or a load is at work")
-        usable = usable and found.fit > 0.5 * EXPLAINED
-    return said, usable
+            remarks.append(f"{name} = {value:.4g} is known to {100.0 * deviation / value:.2g} % only: too little excitation")
+    if fit.fit < EXPLAINED:
+        remarks.append(f"the model explains {fit.fit:.3g} % of the {output}: {other_causes}")
+        usable = usable and fit.fit > 0.5 * EXPLAINED
+    return remarks, usable
+
+
+DAMPING_GRID, BAND_GRID = (0.3, 0.7, 1.0, 1.5, 3.0), 16
+
+
+def closed_loop_position(reference: Array, period: float, gain: float, damping: float, position_gain: float, velocity_gain: float) -> Array:
+    """Return the position of eq (18) at the samples, the reference held from each to the next; it starts at rest at the first reference.
+
+    Parameters
+    ----------
+    reference : ndarray (n,) [m]
+    period : float [s]
+    gain, damping : float [m/s^2 per command, 1/s]
+        a' and b'.
+    position_gain, velocity_gain : float [command/m, command s/m]
+        K_P and K_V.
+    """
+    from scipy.linalg import expm
+    from scipy.signal import lfilter
+
+    stiffness, loss = gain * position_gain, damping + gain * velocity_gain
+    whole = np.zeros((3, 3))
+    whole[:2] = [[0.0, 1.0, 0.0], [-stiffness, -loss, stiffness]]
+    a, b = (part := expm(whole * period))[:2, :2], part[:2, 2]
+    trace, determinant = float(np.trace(a)), math.exp(-loss * period)
+    # Position of x+ = A x + B r as one difference equation.
+    top = [0.0, float(b[0]), float(a[0, 1] * b[1] - a[1, 1] * b[0])]
+    return np.asarray(reference[0] + lfilter(top, [1.0, -trace, determinant], reference - reference[0]))
+
+
+def identify_closed_loop(
+    time: ArrayLike, reference: ArrayLike, position: ArrayLike, position_gain: float, velocity_gain: float
+) -> FirstOrderFit:
+    """Find a' and b' of an axis from reference and position of its closed loop.
+
+    Parameters
+    ----------
+    time : array_like (n,) [s]
+        Evenly spaced, at least 50 samples.
+    reference, position : array_like (n,) [m]
+        The axis starts at rest at the reference.
+    position_gain : float [command/m], > 0
+        K_P of the loop as it ran.
+    velocity_gain : float [command s/m], >= 0
+        K_V.
+
+    Returns
+    -------
+    FirstOrderFit
+        With a [m/s^2 per command] and b [1/s]; its `velocity` and `predicted` are positions here, its `command` is the reference.
+
+    Raises
+    ------
+    ParameterError
+        If a gain is out of range, the record is too short, uneven, not finite or at rest, or does not determine a' and b'.
+    """
+    for name, value, lowest in (("position_gain", position_gain, 1e-12), ("velocity_gain", velocity_gain, 0.0)):
+        if not (math.isfinite(value) and value >= lowest):
+            raise ParameterError(name, f"{value:g}", "finite and " + ("> 0" if lowest else ">= 0"))
+    period, (_, r, p) = even_record(time, {"reference": reference, "position": position})
+    if not (np.ptp(r) > 0.0 and np.ptp(p) > 0.0):
+        raise ParameterError("reference", f"{r[0]:g} throughout", "a record in which reference and axis move")
+
+    def model(x: Mapping[str, float]) -> Array:
+        return closed_loop_position(r, period, x["a"], x["b"], position_gain, velocity_gain)
+
+    best, least = (0.0, 0.0), math.inf
+    for band in np.geomspace(2.0 / (period * r.size), 0.5 / period, BAND_GRID):
+        for ratio in DAMPING_GRID:
+            a = float(band**2 / position_gain)
+            b = max(float(2.0 * ratio * band - a * velocity_gain), 0.0)
+            cost = float(np.sum((model({"a": a, "b": b}) - p) ** 2))
+            if cost < least:
+                best, least = (a, b), cost
+    a, b = best
+    scale = max(b, 0.1 * a * velocity_gain, 1e-3 / period)
+    found = fit_output(model, p, {"a": Free(a, 1e-3 * a, 1e3 * a, a), "b": Free(b, 0.0, 10.0 / period, scale)})
+    remarks, usable = _remarks(found, "position", "the drive saturates, or the observer is off")
+    return FirstOrderFit(found, np.asarray(time, dtype=float), r, 1, usable, tuple(remarks))

@@ -1,7 +1,7 @@
 """Motion of the first-order axis v' = -b v + a (u - friction) under a held command, exact between samples, sticking included.
 
-While the axis moves one way the motion is linear and goes through a filter in one piece; where it stops within a sample the instant is
-known in closed form, and from there it goes on, turns, or is held until the command passes its friction.
+While the axis moves one way the motion is linear and one filter call carries it. The instant of a stop within a sample is known in closed
+form; from there the axis moves on, turns, or sticks until the command exceeds its friction.
 
 References
 ----------
@@ -17,11 +17,11 @@ from numpy.typing import NDArray
 
 Array = NDArray[np.float64]
 FIRST_PIECE = 64
-"""Samples that are tried at first without a stop; twice as many each time that there was none."""
+"""Samples of the first piece; doubled each time that it has no stop."""
 
 
 def delayed(command: Array, samples: float) -> Array:
-    """Return a command that comes later by a number of samples, held; over a part of a sample it is the mean of what was held."""
+    """Return a held command that is late by a number of samples; for part of a sample, the mean of two held values."""
     whole = math.floor(samples)
     part = samples - whole
     padded = np.concatenate([np.full(whole + 1, command[0]), command])
@@ -30,7 +30,7 @@ def delayed(command: Array, samples: float) -> Array:
 
 
 def _gains(damping: float, time: float) -> tuple[float, float, float]:
-    """Return what is left of a velocity, velocity per acceleration, and way per acceleration, after a time."""
+    """Return the decay of a velocity, velocity per acceleration, and travel per acceleration, after a time."""
     x = damping * time
     if x < 1e-3:
         gained = time * (1.0 - x * (0.5 - x * (1.0 / 6.0 - x / 24.0)))
@@ -109,7 +109,7 @@ def _released(command: Array, k: int, forward: float, backward: float) -> int:
 def _turned(
     velocity: float, command: float, way: float, period: float, damping: float, friction: tuple[float, float]
 ) -> tuple[float, float, float]:
-    """Return velocity, way and direction after a sample in which the axis stops."""
+    """Return velocity, travel and direction after a sample in which the axis stops."""
     forward, backward = friction
     push = command - (forward if way > 0.0 else -backward)
     ratio = -velocity / push

@@ -1,14 +1,17 @@
-"""Frequency response of an axis, position over command, from measured runs: random, chirp, periodic; open loop, or closed by a reference.
+"""Frequency response of an axis, position over command, from measured runs: random, periodic or swept, open loop or closed.
 
-In a closed loop noise comes back into the command, so that position over command is drawn towards minus one over the controller. With the
-reference, which knows nothing of the noise, the plant is the ratio of two cross-spectra instead: reference to position over reference to
-command. Position is differenced first, since an axis drifts; the difference is divided out again, exactly.
+In a closed loop noise returns in the command and draws position over command towards minus one over the controller. With the reference,
+which is free of that noise, the plant is the ratio of two cross-spectra: reference to position over reference to command. Position is
+differenced first, since an axis drifts; the difference is divided out again, exactly.
+
+A sweep passes each frequency once, so there are no segments to average, and the ends of the record leak into every frequency. Over a few
+neighbouring lines response and leakage are smooth: one parabola for each is fitted, and the residual is the noise.
 
 References
 ----------
 Bendat & Piersol, "Random Data", 4th ed., sections 6.2 and 9.2, for H1, coherence and their deviations; Ljung, "System Identification",
 2nd ed., section 13.5, for joint input-output identification; Pintelon & Schoukens, "System Identification: a frequency domain approach",
-2nd ed., section 2.7, for periodic excitation.
+2nd ed., section 2.7, for periodic excitation, and chapter 7 for the local polynomial method.
 """
 
 from __future__ import annotations
@@ -19,16 +22,18 @@ from dataclasses import dataclass, field
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from contourlab.analysis.identification.filtered_motion import require_finite
 from contourlab.errors import ParameterError
 
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
+
 SEGMENTS = 8
 """Segments of a record, before their overlap, over which spectra are averaged."""
 EXCITED = 1e-5
 """Share of the largest power of the excitation below which a frequency counts as not excited."""
 REPEATS = 1e-3
-"""Share of its size within which an excitation counts as repeating."""
+"""Largest difference between periods, over the size, of an excitation that repeats."""
 HANN_OVERLAP = 1.0 / 1.056
 """Independent averages per segment of Hann windows that overlap by half."""
 
@@ -49,9 +54,7 @@ class Measured:
                 continue
             if values.shape != self.position.shape or values.ndim != 1:
                 raise ParameterError(name, f"shape {values.shape}", f"as long as the position, {self.position.shape}")
-            bad = np.flatnonzero(~np.isfinite(values))
-            if bad.size:
-                raise ParameterError(name, f"{values[bad[0]]} at sample {bad[0]}", "finite")
+            require_finite(name, values)
             if not np.ptp(values) > 0.0:
                 raise ParameterError(name, f"{values[0]:g} throughout", "a record in which it changes")
 
@@ -68,7 +71,7 @@ class MeasuredResponse:
     deviation : ndarray (n,)
         Standard deviation of the response's size, relative; that of the phase in rad.
     coherence : ndarray (n,)
-        Between 0 and 1: the share of the motion that goes with the excitation.
+        Between 0 and 1: share of the motion that is linear in the excitation.
     method : str
         In words.
     period : float [s]
@@ -94,12 +97,12 @@ class MeasuredResponse:
 
 
 def difference_gain(frequency: ArrayLike, period: float) -> Complex:
-    """Return what differencing over one sample does to a signal of some frequencies [Hz]: per second."""
+    """Return the response of a difference over one sample at frequencies [Hz], per second."""
     return np.asarray((1.0 - np.exp(-2j * np.pi * np.asarray(frequency) * period)) / period)
 
 
 def period_of(excitation: Array) -> int | None:
-    """Return the samples after which an excitation repeats itself, at least three times; None where it does not.
+    """Return the period, in samples, of an excitation that repeats at least three times; None if it does not.
 
     Parameters
     ----------
@@ -115,7 +118,7 @@ def period_of(excitation: Array) -> int | None:
     peaks = np.flatnonzero((own[1:-1] > own[:-2]) & (own[1:-1] >= own[2:]) & (own[1:-1] > 0.9)) + 1
     spread = float(np.sqrt(np.mean(x**2)))
     for lag in peaks[peaks <= limit]:
-        # What came before the excitation began does not repeat.
+        # The time before the excitation began does not repeat.
         apart = np.abs(x[lag:] - x[:-lag])
         if np.mean(apart > REPEATS * spread) < 0.25 * lag / n:
             return int(lag)
@@ -165,15 +168,13 @@ def periodic_response(run: Measured, period: int) -> MeasuredResponse:
     return MeasuredResponse(frequency, own, deviation, np.nan_to_num(coherence), method, run.period, np.full(frequency.size, np.nan))
 
 
-def spectral_response(runs: Sequence[Measured], segment: int | None = None) -> MeasuredResponse:
+def spectral_response(runs: Sequence[Measured]) -> MeasuredResponse:
     """Return the response from averaged spectra (Welch's method, H1), or with a signal from outside from the ratio of cross-spectra.
 
     Parameters
     ----------
     runs : sequence of Measured
         All at one period, all with or all without a signal from outside.
-    segment : int, optional
-        Samples of a segment; an eighth of the shortest run if not given.
 
     Raises
     ------
@@ -185,7 +186,7 @@ def spectral_response(runs: Sequence[Measured], segment: int | None = None) -> M
     period, closed = runs[0].period, runs[0].outside is not None
     if any(abs(run.period - period) > 1e-3 * period or (run.outside is not None) != closed for run in runs):
         raise ParameterError("runs", f"{len(runs)} of them", "at one period, all with a reference or all without")
-    length = segment or min(run.position.size for run in runs) // SEGMENTS
+    length = min(run.position.size for run in runs) // SEGMENTS
     if length < 32:
         raise ParameterError("record", f"{min(run.position.size for run in runs)} samples", f"at least {32 * SEGMENTS} to average over")
     names = ("yx", "ux", "xx", "yy", "uu")
@@ -228,3 +229,130 @@ def _detrended(values: Array) -> Array:
 def _coherence(cross: Complex, one: Complex, other: Complex) -> Array:
     with np.errstate(divide="ignore", invalid="ignore"):
         return np.asarray(np.clip(np.nan_to_num(np.abs(cross) ** 2 / (one.real * other.real)), 0.0, 1.0))
+
+
+FEWEST_LINES, WIDTH = 15, 0.08
+"""Lines of a window: at least so many, and so large a share of its frequency."""
+SWEPT = 1e-2
+"""Share of the largest power below which the sweep did not reach a frequency."""
+MIXED = 3.0
+"""Largest variance over that without leakage: near its ends the spectrum of a sweep is as smooth as the leakage."""
+PARTS, APART = 8, 0.25
+"""Parts of an excitation whose mean frequencies are compared, and their spread over their mean from which it is a sweep."""
+
+
+def is_sweep(excitation: Array) -> bool:
+    """Return whether an excitation passes from frequency to frequency, rather than holding all of them at all times."""
+    parts = np.array_split(excitation - excitation.mean(), PARTS)
+    powers = [np.abs(np.fft.rfft(part * np.hanning(part.size), parts[0].size)) ** 2 for part in parts]
+    means = np.array([float(np.sum(np.arange(p.size) * p) / max(float(p.sum()), 1e-300)) for p in powers])
+    return bool(means.std() > APART * means.mean())
+
+
+def swept_response(run: Measured) -> MeasuredResponse:
+    """Return the response of an axis from one run with a sweep in it.
+
+    Parameters
+    ----------
+    run : Measured
+
+    Raises
+    ------
+    ParameterError
+        If the run is too short.
+    """
+    n = run.position.size - 1
+    if n < 40 * FEWEST_LINES:
+        raise ParameterError("record", f"{n + 1} samples", f"at least {40 * FEWEST_LINES + 1} for a sweep")
+    signals = {"y": np.diff(run.position) / run.period, "u": run.command[1:]}
+    signals["x"] = signals["u"] if run.outside is None else run.outside[1:]
+    spectra = {name: np.fft.rfft(values - values.mean()) for name, values in signals.items()}
+    power = np.abs(spectra["x"]) ** 2
+    level = np.convolve(power, np.ones(FEWEST_LINES) / FEWEST_LINES, "same")
+    top, centres, rows = float(level.max()), [], []
+    at = 1 + FEWEST_LINES // 2
+    while (half := max(FEWEST_LINES // 2, round(0.5 * WIDTH * at))) + at < 0.45 * n:
+        if level[at] > SWEPT * top:
+            window = slice(at - half, at + half + 1)
+            row = _local(spectra["x"][window], spectra["y"][window], spectra["u"][window], run.outside is not None)
+            rows += [] if row is None else [row]
+            centres += [] if row is None else [at]
+        at += max(FEWEST_LINES // 2, half)
+    if not rows:
+        raise ParameterError("record", "a sweep", "slower: leakage from the ends of the record covers all of it")
+    frequency = np.array(centres) / (n * run.period)
+    response, deviation, coherence = (np.array(column) for column in zip(*rows, strict=True))
+    own = response / difference_gain(frequency, run.period)
+    method = f"sweep of {n * run.period:.4g} s, local polynomials" + ("" if run.outside is None else ", reference to position over command")
+    return MeasuredResponse(frequency, own, deviation, coherence, method, run.period, np.full(frequency.size, np.nan))
+
+
+def _local(x: Complex, y: Complex, u: Complex, closed: bool) -> tuple[complex, float, float] | None:
+    """Return the response in the middle of a window, its relative deviation, and the coherence; None where leakage mixes with it."""
+    r = np.linspace(-1.0, 1.0, x.size)
+    powers = np.column_stack([np.ones_like(r), r, r**2]).astype(complex)
+    size = float(np.sqrt(np.mean(np.abs(x) ** 2)))
+    columns = np.column_stack([powers * (x / size)[:, None], powers])
+    inverse = np.linalg.pinv(columns)
+    spread = float(np.sum(np.abs(inverse[0]) ** 2))
+    if spread * x.size > MIXED * 2.25:  # 9/4 over the lines is what a parabola alone has in its middle
+        return None
+
+    def solved(signal: Complex) -> tuple[complex, float, float]:
+        found = inverse @ signal
+        left = float(np.sum(np.abs(signal - columns @ found) ** 2))
+        variance = left / (x.size - 6)
+        explained = float(np.sum(np.abs(columns[:, :3] @ found[:3]) ** 2))
+        return complex(found[0]), spread * variance / 2.0, explained / (explained + left)
+
+    top, top_variance, coherence = solved(y)
+    if not closed:
+        return top / size, float(np.sqrt(top_variance)) / abs(top), coherence
+    below, below_variance, _ = solved(u)
+    return top / below, float(np.sqrt(top_variance / abs(top) ** 2 + below_variance / abs(below) ** 2)), coherence
+
+
+COHERENT = 0.5
+"""Coherence from which a point counts."""
+FEWEST = 4
+"""Points from which on mass and spring are told apart."""
+WIDE, RISING = 5.0, 0.5
+"""Ratio of frequencies over which a slope is looked at, and the slope, in powers of the frequency, of what is no axis."""
+
+
+def response_doubts(measured: MeasuredResponse) -> list[str]:
+    """Return reasons why a response cannot be that of an axis; none for a plausible one.
+
+    At low frequencies the force per velocity of an axis is B + j (M w - K/w): damping, mass, and stiffness if a spring holds it, none below
+    zero. A command or position with the wrong sign reverses the largest of them.
+
+    Parameters
+    ----------
+    measured : MeasuredResponse
+        Points of a coherence below one half are passed over.
+    """
+    h = measured.response
+    good = (measured.coherence >= COHERENT) & np.isfinite(h) & (np.abs(h) > 0.0)
+    f, h = measured.frequency[good], h[good]
+    if not f.size:
+        return []
+    doubts = []
+    if f[-1] >= WIDE * f[0] and np.polyfit(np.log(f), np.log(np.abs(h)), 1)[0] > RISING:
+        doubts.append("the response of the position grows with frequency: are command and position exchanged?")
+    elif _goes_against(f, h, measured.period):
+        doubts.append("the axis goes against its command: reverse the sign of one of the two")
+    return doubts
+
+
+def _goes_against(f: Array, h: NDArray[np.complex128], period: float) -> bool:
+    """Return whether the largest part of the force per velocity is below zero, over the lower half of the points."""
+    low = slice(None) if f.size < 2 * FEWEST else slice(f.size // 2)
+    w = 2.0 * np.pi * f[low]
+    # Half a sample of the hold is no property of the axis.
+    force = np.exp(-0.5j * w * period) / (1j * w * h[low])
+    parts = [np.ones_like(force), 1j * w] + ([-1j / w] if w.size >= FEWEST else [])
+    columns = np.column_stack(parts) / np.abs(force)[:, None]
+    wanted = force / np.abs(force)
+    found = np.linalg.lstsq(np.vstack([columns.real, columns.imag]), np.r_[wanted.real, wanted.imag], rcond=None)[0]
+    sizes = np.linalg.norm(columns, axis=0) * np.abs(found)
+    return bool(found[int(np.argmax(sizes))] < 0.0)

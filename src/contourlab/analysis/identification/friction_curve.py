@@ -1,8 +1,8 @@
-"""A friction curve through points of constant speed: Coulomb, viscous, Stribeck, alike or by direction, as far as the points ask for it.
+"""A friction curve through points of constant speed: Coulomb, viscous, Stribeck, for both directions or by direction.
 
-Each point has a deviation of its own, and all share a scatter between runs that is found along with the curve by maximum likelihood. Among
-the models the one with the least corrected Akaike criterion is taken (the plain one where three or four points are too few to correct
-it), or a simpler one within 2 of it; a curve with friction below zero is none.
+Each point has its own deviation; all share a scatter between runs, fitted with the curve by maximum likelihood. The model with the smallest
+corrected Akaike criterion wins (the plain criterion if three or four points are too few for the correction), or a simpler one within 2 of
+it. Curves with friction below zero are rejected.
 
 References
 ----------
@@ -28,11 +28,11 @@ FEWEST = 3
 WITHIN = 2.0
 """Difference of AICc within which a simpler model is kept."""
 SPEEDS = 30
-"""Stribeck velocities that are tried before the best of them is refined."""
+"""Stribeck velocities that are tried; the best is then refined."""
 WELL_KNOWN = 10.0
-"""Relative deviation [percent] from which a parameter is remarked on."""
+"""Relative deviation [percent] from which a parameter gets a remark."""
 EXPLAINED = 75.0
-"""Fit [percent] below which a curve through both directions is not to be used; constant speeds of real axes have 95 and more."""
+"""Smallest usable fit [percent] of a curve through both directions; real axes have 95 and more."""
 
 
 @dataclass(frozen=True)
@@ -71,7 +71,7 @@ class FrictionCurve:
     ----------
     model : FrictionModel
     names : tuple of str
-        Fc, Fv, offset; by direction Fc+, Fv+, Fc-, Fv-; with Stribeck drop (the level at rest less F_c, by direction drop+ and drop-) and
+        Fc, Fv, offset; by direction Fc+, Fv+, Fc-, Fv-; with Stribeck drop (level at rest minus F_c; by direction drop+ and drop-) and
         vs [m/s].
     values, deviations : ndarray (p,)
     correlation : ndarray (p, p)
@@ -102,12 +102,12 @@ class FrictionCurve:
 
     @property
     def rises(self) -> bool:
-        """Whether friction is least at rest, over both directions: the contrary of a Stribeck dip."""
+        """Whether friction is smallest at rest, the opposite of a Stribeck dip."""
         return sum(self._drops) < 0.0
 
     @property
     def name(self) -> str:
-        """What the curve is in words: a curve that bends upwards from rest has no Stribeck effect."""
+        """Name of the curve; one that rises from rest has no Stribeck effect."""
         return self.model.name.replace("Stribeck", "a rise") if self.rises else self.model.name
 
     @property
@@ -133,7 +133,7 @@ class FrictionCurve:
 
 @dataclass(frozen=True, eq=False)
 class FrictionFit:
-    """The curve that was chosen, those that were tried, and what is to be said."""
+    """The chosen curve, all curves tried, and remarks."""
 
     chosen: FrictionCurve
     tried: tuple[FrictionCurve, ...]
@@ -180,12 +180,12 @@ def fit_friction(speed: ArrayLike, command: ArrayLike, deviation: ArrayLike) -> 
     others = [f"{curve.name} {value - criteria[at]:+.1f}" for curve, value in zip(sound, criteria, strict=True) if curve is not chosen]
     beside = f"; {name} of the others above it: {', '.join(others)}" if others else ""
     remarks, usable = _remarks(chosen, tried, sound, v, both)
-    asked = f"{chosen.name} is what the {v.size} points ask for{beside}"
+    asked = f"best model for the {v.size} points: {chosen.name}{beside}"
     return FrictionFit(chosen, tuple(tried), (asked, *remarks), usable)
 
 
 def _columns(model: FrictionModel, v: Array, vs: float, offset: bool) -> tuple[list[str], Array]:
-    """Return names and columns of what a model is linear in."""
+    """Return names and columns of the linear parameters of a model."""
     way, bend = np.sign(v), np.exp(-((v / vs) ** 2)) if vs > 0.0 else np.zeros_like(v)
     parts: list[tuple[str, Array]] = []
     if model.directed:
@@ -202,7 +202,7 @@ def _columns(model: FrictionModel, v: Array, vs: float, offset: bool) -> tuple[l
 
 
 def _weighted(columns: Array, u: Array, s: Array, precision: float = 1e-3) -> tuple[Array, float, float]:
-    """Return the parameters, the scatter between points, and twice the negative log-likelihood, at the scatter that makes it least."""
+    """Return parameters, scatter between points, and twice the negative log-likelihood, minimised over the scatter."""
     from scipy.optimize import minimize_scalar
 
     def solved(tau: float) -> tuple[Array, float]:
@@ -242,7 +242,7 @@ def _fitted(model: FrictionModel, v: Array, u: Array, s: Array, both: bool) -> F
     plain = likelihood + 2.0 * k
     criterion = plain + (2.0 * k * (k + 1) / slack if slack > 0 else math.inf)
     predicted = columns @ x[: columns.shape[1]]
-    # Maximum likelihood tells the scatter too small by the parameters that were fitted.
+    # Maximum likelihood underestimates the scatter by the number of fitted parameters.
     lost = math.sqrt(v.size / max(v.size - count, 1)) if tau > 0.0 else 1.0
     deviations = lost * np.sqrt(np.maximum(np.diag(covariance), 0.0))
     size = np.sqrt(np.where(np.diag(covariance) > 0.0, np.diag(covariance), 1.0))
@@ -251,7 +251,7 @@ def _fitted(model: FrictionModel, v: Array, u: Array, s: Array, both: bool) -> F
 
 
 def _stribeck_velocity(model: FrictionModel, v: Array, u: Array, s: Array, both: bool) -> float:
-    """Return the velocity at which the curve bends, between what the slowest and the fastest points can show."""
+    """Return the velocity at which the curve bends, between the slowest and the fastest points."""
     from scipy.optimize import minimize_scalar
 
     w = np.abs(v)
@@ -267,7 +267,7 @@ def _stribeck_velocity(model: FrictionModel, v: Array, u: Array, s: Array, both:
 
 
 def _is_friction(curve: FrictionCurve) -> bool:
-    """Tell whether a curve resists motion over all of its parameters: no Coulomb or viscous friction below zero by two deviations."""
+    """Return whether no Coulomb or viscous friction is below zero by more than two deviations."""
     for name in curve.names:
         if name in ("offset", "vs") or name.startswith("drop"):
             continue
@@ -289,36 +289,40 @@ def _level(curve: FrictionCurve) -> tuple[float, float]:
 def _remarks(
     chosen: FrictionCurve, tried: Sequence[FrictionCurve], sound: Sequence[FrictionCurve], v: Array, both: bool
 ) -> tuple[list[str], bool]:
-    said, usable = [], True
+    remarks, usable = [], True
     w = np.abs(v)
     for curve in tried:
         if not any(curve is other for other in sound):
-            said.append(f"{curve.name} would need a friction below zero")
+            remarks.append(f"{curve.name} would need a friction below zero")
     if not both:
-        said.append("one direction only: Coulomb friction and an offset, such as gravity, are not told apart, and are both in Fc")
+        remarks.append("one direction only: Fc contains both Coulomb friction and an offset, such as gravity")
     if chosen.model.stribeck:
         if chosen.bends_both_ways:
-            said.append("friction dips from rest on one way and rises the other: one law for both has the mean")
+            remarks.append("friction dips from rest in one direction and rises in the other: one law for both has the mean")
         elif chosen.rises:
-            said.append(f"concave: friction rises from {1e3 * w.min():.3g} mm/s on to its Coulomb level over vs; this is no Stribeck dip")
+            remarks.append(
+                f"concave: friction rises from {1e3 * w.min():.3g} mm/s on to its Coulomb level over vs: no Stribeck dip"
+            )
         elif chosen["vs"] < 1.2 * w.min():
-            said.append(f"vs is below the slowest run, {1e3 * w.min():.3g} mm/s: the level at rest is a guess from one speed")
+            remarks.append(f"vs is below the slowest run, {1e3 * w.min():.3g} mm/s: the level at rest is a guess from one speed")
             usable = False
     else:
-        said.append(f"no Stribeck effect is told: the slowest run is at {1e3 * w.min():.3g} mm/s, friction below is not in these stretches")
+        remarks.append(f"no Stribeck effect is visible: the slowest run is at {1e3 * w.min():.3g} mm/s")
     level, deviation = _level(chosen)
     if both and chosen.fit < EXPLAINED:
-        said.append(f"the curve explains {chosen.fit:.3g} % of the command: more than friction is at work, or it is that of another axis")
+        remarks.append(
+            f"the curve explains {chosen.fit:.3g} % of the command: more than friction acts, or it belongs to another axis"
+        )
         usable = False
     if chosen.fit < EXPLAINED and level < 2.0 * deviation:
-        said.append(f"no friction is told apart from the scatter: {level:.4g} with a standard deviation of {deviation:.2g}")
+        remarks.append(f"friction is not distinguishable from the scatter: {level:.4g} with a standard deviation of {deviation:.2g}")
         usable = False
     if not chosen.model.coulomb:
-        said.append("no Coulomb friction is told apart from zero")
+        remarks.append("Coulomb friction is not distinguishable from zero")
     for name in chosen.names:
         if name.startswith("Fv") and chosen[name] < 0.0:
-            said.append(f"{name} = {chosen[name]:.4g} is below zero within its deviation: take no viscous friction")
+            remarks.append(f"{name} = {chosen[name]:.4g} is below zero within its deviation: take no viscous friction")
         if name != "offset" and chosen.deviation(name) > 0.01 * WELL_KNOWN * abs(chosen[name]):
             share = 100.0 * chosen.deviation(name) / abs(chosen[name]) if chosen[name] else math.inf
-            said.append(f"{name} = {chosen[name]:.4g} is known to {share:.2g} % only")
-    return said, usable
+            remarks.append(f"{name} = {chosen[name]:.4g} is known to {share:.2g} % only")
+    return remarks, usable

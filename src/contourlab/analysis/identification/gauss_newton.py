@@ -1,17 +1,19 @@
-"""Least squares that are not linear: damped Gauss-Newton with bounds, many points evaluated at once."""
+"""Nonlinear least squares by damped Gauss-Newton steps within bounds, many points evaluated at once, and the covariance of the result."""
 
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from contourlab.analysis.identification.output_error import bartlett, flat_top, long_run, memory, usual_lags
 from contourlab.errors import ParameterError
 
 Array = NDArray[np.float64]
+
 Residuals = Callable[[Array], Array]
 """Points (k, p) to residuals (k, n): all points in one call; a row that is not finite is a point that failed."""
 
@@ -21,15 +23,15 @@ DAMPINGS = 10.0 ** np.arange(-3.0, 5.0)
 
 @dataclass(frozen=True)
 class DescentSettings:
-    """How a descent steps and when it ends.
+    """Step sizes and end of a descent.
 
     Attributes
     ----------
     difference : float
-        The first central differences, as a part of a parameter's scale.
+        First central differences, over a parameter's scale.
     visible : float
-        Root mean square of the change of the residual that later differences make: encoder counts and sticking make the sum of squares
-        rough, and differences too small for them are noise.
+        Root mean square change of the residual by later differences. Encoder counts and sticking make the sum of squares rough: smaller
+        differences are noise.
     most_iterations : int
     least_gain : float
         Relative fall of the sum of squares below which it has converged.
@@ -48,7 +50,7 @@ class DescentSettings:
 
 @dataclass(frozen=True, eq=False)
 class Descent:
-    """Where a descent ended.
+    """End of a descent.
 
     Attributes
     ----------
@@ -59,7 +61,7 @@ class Descent:
     jacobian : ndarray (n, p)
         There.
     at_bound : ndarray (p,) of bool
-        Where the sum of squares would fall on beyond a bound.
+        Where the sum of squares falls further beyond a bound.
     iterations : int
     converged : bool
     """
@@ -76,15 +78,15 @@ class Descent:
 def descend(
     residuals: Residuals, start: ArrayLike, lower: ArrayLike, upper: ArrayLike, scale: ArrayLike, settings: DescentSettings | None = None
 ) -> Descent:
-    """Go down from a start to the least sum of squares near it: Levenberg-Marquardt, projected onto bounds.
+    """Descend to the smallest sum of squares near a start: Levenberg-Marquardt, projected onto bounds.
 
     Parameters
     ----------
     residuals : callable
-        Points (k, p) to residuals (k, n); not finite for a point that cannot be evaluated, which then counts as infinitely bad.
+        Points (k, p) to residuals (k, n); not finite for a point that cannot be evaluated.
     start, lower, upper : array_like (p,)
     scale : array_like (p,), > 0
-        Size of each parameter; what a step of the differences is a part of.
+        Size of each parameter.
     settings : DescentSettings, optional
 
     Raises
@@ -105,7 +107,7 @@ def descend(
         raise ParameterError("start", f"{x}", "parameters that can be simulated: the run diverges there")
     damping, cost, converged, done = 1e-3, float(r @ r), False, 0
     width = chosen.difference * size
-    for _ in range(2):  # differences of a size that shows need slopes to be known, roughly
+    for _ in range(2):  # the size of the differences depends on the slopes
         slopes = jacobian(residuals, x, r, low, high, width)
         width = _widths(slopes, chosen, size)
     while done < chosen.most_iterations and not converged:
@@ -133,25 +135,25 @@ def descend(
 
 
 def _widths(slopes: Array, chosen: DescentSettings, size: Array) -> Array:
-    """Return the differences that change the residual by as much as shows, within a fifth and a thousandth of a parameter's scale."""
+    """Return differences that change the residual visibly, from a thousandth to a fifth of a parameter's scale."""
     seen = np.sqrt(np.mean(slopes**2, axis=0))
     wanted = chosen.visible / np.where(seen > 0.0, seen, np.inf)
     return np.clip(np.where(seen > 0.0, wanted, chosen.difference * size), 1e-3 * size, 0.2 * size)
 
 
 def _held(x: Array, gradient: Array, low: Array, high: Array) -> NDArray[np.bool_]:
-    """Tell which parameters stand at a bound that the sum of squares pushes them against."""
+    """Return which parameters the gradient holds at a bound."""
     held: NDArray[np.bool_] = ((x <= low) & (gradient >= 0.0)) | ((x >= high) & (gradient <= 0.0))
     return held
 
 
 def _trial(x: Array, r: Array, slopes: Array, free: NDArray[np.bool_], low: Array, high: Array, damping: float) -> Array:
-    """Return where a damped step leads, cut at the bounds."""
+    """Return the end of a damped step, clipped to the bounds."""
     j = slopes[:, free]
     lengths = np.linalg.norm(j, axis=0)
     lengths = np.where(lengths > 0.0, lengths, 1.0)  # a parameter without effect stays where it is
     unit = j / lengths
-    # As a least-squares problem of its own: the normal equations would square the condition number.
+    # Solved as least squares: normal equations would square the condition number.
     matrix = np.vstack([unit, math.sqrt(damping) * np.eye(unit.shape[1])])
     step = np.linalg.lstsq(matrix, np.append(-r, np.zeros(unit.shape[1])), rcond=None)[0] / lengths
     moved = x.copy()
@@ -199,7 +201,7 @@ def spread_starts(
     candidates : int
         Points of a scrambled Sobol sequence, always the same one.
     reach : float, 0 to 1
-        How far the candidates go from the start to the bounds; in ratios where all of a parameter's range is above zero.
+        Share of the distance from start to bounds that the candidates cover; in ratios for ranges above zero.
     """
     from scipy.stats import qmc
 
@@ -216,3 +218,97 @@ def spread_starts(
     costs = np.where(np.isfinite(left).all(axis=1), (np.nan_to_num(left) ** 2).sum(axis=1), math.inf)
     order = [i for i in np.argsort(costs, kind="stable")[: count - 1] if math.isfinite(costs[i])]
     return np.vstack([x[None], points[order]])
+
+
+UNTOLD = 1e-10
+"""Eigenvalue of the normal matrix, columns of length one, over the largest, from which down a direction counts as without effect."""
+FADED = 0.1
+"""Autocorrelation that counts as none."""
+LONGEST = 4
+"""The longest lag is this part of a record."""
+
+
+@dataclass(frozen=True, eq=False)
+class FitCovariance:
+    """Covariance of parameters found by least squares.
+
+    Attributes
+    ----------
+    covariance : ndarray (p, p)
+        That allows for a residual correlated over neighbouring rows and across channels; infinite on the diagonal where a parameter is
+        undetermined.
+    deviations, white_deviations : ndarray (p,)
+        Standard deviations from it; and as they would be were the residual white.
+    correlation : ndarray (p, p)
+        Of the parameters, by the shape of the problem alone.
+    untold : ndarray (p,) of bool
+        Parameters, or combinations of them, without effect on the residual.
+    """
+
+    covariance: Array
+    deviations: Array
+    white_deviations: Array
+    correlation: Array
+    untold: NDArray[np.bool_]
+
+
+def fit_covariance(jacobians: Sequence[Array], residuals: Sequence[Array], floor: float = 0.0) -> FitCovariance:
+    """Return the covariance of the parameters at the least sum of squares.
+
+    Parameters
+    ----------
+    jacobians : sequence of ndarray (n_k, c_k, p)
+        Slopes of the residuals, a record each: rows in time, channels that were recorded together.
+    residuals : sequence of ndarray (n_k, c_k)
+        Weighted to one size.
+    floor : float
+        Root mean square part of every residual that may not show, such as half an encoder count.
+
+    Notes
+    -----
+    (J'J)^-1 S (J'J)^-1 with S the sum of the autocovariances of J'r under a window that is flat up to the lag at which the residual has
+    forgotten itself, and falls to 0 at twice that lag. Model errors last longer than the usual number of lags, and a window that falls from
+    the start (Bartlett's) gives deviations too small by a tenth and more. A flat window may give a variance far too small, even below zero:
+    so no deviation is below that of Bartlett's window, or the white one. Several neighbouring minima are not accounted for.
+
+    References
+    ----------
+    See `contourlab.analysis.identification.output_error`.
+    """
+    p = jacobians[0].shape[-1]
+    if p == 0:  # all parameters are at the bounds of their ranges
+        nothing, none = np.zeros(0), np.zeros((0, 0))
+        return FitCovariance(none, nothing, nothing, none, np.zeros(0, dtype=bool))
+    flat = np.concatenate([j.reshape(-1, p) for j in jacobians])
+    left = np.concatenate([r.ravel() for r in residuals])
+    normal = flat.T @ flat
+    lengths = np.sqrt(np.diag(normal))
+    size = np.where(lengths > 0.0, lengths, 1.0)
+    values, vectors = np.linalg.eigh(normal / np.outer(size, size))
+    lost = values <= UNTOLD * max(float(values[-1]), 1e-300)
+    untold: NDArray[np.bool_] = (lengths == 0.0) | (np.abs(vectors[:, lost]) > 0.2).any(axis=1)
+    inverse = (vectors[:, ~lost] / values[~lost]) @ vectors[:, ~lost].T / np.outer(size, size)
+    spare = max(left.size - p, 1)
+    white = np.sqrt(np.maximum(np.diag(inverse), 0.0) * (float(left @ left) + floor**2 * left.size) / spare)
+    lags = max(_remembered(r) for r in residuals)
+    pushed = [np.einsum("ncp,nc->np", j, r) for j, r in zip(jacobians, residuals, strict=True)]
+    windows = flat_top(lags), bartlett(2 * lags - 1)
+    found = [inverse @ sum(long_run(part, window) for part in pushed) @ inverse * (left.size / spare) for window in windows]
+    # Never below Bartlett's window or the white deviation; correlations stay.
+    covariance, own = found[0], np.diag(found[0]).copy()
+    least = np.maximum(np.diag(found[1]), white**2)
+    raised = np.sqrt(np.where(own > 0.0, np.maximum(own, least) / np.where(own > 0.0, own, 1.0), 0.0))
+    covariance = covariance * np.outer(raised, raised)
+    np.fill_diagonal(covariance, np.maximum(own, least))
+    covariance[untold, untold] = np.inf
+    scale = np.sqrt(np.where(np.diag(inverse) > 0.0, np.diag(inverse), 1.0))
+    deviations = np.sqrt(np.maximum(np.diag(covariance), 0.0))
+    return FitCovariance(covariance, deviations, np.where(untold, np.inf, white), inverse / np.outer(scale, scale), untold)
+
+
+def _remembered(residual: Array) -> int:
+    """Return over how many rows a record's residual (n, c) counts as correlated."""
+    n = residual.shape[0]
+    longest = max(n // LONGEST, 1)
+    reached = max(memory(column - column.mean(), FADED, longest) for column in residual.T)
+    return int(min(max(usual_lags(n), reached), longest))

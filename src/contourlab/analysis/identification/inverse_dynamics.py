@@ -1,9 +1,8 @@
 """Identification of one rigid axis from a record of position and force: the inverse dynamic model by least squares (IDIM-LS).
 
-The force is linear in the parameters, M a + F_v v + F_c sign(v) + offset, so that filtered derivatives of the measured position and one
-least-squares solution give them all, in open or closed loop. Velocity and acceleration come without lag (`filtered_motion`); the columns
-and the force pass the same low-pass and are decimated alike, so that what the filter takes away it takes from both sides. Noise of the
-position enters the columns: without filtering it draws the mass towards zero.
+The force is linear in the parameters, M a + F_v v + F_c sign(v) + offset. Filtered derivatives of the measured position and one
+least-squares solution give them all, in open or closed loop. Velocity and acceleration have no lag (`filtered_motion`). Columns and force
+pass the same low-pass and decimation. Position noise enters the columns: without filtering it biases the mass towards zero.
 
 References
 ----------
@@ -21,25 +20,24 @@ from dataclasses import dataclass, field
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from contourlab.analysis.identification.coloured_residual import bartlett, coloured_deviations, usual_lags
-from contourlab.analysis.identification.even_record import even_record
-from contourlab.analysis.identification.filtered_motion import decimate, filtered_motion, kept_samples
+from contourlab.analysis.identification.filtered_motion import decimate, even_record, filtered_motion, kept_samples
 from contourlab.analysis.identification.identification_remarks import check_signs, remarks_on
+from contourlab.analysis.identification.output_error import bartlett, coloured_deviations, usual_lags
 from contourlab.errors import ParameterError
 
 Array = NDArray[np.float64]
 
 PARAMETERS = {"symmetric": ("M", "Fv", "Fc", "offset"), "asymmetric": ("M", "Fv+", "Fc+", "Fv-", "Fc-")}
-"""Names of the parameters by model of friction; asymmetric, the offset is in the two Coulomb forces: (Fc+ - Fc-)/2."""
+"""Parameters by friction model; in the asymmetric one the offset is part of the Coulomb forces: (Fc+ - Fc-)/2."""
 FEWEST_ROWS = 20
-"""Fewest samples that may be left after filter and decimation."""
+"""Fewest samples after filter and decimation."""
 SINGULAR = 1e6
-"""Condition number, columns of length one, from which the parameters are not told apart at all."""
+"""Condition number, columns of length one, from which the parameters cannot be separated."""
 
 
 @dataclass(frozen=True)
 class InverseDynamicsSettings:
-    """How a record is filtered, and which friction is looked for.
+    """How a record is filtered, and which friction is fitted.
 
     Attributes
     ----------
@@ -52,12 +50,12 @@ class InverseDynamicsSettings:
     decimation : int, >= 1
         Of the columns and the force: 0.8 of the Nyquist frequency over twice the bandwidth is usual.
     dropped : (int, int), >= 0
-        Samples dropped at the start and at the end, where filter and differences have no neighbours.
+        Samples dropped at the start and at the end, where the filter settles.
     slowest : float [m/s], >= 0
-        Rows below it are left out: at rest, friction is whatever the force is, and the sign of v is noise.
+        Rows below it are left out: at rest friction equals the force, and the sign of v is noise.
     lost_degrees : int or None
-        What is taken from the number of rows under the residual's variance; None takes the number of parameters. The figures published for
-        the EMPS take 1.
+        Degrees of freedom subtracted from the rows in the residual's variance; None: the number of parameters. The figures published for
+        the EMPS use 1.
     """
 
     friction: str = "symmetric"
@@ -83,7 +81,7 @@ class InverseDynamicsSettings:
 
 @dataclass(frozen=True, eq=False)
 class _Rows:
-    """What the equations are made of: one row a decimated sample."""
+    """One row of the equations for each decimated sample."""
 
     time: Array
     velocity: Array
@@ -108,7 +106,7 @@ class Validation:
     relative_error : float [percent]
         100 |force - predicted|/|force|.
     fit : float [percent]
-        100 (1 - |force - predicted|/|force - mean of force|): 100 where the model says all.
+        100 (1 - |force - predicted|/|force - mean of force|).
     condition_number : float
         Of the observation matrix, in SI units.
     """
@@ -126,7 +124,7 @@ class Validation:
 
 @dataclass(frozen=True, eq=False)
 class InverseDynamicsFit(Validation):
-    """The parameters of an axis found from a record, beside what `Validation` says of that record.
+    """The parameters of an axis, and how well they explain the record they come from.
 
     Attributes
     ----------
@@ -137,14 +135,13 @@ class InverseDynamicsFit(Validation):
         Standard deviations hold for a residual that is white after decimation, and columns without noise.
     relative_deviations : ndarray (p,) [percent]
     robust_deviations : ndarray (p,)
-        Standard deviations that allow for a residual correlated over neighbouring rows (Newey & West): decimation leaves some correlation
-        of itself, what the model lacks leaves more.
+        Standard deviations that allow for a residual correlated over neighbouring rows (Newey & West), by decimation and model errors.
     correlation : ndarray (p, p)
         Of the parameters, residual white.
     usable : bool
-        False where a friction came out below zero or the mass is known to no better than 10 percent; `remarks` say which.
+        False if a friction is below zero or the mass is known to no better than 10 percent.
     remarks : tuple of str
-        What stands against the figures, in words; empty where nothing does.
+        Reasons to doubt the figures; may be empty.
     """
 
     settings: InverseDynamicsSettings = field(default_factory=InverseDynamicsSettings)
@@ -185,8 +182,8 @@ def identify_inverse_dynamics(
     ------
     ParameterError
         If the record is too short, uneven or not finite; if its arrays differ in length; if the cut-off is not below the Nyquist
-        frequency; if the axis never moves in one of its directions; if the parameters are not told apart; if the mass, or Coulomb
-        friction by more than two deviations, comes out below zero.
+        frequency; if the axis never moves in one of its directions; if the parameters cannot be separated; if the mass is below zero, or
+        Coulomb friction by more than two deviations.
     """
     chosen = settings or InverseDynamicsSettings()
     rows = _rows(time, position, force, chosen)
@@ -201,13 +198,13 @@ def identify_inverse_dynamics(
     deviations = np.sqrt(np.diag(unscaled) * float(residual @ residual) / max(residual.size - lost, 1))
     scale = np.sqrt(np.diag(unscaled))
     robust = coloured_deviations(rows.columns, residual, unscaled, bartlett(usual_lags(residual.size)))
-    told = _judged(rows, rows.columns @ values)
+    explained = _judged(rows, rows.columns @ values)
     check_signs(names, values, np.maximum(deviations, robust))
-    remarks, usable = remarks_on(names, values, deviations, robust, rows.columns, rows.velocity, told.fit, chosen.slowest)
+    remarks, usable = remarks_on(names, values, deviations, robust, rows.columns, rows.velocity, explained.fit, chosen.slowest)
     with np.errstate(divide="ignore"):
         relative = 100.0 * deviations / np.abs(values)
     return InverseDynamicsFit(
-        **vars(told),
+        **vars(explained),
         settings=chosen,
         names=names,
         values=values,
@@ -221,13 +218,13 @@ def identify_inverse_dynamics(
 
 
 def cross_validate(fit: InverseDynamicsFit, time: ArrayLike, position: ArrayLike, force: ArrayLike) -> Validation:
-    """Say how well parameters found elsewhere explain a second record, filtered as the first.
+    """Return how well the parameters of one record explain a second one, filtered alike.
 
     Parameters
     ----------
     fit : InverseDynamicsFit
     time, position, force
-        As of `identify_inverse_dynamics`; another length and period are welcome.
+        As of `identify_inverse_dynamics`; length and period may differ.
 
     Raises
     ------
@@ -269,13 +266,13 @@ def _columns(acceleration: Array, velocity: Array, friction: str) -> Array:
 
 
 def _check_excitation(rows: _Rows, names: tuple[str, ...]) -> None:
-    """Both directions have to be there, and no column may be made of the others."""
+    """Refuse a record without both directions, or with linearly dependent columns."""
     fastest = float(np.abs(rows.velocity).max())
     if fastest == 0.0:
         raise ParameterError("position", "one place throughout", "a record in which the axis moves")
     for way, word in ((1.0, "forwards"), (-1.0, "backwards")):
         if np.count_nonzero(way * rows.velocity > 0.01 * fastest) < FEWEST_ROWS // 4:
-            bound = "a record that moves both ways: friction and offset are not told apart by one direction"
+            bound = "a record that moves both ways: one direction cannot separate friction and offset"
             raise ParameterError("velocity", f"never {word}", bound)
     lengths = np.linalg.norm(rows.columns, axis=0)
     if not lengths.all():

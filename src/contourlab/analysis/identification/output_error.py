@@ -1,11 +1,15 @@
-"""Output-error least squares: parameters of a simulated model such that its output comes nearest to what was measured.
+"""Output-error least squares, with standard deviations that allow for a residual correlated in time.
 
-The model's output depends on what was commanded, never on the noisy output, so that noise of the measurement does not draw the parameters
-to one side, as it does where measured derivatives stand on the model's side of an equation.
+The model's output depends on the command, never on the noisy output, so measurement noise does not bias the parameters. The covariance is
+(J'J)^-1 S (J'J)^-1, with S the sum of the autocovariances of J'r under a window over the lags: Bartlett's for rows that are nearly
+independent, Parzen's (round at its top) where neighbouring samples cancel each other's error, a flat one where a model error lasts.
 
 References
 ----------
-Ljung, "System Identification", 2nd ed., sections 4.2 and 9.4.
+Ljung, "System Identification", 2nd ed., sections 4.2 and 9.4; Newey & West, "A simple, positive semi-definite, heteroskedasticity and
+autocorrelation consistent covariance matrix", Econometrica 55(3), 1987; Andrews, "Heteroskedasticity and autocorrelation consistent
+covariance matrix estimation", Econometrica 59(3), 1991; Politis & Romano, "Bias-corrected nonparametric spectral estimation", J. Time
+Series Analysis 16, 1995.
 """
 
 from __future__ import annotations
@@ -18,19 +22,19 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from contourlab.analysis.identification.coloured_residual import coloured_deviations, memory, parzen
 from contourlab.errors import ParameterError
 
 Array = NDArray[np.float64]
+
 NEAR_BOUND = 1e-6
 """Share of a parameter's scale within which it counts as lying at its bound."""
 UNTOLD = 1e10
-"""Condition number of the normal equations, columns of length one, from which parameters are not told apart."""
+"""Condition number of the normal equations, columns of length one, from which parameters cannot be separated."""
 
 
 @dataclass(frozen=True)
 class Free:
-    """A parameter that is looked for: where from, within what, and a size that is small for it."""
+    """A parameter of a fit: start, bounds, and a typical size."""
 
     start: float
     low: float = -math.inf
@@ -40,18 +44,18 @@ class Free:
 
 @dataclass(frozen=True, eq=False)
 class OutputFit:
-    """What a fit of a model's output found.
+    """Result of a fit of a model's output.
 
     Attributes
     ----------
     names : tuple of str
     values, deviations, robust_deviations : ndarray (p,)
-        The first deviations hold for a white residual, the second allow for one that is correlated in time. 0 for a parameter at its bound.
+        Deviations for a white residual, and for one correlated in time; 0 for a parameter at its bound.
     correlation : ndarray (p, p)
     condition_number : float
         Of the sensitivities, columns of length one.
     at_bound : tuple of str
-        Parameters that would go further if they could.
+        Parameters at a bound.
     measured, predicted : ndarray (n,)
     fit : float [percent]
         100 (1 - |measured - predicted|/|measured - mean|).
@@ -75,7 +79,7 @@ class OutputFit:
     def deviation(self, name: str) -> float:
         """Return the robust deviation of a parameter by name.
 
-        Of a differenced position the noise is correlated, and a white residual would be told many times too large.
+        The noise of a differenced position is correlated: deviations for a white residual are many times too large.
         """
         return float(self.robust_deviations[self.names.index(name)])
 
@@ -101,7 +105,7 @@ def fit_output(model: Callable[[Mapping[str, float]], Array], measured: Array, f
     Raises
     ------
     ParameterError
-        If the record is shorter than its parameters are many, does not change, or leaves parameters untold.
+        If the record is too short, does not change, or does not determine the parameters.
     """
     from scipy.optimize import least_squares
 
@@ -113,7 +117,7 @@ def fit_output(model: Callable[[Mapping[str, float]], Array], measured: Array, f
     def output(x: Array) -> Array:
         return model(dict(zip(names, x.tolist(), strict=True)))
 
-    # Of size one, so that the tolerances mean the same whatever the unit.
+    # Scaled to one, so that the tolerances do not depend on the unit.
     size = float(np.linalg.norm(measured - measured.mean())) / math.sqrt(measured.size) or 1.0
 
     def left(x: Array) -> Array:
@@ -126,17 +130,16 @@ def fit_output(model: Callable[[Mapping[str, float]], Array], measured: Array, f
     values, bound = np.where(lowest, low, np.where(highest, high, values)), lowest | highest
     predicted = output(values)
     slopes = _slopes(output, values, low, high, scale)
-    told = _covariance(slopes[:, ~bound], predicted - measured, [name for name, b in zip(names, bound, strict=True) if not b])
-    white, robust = np.zeros(len(names)), np.zeros(len(names))
-    white[~bound], robust[~bound] = told[0], told[1]
-    correlation = np.eye(len(names))
-    correlation[np.ix_(~bound, ~bound)] = told[2]
+    white, robust, correlation = np.zeros(len(names)), np.zeros(len(names)), np.eye(len(names))
+    inside = [name for name, b in zip(names, bound, strict=True) if not b]
+    part = np.ix_(~bound, ~bound)
+    white[~bound], robust[~bound], correlation[part], condition = _covariance(slopes[:, ~bound], predicted - measured, inside)
     stuck = tuple(name for name, b in zip(names, bound, strict=True) if b)
-    return OutputFit(names, values, white, robust, correlation, told[3], stuck, measured, predicted, fit_percent(measured, predicted))
+    return OutputFit(names, values, white, robust, correlation, condition, stuck, measured, predicted, fit_percent(measured, predicted))
 
 
 def _slopes(output: Callable[[Array], Array], at: Array, low: Array, high: Array, scale: Array) -> Array:
-    """Return the sensitivities (n, p) by differences within the bounds; wide enough to pass over the kinks of sticking."""
+    """Return the sensitivities (n, p) by differences within the bounds, wide enough to bridge the kinks of sticking."""
     columns = []
     for i in range(at.size):
         step = np.zeros(at.size)
@@ -171,10 +174,91 @@ def lasting_window(residual: Array) -> Array:
 
     Notes
     -----
-    Parzen's window over four times the lag at which the residual has forgotten itself, at least 4 sqrt(n) and at most a tenth of the
-    record: a simulated model leaves residuals that last as long as the model's own motion, and those of a differenced position take back
-    at the next sample what they were at this one, which a window with a corner at its top, as Bartlett's, would not see.
+    Parzen's window over four times the memory of the residual, at least 4 sqrt(n) and at most a tenth of the record. Residuals of a
+    simulated model last as long as its own motion; those of a differenced position cancel from one sample to the next, which a window with
+    a corner at its top, such as Bartlett's, misses.
     """
     n = residual.size
     until = 4 * memory(residual, max(0.05, 2.0 / math.sqrt(n)), n // 10)
     return parzen(min(max(until, int(4.0 * math.sqrt(n))), max(n // 10, 1)))
+
+
+def bartlett(lags: int) -> Array:
+    """Return Bartlett's window (lags + 1,): a line from 1 at no lag to 0 behind the last. Variances under it are never negative."""
+    return np.asarray(1.0 - np.arange(lags + 1) / (lags + 1.0))
+
+
+def parzen(lags: int) -> Array:
+    """Return Parzen's window (lags + 1,): two cubics, level at no lag. Variances under it are never negative."""
+    x = np.arange(lags + 1) / (lags + 1.0)
+    return np.asarray(np.where(x < 0.5, 1.0 - 6.0 * x**2 * (1.0 - x), 2.0 * (1.0 - x) ** 3))
+
+
+def flat_top(lags: int) -> Array:
+    """Return a window (2 lags,), lags >= 1: 1 up to `lags`, then a line to 0 at twice that. A variance under it may come out negative."""
+    return np.asarray(np.minimum(1.0, 2.0 - np.arange(2 * lags) / lags))
+
+
+def usual_lags(n: int) -> int:
+    """Return the usual number of lags for n rows, 4 (n/100)^(2/9) + 1."""
+    return int(4.0 * (n / 100.0) ** (2.0 / 9.0)) + 1
+
+
+def memory(residual: Array, faded: float, longest: int) -> int:
+    """Return the first lag at which the autocorrelation of a residual (n,) is below `faded`; `longest` if there is none.
+
+    Parameters
+    ----------
+    residual : ndarray (n,)
+    faded : float
+        Between 0 and 1.
+    longest : int, >= 0
+        Longest lag that is tested. The result is 0 for a residual of zeros.
+    """
+    n = residual.size
+    power = np.abs(np.fft.rfft(residual, 1 << (2 * n - 1).bit_length())) ** 2
+    along = np.fft.irfft(power)[: longest + 1]
+    if along[0] <= 0.0:
+        return 0
+    forgotten = np.flatnonzero(along < faded * along[0])
+    return int(forgotten[0]) if forgotten.size else longest
+
+
+def long_run(rows: Array, window: Array) -> Array:
+    """Return the sum of the autocovariances (p, p) of rows, those ahead and behind, each weighted.
+
+    Parameters
+    ----------
+    rows : ndarray (n, p)
+        Of J'r: the slopes of a sample times its residual.
+    window : ndarray (k,)
+        Weight of each lag, from 0 on; lags beyond the rows count for nothing.
+    """
+    n, lags = len(rows), min(window.size, len(rows))
+    size = 1 << (n + lags - 1).bit_length()
+    weights = np.zeros(size)
+    weights[:lags] = window[:lags]
+    weights[size - lags + 1 :] = window[1:lags][::-1]
+    # Both ends of the spectrum count once, every other line twice, for its conjugate.
+    share = np.fft.rfft(weights).real / size
+    share[1:-1] *= 2.0
+    spectrum = np.fft.rfft(rows, size, axis=0)
+    return np.asarray(((spectrum.conj() * share[:, None]).T @ spectrum).real)
+
+
+def coloured_deviations(columns: Array, residual: Array, inverse: Array, window: Array) -> Array:
+    """Return standard deviations (p,) of least squares that allow for a residual correlated over neighbouring rows.
+
+    Parameters
+    ----------
+    columns : ndarray (n, p)
+        Sensitivities.
+    residual : ndarray (n,)
+    inverse : ndarray (p, p)
+        Of columns' columns.
+    window : ndarray (k,)
+        Weight of each lag, from 0 on.
+    """
+    n, p = columns.shape
+    covariance = inverse @ long_run(columns * residual[:, None], window) @ inverse * (n / max(n - p, 1))
+    return np.asarray(np.sqrt(np.maximum(np.diag(covariance), 0.0)))

@@ -1,7 +1,7 @@
-"""Frequency response at one frequency from a run with a sine in it, by least squares with harmonics, and whether it can be trusted.
+"""Frequency response at one frequency, from a run with a sine in it: least squares with harmonics, and tests of the result.
 
-A sine that rides on a moving axis keeps friction from turning over, so that the response is that of the drive; where the axis stands still
-within the sine, at an end stop or sticking, it is not.
+A sine on top of a steady motion keeps friction from changing its sign, so the response is that of the drive. If the axis stops within the
+sine, at an end stop or sticking, it is not.
 """
 
 from __future__ import annotations
@@ -13,18 +13,18 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from contourlab.analysis.identification.coloured_residual import coloured_deviations
+from contourlab.analysis.identification.filtered_motion import true_spans
 from contourlab.analysis.identification.frequency_response import Measured, MeasuredResponse
-from contourlab.analysis.identification.output_error import lasting_window
+from contourlab.analysis.identification.output_error import coloured_deviations, lasting_window
 from contourlab.errors import ParameterError
 
 Array = NDArray[np.float64]
 PURE = 0.03
-"""Share of a sine's size that may be left of the excitation when the sine is taken away."""
+"""Largest residual of an excitation that counts as a sine, over the size of the sine."""
 HARMONICS = 5
 LEAST_PERIODS = 0.9
 DISTORTED = 0.1
-"""Harmonics of the velocity over its fundamental from which a point is remarked on."""
+"""Harmonics of the velocity over its fundamental from which a point gets a remark."""
 STILL = 0.03
 """Share of the stretch at rest from which a point is left out."""
 
@@ -41,8 +41,8 @@ class SinePoint:
         Relative.
     periods : float
         That were fitted.
-    distortion, command_distortion : float
-        Harmonics of velocity and command over their fundamentals.
+    distortion : float
+        Harmonics of the velocity over its fundamental.
     still : float
         Share of the stretch in which the axis stood still.
     coherence : float
@@ -54,7 +54,6 @@ class SinePoint:
     deviation: float
     periods: float
     distortion: float
-    command_distortion: float
     still: float
     coherence: float
 
@@ -65,18 +64,17 @@ def sine_stretch(excitation: Array, period: float) -> tuple[int, int, float] | N
     Parameters
     ----------
     excitation : ndarray (n,)
-        Free of noise: a reference, or an open-loop command. Stretches are told by where it rests.
+        Free of noise: a reference, or an open-loop command. It rests between stretches.
     period : float [s]
     """
     size = float(np.ptp(excitation))
     if size == 0.0:
         return None
     moves = np.abs(np.diff(excitation)) > 1e-6 * size
-    # A sine is still for a sample or two at its tops.
+    # A sine hardly moves for a sample or two at its peaks.
     filled = np.convolve(moves, np.ones(5), "same") > 0.0
-    edges = np.flatnonzero(np.diff(np.r_[False, filled, False].astype(np.int8)))
     best: tuple[int, int, float] | None = None
-    for start, stop in zip(edges[::2].tolist(), edges[1::2].tolist(), strict=True):
+    for start, stop in true_spans(filled):
         if stop - start < 20 or (best is not None and stop - start <= best[1] - best[0]):
             continue
         first, last = start + 3, stop - 3
@@ -87,7 +85,7 @@ def sine_stretch(excitation: Array, period: float) -> tuple[int, int, float] | N
 
 
 def _frequency(part: Array, period: float) -> float | None:
-    """Return the frequency [Hz] of what is a sine and a constant; None where it is something else."""
+    """Return the frequency [Hz] of a sine plus a constant; None for any other signal."""
     from scipy.optimize import minimize_scalar
 
     t = period * np.arange(part.size)
@@ -125,7 +123,7 @@ def sine_point(run: Measured, start: int, stop: int, frequency: float) -> SinePo
     """
     cycle = 1.0 / (frequency * run.period)
     periods = (stop - start) / cycle
-    # The first quarter, a whole period at least, is left to the transient where there are periods enough.
+    # With enough periods the first quarter, at least one whole period, is left to the transient.
     skip = round(max(1.0, math.floor(0.25 * periods)) * cycle) if periods >= 2.9 else 0
     first = start + skip
     whole = math.floor((stop - first) / cycle + 1e-6)
@@ -138,7 +136,7 @@ def sine_point(run: Measured, start: int, stop: int, frequency: float) -> SinePo
     y, y_deviation, y_rest = _harmonics(run.position[first:last], t, w, most, 2 if whole >= 2 else 1)
     u, _, _ = _harmonics(run.command[first:last], t, w, most, 0)
     order = np.arange(1, most + 1)
-    speed, drive = np.abs(y) * order, np.abs(u)
+    speed = np.abs(y) * order
     steps = np.diff(run.position[first:last])
     still = float(np.mean(_still(steps)))
     fundamental = 0.5 * (w * abs(y[0])) ** 2
@@ -149,14 +147,13 @@ def sine_point(run: Measured, start: int, stop: int, frequency: float) -> SinePo
         y_deviation / abs(y[0]),
         (last - first) / cycle,
         float(np.linalg.norm(speed[1:]) / speed[0]),
-        float(np.linalg.norm(drive[1:]) / drive[0]),
         still,
         fundamental / (fundamental + rest),
     )
 
 
 def _still(steps: Array) -> NDArray[np.bool_]:
-    """Return which samples belong to a stretch of ten or more in which nothing moves, measured by the usual step."""
+    """Return the samples of stretches of ten or more in which the axis rests, compared with the median step."""
     usual = float(np.median(np.abs(steps)))
     count = min(10, steps.size)
     average = np.convolve(steps, np.ones(count) / count, "same")
@@ -164,7 +161,7 @@ def _still(steps: Array) -> NDArray[np.bool_]:
 
 
 def _harmonics(values: Array, t: Array, w: float, most: int, trend: int) -> tuple[NDArray[np.complex128], float, Array]:
-    """Return complex amplitudes of the harmonics, the deviation of the first one's, and what is left."""
+    """Return complex amplitudes of the harmonics, the deviation of the first, and the residual."""
     middle = t - t.mean()
     polynomial = [(middle / (abs(middle[0]) or 1.0)) ** k for k in range(trend + 1)]
     waves = [part for h in range(1, most + 1) for part in (np.cos(h * w * t), -np.sin(h * w * t))]
@@ -192,36 +189,36 @@ def sine_responses(runs: Sequence[Measured], names: Sequence[str]) -> MeasuredRe
     Raises
     ------
     ParameterError
-        If no run has a sine that can be trusted.
+        If no run has a usable sine.
     """
     points: list[SinePoint] = []
-    said: list[str] = []
+    remarks: list[str] = []
     periods: list[float] = []
     for run, name in zip(runs, names, strict=True):
         stretch = sine_stretch(run.command if run.outside is None else run.outside, run.period)
         if stretch is None:
-            said.append(f"{name}: no stretch in which the excitation is a sine")
+            remarks.append(f"{name}: no stretch in which the excitation is a sine")
             continue
         point = sine_point(run, *stretch)
         if point.still > STILL:
-            said.append(f"{name}: the axis stands still in {100.0 * point.still:.2g} % of the sine, at an end or sticking: left out")
+            remarks.append(f"{name}: the axis stands still in {100.0 * point.still:.2g} % of the sine, at an end or sticking: left out")
             continue
         if point.distortion > DISTORTED:
-            said.append(
+            remarks.append(
                 f"{name}: harmonics make {100.0 * point.distortion:.2g} % of the velocity at {point.frequency:.4g} Hz: no linear response"
             )
         if point.periods < 1.9:
-            said.append(f"{name}: {point.periods:.2g} periods of {point.frequency:.4g} Hz, its transient included")
+            remarks.append(f"{name}: {point.periods:.2g} periods of {point.frequency:.4g} Hz, its transient included")
         points.append(point)
         periods.append(run.period)
     if not points:
-        raise ParameterError("logs", f"{len(runs)} of them", "one with a sine in it: " + "; ".join(said))
-    # The drive has one servo period; a log that keeps every tenth sample does not make its command held for longer.
+        raise ParameterError("logs", f"{len(runs)} of them", "one with a sine in it: " + "; ".join(remarks))
+    # The drive has one servo period; a log of every tenth sample does not change how long a command is held.
     period = min(periods)
     if max(periods) > 1.001 * period:
-        told = f"{1e3 * period:.4g} to {1e3 * max(periods):.4g} ms"
-        said.append(f"sample periods are {told}: the command is taken as held for the shortest of them")
+        span = f"{1e3 * period:.4g} to {1e3 * max(periods):.4g} ms"
+        remarks.append(f"sample periods are {span}: the command is taken as held for the shortest of them")
     points.sort(key=lambda p: p.frequency)
     columns = [np.array([getattr(p, key) for p in points]) for key in ("frequency", "response", "deviation", "coherence", "distortion")]
     frequency, response, deviation, coherence, distortion = columns
-    return MeasuredResponse(frequency, response, deviation, coherence, "one sine a run, least squares", period, distortion, tuple(said))
+    return MeasuredResponse(frequency, response, deviation, coherence, "one sine a run, least squares", period, distortion, tuple(remarks))

@@ -1,11 +1,11 @@
-"""Breakaway levels out of slow ramps of the command: what an axis at rest has to be given before it moves.
+"""Breakaway levels from slow ramps of the command: the smallest command that moves an axis at rest.
 
-When the axis is seen to move, the command has gone on for a while: counts and noise hide the first micrometres. So the motion is followed
-back: over a window from rest to where the axis plainly moves, a line (rest, drift, bending of bristles) and from an instant on a parabola
-and a cubic are fitted, and the instant at which they fit best is the breakaway.
+Counts and noise hide the first micrometres of a motion, so the breakaway is earlier than the first motion seen. Over a window from rest to
+clear motion, a line (rest, drift, bending of bristles) plus a parabola and a cubic that start at an instant are fitted. The best instant is
+the breakaway.
 
-Where friction drops after the breakaway the first motion grows faster than any such law, and levels come out up to 2.5 percent high or low
-on simulated axes, bristles included.
+If friction drops after the breakaway, the first motion grows faster than this model. On simulated axes, bristles included, levels are then
+up to 2.5 percent high or low.
 
 References
 ----------
@@ -21,30 +21,30 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from contourlab.analysis.identification.even_record import even_record
+from contourlab.analysis.identification.filtered_motion import even_record
 from contourlab.analysis.identification.output_error import fit_percent
 from contourlab.errors import ParameterError
 
 Array = NDArray[np.float64]
 PLAINLY = 0.1
-"""Share of the largest speed on a ramp at which the axis plainly moves."""
+"""Share of the largest speed on a ramp at which the axis clearly moves."""
 SHORTEST = 40
 """Fewest samples of a ramp up to there."""
 INSTANTS = 200
 """Instants that are tried in a window before the best is refined."""
 BENT = 30.0
-"""Times that the way before the breakaway, the bending of bristles, has to be passed as well."""
+"""The motion has to exceed the travel before the breakaway, the bending of bristles, by this factor."""
 UNSEEN = 0.25
-"""Share of the time between the breakaway and the first motion seen that counts as its deviation: the law of that motion is not known."""
+"""Deviation of the instant, as a share of the time from the breakaway to the first motion seen: the law of that motion is unknown."""
 NEARBY = 30.0
-"""Counts, or deviations of the rest, up to which the motion is followed in the end."""
+"""Counts, or deviations at rest, up to which the motion is fitted in the end."""
 CLEAR = 4.0
-"""Counts, or deviations of the rest, that a motion has to pass."""
+"""Counts, or deviations at rest, that a motion has to exceed."""
 
 
 @dataclass(frozen=True)
 class Breakaway:
-    """A ramp and where the axis left on it.
+    """The breakaway of an axis on one ramp.
 
     Attributes
     ----------
@@ -84,27 +84,27 @@ def breakaways(time: ArrayLike, command: ArrayLike, position: ArrayLike) -> tupl
     -------
     found : list of Breakaway
     remarks : list of str
-        Ramps that tell nothing, and why.
+        Ramps without a breakaway, and why.
 
     Raises
     ------
     ParameterError
-        If the record is too short, uneven or not finite, has no ramp, or the axis leaves on none of them.
+        If the record is too short, uneven or not finite, has no ramp, or the axis moves on none of them.
     """
     period, (_, u, p) = even_record(time, {"command": command, "position": position})
     spans = _ramps(u)
     if not spans:
         raise ParameterError("command", "a record", "one with slow ramps from about zero: up, back to zero, down, back to zero")
-    found, said = [], []
+    found, remarks = [], []
     for start, stop in spans:
         one = _breakaway(period, u[start : stop + 1], p[start : stop + 1], period * start)
         if isinstance(one, str):
-            said.append(f"the ramp at {period * start:.4g} s to {u[stop]:.4g}: {one}")
+            remarks.append(f"the ramp at {period * start:.4g} s to {u[stop]:.4g}: {one}")
         else:
             found.append(one)
     if not found:
-        raise ParameterError("position", "a record", "one in which the axis leaves: " + "; ".join(said))
-    return found, said
+        raise ParameterError("position", "a record", "one in which the axis leaves: " + "; ".join(remarks))
+    return found, remarks
 
 
 def _ramps(u: Array) -> list[tuple[int, int]]:
@@ -152,7 +152,7 @@ def _breakaway(period: float, u: Array, p: Array, since: float) -> Breakaway | s
         return "the axis moves at its start, or the ramp is too fast: no rest before it"
     y, t = np.asarray(moved[: last + 1], dtype=float), np.asarray(period * np.arange(last + 1), dtype=float)
     instant, deviation, model = _onset(t, y, noise)
-    # The first micrometres tell most of when it began: what friction does at speed is not in them.
+    # The first micrometres determine the instant best: friction at speed is not in them.
     bent = float(np.interp(instant, t, y))
     near = max(NEARBY * max(noise, count), BENT * bent)
     short = min(last, int(np.argmax(y > near)) if np.any(y > near) else last)
@@ -185,7 +185,7 @@ def _onset(t: Array, y: Array, noise: float) -> tuple[float, float, Array]:
     costs = np.array([fitted(float(instant))[0] for instant in fine])
     best = int(np.argmin(costs))
     instant = float(fine[best])
-    # How far the instant moves before what is left grows by one more sample's worth of noise.
+    # The instant may move until the residual grows by the noise of one more sample.
     variance = max(float(costs[best]) / max(t.size - 5, 1), noise**2)
     coarse = np.array([fitted(float(tau))[0] for tau in tried])
     beyond = np.abs(tried - instant)[coarse > costs[best] + variance]

@@ -1,16 +1,16 @@
-"""Will it learn? What is known before the first trial of a machine, its controller and a learning law, with warnings in words."""
+"""Does learning converge? The answer before the first trial, and rules for zero-phase learning: width, gain, passes and lead."""
 
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
 
-from contourlab.analysis.learning.learning_frequency import FrequencyLearning, frequency_learning
+from contourlab.analysis.learning.learning_frequency import FrequencyLearning, averaging, frequency_learning, peak, zero_phase_factor
 from contourlab.analysis.learning.learning_lifted import LiftedLearning, lifted_learning
-from contourlab.analysis.learning.learning_rules import GROWTH, LearningDesign, design_zero_phase, first_zero
 from contourlab.analysis.linear.coupled_loop import CoupledLoop, coupled_loop
 from contourlab.components.learning.law import LearningLaw
 from contourlab.components.learning.zero_phase import ZeroPhase
@@ -19,18 +19,157 @@ from contourlab.feed import Reference
 from contourlab.loop.machine import Controller, Machine
 
 Array = NDArray[np.float64]
+Complex = NDArray[np.complex128]
+
+Closed = Callable[[Array], Complex]
+GROWTH = 1e-6
+"""Numerical tolerance of a factor of 1."""
+
+
+@dataclass(frozen=True)
+class LearningDesign:
+    """Parameters of zero-phase learning.
+
+    Attributes
+    ----------
+    gain : float
+        gamma.
+    half_width : int
+        M.
+    passes : int
+    lead : float [s]
+    bandwidth : float [rad/s]
+        First zero of the average: frequencies below it are learned.
+    worst_frequency : float [rad/s]
+    worst_factor : float
+        Largest |1 - gamma H T|. With a delay in the loop the sign is wrong at some frequencies above the first zero: without a filter that
+        cuts them off, a factor slightly above 1 is the best possible.
+    """
+
+    gain: float
+    half_width: int
+    passes: int
+    lead: float
+    bandwidth: float
+    worst_frequency: float
+    worst_factor: float
+
+
+def first_zero(half_width: int, servo_period: float) -> float:
+    """Return the frequency [rad/s] of the first zero of H_M, 1/((2 M + 1) T_s); the Nyquist frequency for M = 0.
+
+    >>> round(first_zero(11, 1e-3) / (2 * math.pi), 3)
+    43.478
+    """
+    return 2.0 * math.pi / (max(2 * half_width + 1, 2) * servo_period)
+
+
+def quarter_turn(closed: Closed, servo_period: float, lead: float = 0.0) -> float:
+    """Return the lowest frequency [rad/s] at which the phase of T, with a lead [s], reaches a quarter turn; else the Nyquist frequency.
+
+    Parameters
+    ----------
+    closed : callable
+        Gives T (n,) at frequencies (n,) [rad/s].
+    """
+    from scipy.optimize import brentq
+
+    top = math.pi / servo_period
+
+    def real(w: Array) -> Array:
+        return np.asarray((closed(w) * np.exp(1j * w * lead)).real)
+
+    w = np.unique(np.concatenate([np.geomspace(1e-4 * top, top, 1500), np.linspace(1e-3 * top, top, 1500)]))
+    w = np.minimum(w, top)
+    wrong = np.flatnonzero(real(w) <= 0.0)
+    if not wrong.size:
+        return top
+    i = int(wrong[0])
+    # With all frequencies below it: the phase of T may need unwrapping.
+    return float(w[0] if i == 0 else brentq(lambda x: float(real(np.append(w[:i], x))[-1]), w[i - 1], w[i]))
+
+
+def largest_gain(closed: Closed, average: Callable[[Array], Complex], top: float) -> float:
+    """Return the smallest 2 cos(arg H T)/|H T| up to a frequency [rad/s]: the gain at which |1 - gamma H T| reaches 1 below it."""
+    w = np.linspace(1e-4 * top, top, 4001)[:-1]
+    open_ = average(w) * closed(w)
+    return float(np.min(2.0 * open_.real / np.maximum(np.abs(open_) ** 2, 1e-300)))
+
+
+def worst_zero_phase(
+    closed: Closed, servo_period: float, gain: float, half_width: int, passes: int = 1, lead: float = 0.0
+) -> tuple[float, float]:
+    """Return the frequency [rad/s] and value of the largest |1 - gamma H T| up to the Nyquist frequency."""
+    top, n = math.pi / servo_period, 2 * half_width + 1
+
+    def factor(w: Array) -> Array:
+        return np.abs(zero_phase_factor(gain, averaging(w, servo_period, half_width, passes, lead), closed(w)))
+
+    lobe = 2.0 * top / n
+    w = np.unique(np.concatenate([np.geomspace(1e-4 * top, top, 600), np.arange(1, min(10 * n, 4000)) * lobe / 20.0]))
+    w = w[w <= top]
+    return peak(factor, w, factor(w))
+
+
+def design_zero_phase(closed: Closed, servo_period: float) -> LearningDesign:
+    """Return gain, half width, passes and lead by rule.
+
+    The lead maximises the frequency at which the phase of T reaches a quarter turn; the first zero of the average lies below it. The gain
+    is a share of the largest that converges below the zero. A second pass is used if the side lobes of a single one amplify. If that is not
+    enough, the average is widened until no frequency grows by more than `SMALL` per trial.
+
+    Parameters
+    ----------
+    closed : callable
+        T = P C/(1 + P C), delay included, (n,) at frequencies (n,) [rad/s]; of several axes the one with the most lag.
+    servo_period : float [s], > 0
+    """
+    leads = _leads(closed, servo_period)
+    turns = [quarter_turn(closed, servo_period, lead) for lead in leads]
+    # The smallest lead that is almost the best.
+    best = next(i for i, turn in enumerate(turns) if turn >= 0.98 * max(turns))
+    lead, turn = leads[best], turns[best]
+    half_width = max(0, math.ceil(0.5 * (2.0 * math.pi / (turn * servo_period) - 1.0)))
+    while True:
+        made = [_design(closed, servo_period, half_width, passes, lead) for passes in (1, 2)]
+        good = [design for design in made if design.worst_factor <= 1.0 + SMALL]
+        if good or half_width > 100_000:
+            # One pass learns more below its zero.
+            return good[0] if good else min(made, key=lambda design: design.worst_factor)
+        half_width = half_width + 1 + half_width // 10
+
+
+def _leads(closed: Closed, servo_period: float) -> list[float]:
+    """Return at most 24 leads of whole periods, from none to twice the delay of T at low frequencies."""
+    w = np.array([1e-3, 2e-3]) * math.pi / servo_period
+    phase = np.unwrap(np.angle(closed(w)))
+    lag = max(0.0, -float(phase[1] - phase[0]) / float(w[1] - w[0]))
+    most = math.ceil(2.0 * lag / servo_period)
+    return [servo_period * int(n) for n in np.unique(np.linspace(0, most, min(most + 1, 24)).astype(int))]
+
+
+def _design(closed: Closed, servo_period: float, half_width: int, passes: int, lead: float) -> LearningDesign:
+    zero = min(first_zero(half_width, servo_period), math.pi / servo_period)
+    gain = SHARE * largest_gain(closed, lambda w: averaging(w, servo_period, half_width, passes, lead), zero)
+    gain = min(max(gain, 1e-3), 1.0)
+    worst = worst_zero_phase(closed, servo_period, gain, half_width, passes, lead)
+    return LearningDesign(gain, half_width, passes, lead, zero, *worst)
+
+
 TURN = 2.0 * math.pi
 SMALL = 1e-3
-"""Growth per trial that a rule may leave."""
+"""Growth per trial that a rule accepts."""
 MOST_WIDER = 10
-"""So often an average is made wider for a coupling."""
+"""Most times that an average is widened for a coupling."""
+SHARE = 0.4
+"""Of the largest gain that converges, the part that the rule takes."""
 DIVERGES = 1.1
-"""A factor beyond which a few trials are enough to see it."""
+"""Factor from which a few trials show the divergence."""
 
 
 @dataclass(frozen=True, eq=False)
 class LearningAnalysis:
-    """What learning will do.
+    """Prediction of learning.
 
     Attributes
     ----------
@@ -43,9 +182,9 @@ class LearningAnalysis:
     zero : float [rad/s]
         First zero of the law's average; nan for a law without one.
     design : LearningDesign or None
-        What the rules would have, for zero-phase learning that amplifies.
+        Parameters by rule, for zero-phase learning that amplifies.
     warnings : tuple of str
-        In words; empty where there is nothing to say.
+        May be empty.
     """
 
     law: LearningLaw
@@ -63,31 +202,31 @@ class LearningAnalysis:
 
     @property
     def worst_factor(self) -> float:
-        """What a trial multiplies it by in the end."""
+        """Factor per trial at that frequency, in the end."""
         return self.response.worst_radius[1]
 
     @property
     def converges(self) -> bool:
-        """Whether no frequency grows in the end, nor anything on the path that was given."""
+        """Whether no frequency grows in the end, nor any error on the given path."""
         return self.worst_factor <= 1.0 + GROWTH and (self.lifted is None or self.lifted.radius <= 1.0 + 1e-4)
 
     @property
     def monotone(self) -> bool:
-        """Whether no frequency grows in any trial; at the ends of a trial, and where the path turns, `lifted.norm` may still exceed 1."""
+        """Whether no frequency grows in any trial. At the ends of a trial, and where the path turns, `lifted.norm` may still exceed 1."""
         return self.response.worst_norm[1] <= 1.0 + GROWTH
 
 
 def learning_analysis(machine: Machine, controller: Controller, law: LearningLaw, reference: Reference | None = None) -> LearningAnalysis:
-    """Return what learning will do, before a trial is run.
+    """Predict learning before the first trial.
 
     Parameters
     ----------
     machine, controller
-        Linear but for limits, friction and quantisation, which are left out.
+        Limits, friction and quantisation are left out; all else is linear.
     law : LearningLaw
         Linear in the table and the trial.
     reference : Reference, optional
-        With one, the trial on its path is looked at as a whole as well, which takes seconds for 30 000 samples.
+        Analyse a whole trial on its path as well; takes seconds for 30 000 samples.
 
     Raises
     ------
@@ -97,7 +236,7 @@ def learning_analysis(machine: Machine, controller: Controller, law: LearningLaw
     loop = coupled_loop(machine, controller)
     for name, axis in zip(loop.names, loop.axes, strict=True):
         if not axis.loop.stable:
-            raise ComponentError(f"axis {name} is unstable under its own controller: there is nothing to learn before that is mended")
+            raise ComponentError(f"axis {name} is unstable under its own controller: stabilise it before learning")
     response = frequency_learning(loop, law)
     lifted = None
     if reference is not None:
@@ -109,7 +248,7 @@ def learning_analysis(machine: Machine, controller: Controller, law: LearningLaw
 
 
 def design_for(loop: CoupledLoop, law: ZeroPhase) -> LearningDesign | None:
-    """Return zero-phase learning by rule for the axis with the most lag, wide enough for the coupling; None where none was found."""
+    """Return zero-phase learning by rule for the axis with the most lag, wide enough for the coupling; None if there is none."""
 
     def closed(w: Array) -> NDArray[np.complex128]:
         forms = [axis.form(w) for axis in loop.axes]
@@ -117,13 +256,13 @@ def design_for(loop: CoupledLoop, law: ZeroPhase) -> LearningDesign | None:
             answers = np.stack([1.0 - form[:, 1, 0] for form in forms], axis=1)
         else:
             answers = np.stack([form[:, 0, 1] for form in forms], axis=1)
-        # The one whose phase is furthest back at each frequency.
+        # The axis with the most lag at each frequency.
         phase = np.unwrap(np.angle(answers), axis=0) if w.size > 1 else np.angle(answers)
         return np.asarray(answers[np.arange(w.size), np.argmin(phase, axis=1)])
 
     design = design_zero_phase(closed, loop.servo_period)
     for _ in range(MOST_WIDER):
-        # The rule knows the axes; the coupling makes their loops steeper across the path.
+        # The rule ignores the coupling, which makes the loops steeper across the path.
         tried = law.replace(gain=design.gain, half_width=float(design.half_width), passes=float(design.passes), lead=design.lead)
         at, factor = frequency_learning(loop, tried).worst_radius
         if factor <= 1.0 + SMALL:
@@ -147,13 +286,13 @@ def _warnings(
             found.append(f"without a Q-filter learning diverges from {start / TURN:.3g} Hz up: set bandwidth below that")
     elif response.worst_norm[1] > 1.0 + GROWTH:
         at, size = response.worst_norm
-        found.append(f"{law.kind} converges in the end, but a trial may make {at / TURN:.3g} Hz worse by a factor of {size:.4g} before")
+        found.append(f"{law.kind} converges in the end, but one trial may amplify {at / TURN:.3g} Hz by a factor of {size:.4g} first")
     if design is not None and design.worst_factor < factor:
         found.append(_advice(design, loop.servo_period))
     elif design is None and factor > 1.0 + GROWTH and isinstance(law, ZeroPhase):
-        found.append("no average was found that converges under this coupling: lower its gain, or learn by p-type with a Q-filter")
+        found.append("no average converges under this coupling: lower its gain, or use p-type with a Q-filter")
     if lifted is not None and lifted.radius > 1.0 + 1e-4 and factor <= 1.0 + GROWTH:
-        found.append(f"on this path, its normal turning, learning diverges by a factor of {lifted.radius:.4g} per trial")
+        found.append(f"on this path, with its turning normal, learning diverges by a factor of {lifted.radius:.4g} per trial")
     return [text for text in found if text]
 
 
@@ -172,7 +311,7 @@ def _grows(frequency: float, factor: float) -> str:
 
 
 def _second_pass(loop: CoupledLoop, law: ZeroPhase, single: float) -> str:
-    """Say whether averaging twice is enough."""
+    """Return whether a second pass is enough, as a sentence."""
     if law.passes == 2:
         return ""
     frequency, factor = frequency_learning(loop, law.replace(passes=2)).worst_radius

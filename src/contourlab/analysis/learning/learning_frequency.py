@@ -1,24 +1,210 @@
-"""What a trial makes of each frequency: the factors by which learning multiplies what it has not learned yet.
+"""Factors by which one trial multiplies what is not learned yet, over frequency.
 
-For one axis and zero-phase learning the factor is 1 - gamma H T, for a law of the tracking error Q (1 - L G). With coupling the axes belong
-together, and the factor is a matrix at each frequency and direction of the path: its spectral radius says whether learning converges in the
-end, its largest singular value whether every trial is better than the last.
+For one axis and zero-phase learning the factor is 1 - gamma H T; for a law of the tracking error it is Q (1 - L G). With coupling it is a
+matrix at each frequency and direction of the path: its spectral radius says whether learning converges in the end, its largest singular
+value whether every trial improves on the last. A law enters by its answers to impulses, or by its formula if it learns through a model.
+
+References
+----------
+Bristow, Tharayil & Alleyne, "A survey of iterative learning control", IEEE Control Systems Magazine 26 (2006), eq (17).
 """
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable
 from dataclasses import dataclass
+from functools import cached_property
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from contourlab.analysis.learning.learning_law import LawKernels, LawModel, law_kernels, law_model
-from contourlab.analysis.linear.coupled_loop import CoupledLoop
-from contourlab.components.learning.law import LearningLaw
+from contourlab.analysis.linear.coupled_loop import CoupledLoop, impulse_responses
+from contourlab.components.learning.filters import q_response
+from contourlab.components.learning.law import LearningLaw, LearningProblem, TrialRecord
+from contourlab.components.learning.norm_optimal import NormOptimal
+from contourlab.components.learning.plant_inversion import PlantInversion
+from contourlab.errors import ComponentError
 
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
+
+HEARD = ("table", "tracking_error", "contour_error", "feedback_command")
+SHORTEST, LONGEST = 1 << 9, 1 << 15
+SETTLED = 1e-7
+"""Largest part of an impulse response in the outer eighths of the record."""
+
+
+@dataclass(frozen=True, eq=False)
+class LawKernels:
+    """Contribution of a law to the next table for an impulse in the middle of a long trial.
+
+    Attributes
+    ----------
+    kernels : dict of str to ndarray (n_sample, n_axis, n_axis)
+        For the table, the tracking error, the contour error and the feedback: sample, axis of the table, axis of the impulse.
+    centre : int
+        Sample of the impulse.
+    servo_period : float [s]
+    """
+
+    kernels: dict[str, Array]
+    centre: int
+    servo_period: float
+
+    @cached_property
+    def support(self) -> tuple[int, int]:
+        """First and last sample, from the impulse, that are above rounding in any kernel."""
+        size = np.max([np.abs(kernel).max(axis=(1, 2)) / max(np.abs(kernel).max(), 1e-300) for kernel in self.kernels.values()], axis=0)
+        at = np.flatnonzero(size > 1e-12)
+        return int(at[0]) - self.centre, int(at[-1]) - self.centre
+
+    @property
+    def directed(self) -> bool:
+        """Whether the law itself asks for the direction of the path."""
+        return False
+
+    def response(self, frequency: ArrayLike, across: Array) -> dict[str, Complex]:
+        """Return the frequency responses (n, n_axis, n_axis) at frequencies (n,) [rad/s]; the same on any path."""
+        w = np.atleast_1d(np.asarray(frequency, dtype=float))
+        first, last = self.support
+        sample = np.arange(first, last + 1)
+        found = {name: np.zeros((w.size, *kernel.shape[1:]), dtype=complex) for name, kernel in self.kernels.items()}
+        # In slices, so that long records at many frequencies take no more memory than short ones.
+        for part in np.array_split(np.arange(w.size), max(1, w.size * sample.size // 2_000_000)):
+            turn = np.exp(-1j * np.outer(w[part], sample * self.servo_period))
+            for name, kernel in self.kernels.items():
+                if kernel.any():
+                    found[name][part] = np.tensordot(turn, kernel[sample + self.centre], axes=1)
+        return found
+
+
+@dataclass(frozen=True, eq=False)
+class LawModel:
+    """A law that learns through a model of the axes, by its formula: norm-optimal learning, or plant inversion.
+
+    Attributes
+    ----------
+    law : NormOptimal or PlantInversion
+    loop : CoupledLoop
+    largest : ndarray (n_axis,)
+        Largest |G|^2 of each axis over frequency.
+    """
+
+    law: Any
+    loop: CoupledLoop
+    largest: Array
+
+    @property
+    def support(self) -> tuple[int, int]:
+        """As of a law without side lobes."""
+        return 0, 0
+
+    @property
+    def directed(self) -> bool:
+        """Whether the law itself asks for the direction of the path."""
+        return bool(self.law.values().get("contour_weight", 0.0))
+
+    def response(self, frequency: ArrayLike, across: Array) -> dict[str, Complex]:
+        """Return the frequency responses (n, n_axis, n_axis) at frequencies (n,) [rad/s], with the projection across the path at rest."""
+        w = np.atleast_1d(np.asarray(frequency, dtype=float))
+        eye = np.eye(len(across))
+        g = _models(self.loop, self.law.target, w)
+        none = np.zeros((w.size, *eye.shape), dtype=complex)
+        if isinstance(self.law, PlantInversion):
+            q = q_response(w, self.law.bandwidth, self.law.order, self.loop.servo_period)
+            inverse = self.law.gain * g.conj() / (np.abs(g) ** 2 + self.law.regularisation * self.largest)
+            table, error = q[:, None, None] * eye, q[:, None, None] * inverse[:, :, None] * eye
+        else:
+            weights = self.law.tracking_weight * eye + self.law.contour_weight * across
+            on_input, on_change = np.diag(self.law.input_weight * self.largest), np.diag(self.law.change_weight * self.largest)
+            adjoint = g.conj()[:, :, None] * weights
+            solved = np.linalg.inv(adjoint * g[:, None, :] + on_input + on_change)
+            table, error = eye - solved @ on_input, solved @ adjoint
+        return {"table": table + none, "tracking_error": error, "contour_error": none, "feedback_command": none}
+
+
+def law_model(law: LearningLaw, loop: CoupledLoop) -> LawModel | None:
+    """Return a law that learns through a model; None for any other law."""
+    if not isinstance(law, NormOptimal | PlantInversion):
+        return None
+    w = np.unique(np.concatenate([np.geomspace(1e-5 * loop.nyquist, loop.nyquist, 600), np.linspace(1e-5, 1.0, 600) * loop.nyquist]))
+    return LawModel(law, loop, (np.abs(_models(loop, law.target, w)) ** 2).max(axis=0))
+
+
+def _models(loop: CoupledLoop, target: str, w: Array) -> Complex:
+    """Return the responses (n, n_axis) of the axes, each alone, from the learned signal to the position."""
+    return np.stack([axis.form(w)[:, 0, 0 if target == "command" else 1] for axis in loop.axes], axis=1)
+
+
+def law_kernels(law: LearningLaw, loop: CoupledLoop) -> LawKernels:
+    """Return a law's answers to impulses on a straight path; laws without a model answer alike on any path.
+
+    Parameters
+    ----------
+    law : LearningLaw
+    loop : CoupledLoop
+
+    Raises
+    ------
+    ComponentError
+        If the law is not linear, or its answer to an impulse is longer than `LONGEST` samples.
+    """
+    t, size = np.eye(len(loop.axes))[0], SHORTEST
+    while True:
+        problem = lifted_problem(law, loop, np.tile(t, (size, 1)))
+        kernels = {name: _answers(law, problem, name) for name in HEARD}
+        if all(_settled(kernel) for kernel in kernels.values()):
+            break
+        size *= 4
+        if size > LONGEST:
+            raise ComponentError(f"learning {law.kind} answers to an impulse for more than {LONGEST} samples: too long for the analysis")
+    _check_linear(law, problem, kernels)
+    return LawKernels(kernels, size // 2, loop.servo_period)
+
+
+def lifted_problem(law: LearningLaw, loop: CoupledLoop, tangent: Array) -> LearningProblem:
+    """Return the knowledge of a law before the first trial: tangents (n_sample, n_axis), and each axis alone."""
+    return LearningProblem(loop.servo_period, tangent, lambda: impulse_responses(loop.axes, len(tangent), law.target))
+
+
+def _answers(law: LearningLaw, problem: LearningProblem, heard: str) -> Array:
+    """Return the next tables (n_sample, n_axis, n_axis) for an impulse on each axis of one input of the law."""
+    shape = problem.tangent.shape
+    found = np.zeros((*shape, shape[1]))
+    for j in range(shape[1]):
+        given = {name: np.zeros(shape) for name in HEARD}
+        given[heard][shape[0] // 2, j] = 1.0
+        found[:, :, j] = _next(law, problem, given)
+    return found
+
+
+def _next(law: LearningLaw, problem: LearningProblem, given: dict[str, Array]) -> Array:
+    none = np.zeros(problem.tangent.shape)
+    record = TrialRecord(given["tracking_error"], given["feedback_command"], none, given["contour_error"])
+    return np.asarray(law.update(given["table"], record, problem))
+
+
+def _settled(kernel: Array) -> bool:
+    n, total = len(kernel), float(np.abs(kernel).sum())
+    return float(np.abs(kernel[: n // 8]).sum() + np.abs(kernel[-(n // 8) :]).sum()) <= SETTLED * total
+
+
+def _check_linear(law: LearningLaw, problem: LearningProblem, kernels: dict[str, Array]) -> None:
+    """The answer to impulses on all axes at once has to be the sum of the answers."""
+    shape = problem.tangent.shape
+    rng = np.random.default_rng(1)
+    given, wanted = {}, np.zeros(shape)
+    for name in HEARD:
+        sizes = rng.normal(size=shape[1]) / max(float(np.abs(kernels[name]).max()), 1e-12)
+        given[name] = np.zeros(shape)
+        given[name][shape[0] // 2] = sizes
+        wanted += kernels[name] @ sizes
+    apart = float(np.abs(_next(law, problem, given) - wanted).max())
+    # A law that iterates has a tolerance of its own.
+    if not apart <= max(1e-6, 100.0 * float(law.values().get("tolerance", 0.0))) * max(float(np.abs(wanted).max()), math.ulp(1.0)):
+        raise ComponentError(f"learning {law.kind} is not linear in the table and the trial, so it has no frequency response")
 
 
 def averaging(frequency: ArrayLike, servo_period: float, half_width: int, passes: int = 1, lead: float = 0.0) -> Complex:
@@ -37,7 +223,7 @@ def averaging(frequency: ArrayLike, servo_period: float, half_width: int, passes
 
 
 def zero_phase_factor(gain: float, average: ArrayLike, closed: ArrayLike) -> Complex:
-    """Return 1 - gamma H T, by which a trial of zero-phase learning multiplies what is left to learn (eq 9 on u_fb = T (u_d - u_ff)).
+    """Return 1 - gamma H T, the factor of a trial of zero-phase learning (eq 9 on u_fb = T (u_d - u_ff)).
 
     Parameters
     ----------
@@ -51,28 +237,6 @@ def zero_phase_factor(gain: float, average: ArrayLike, closed: ArrayLike) -> Com
     return np.asarray(1.0 - gain * np.asarray(average) * np.asarray(closed))
 
 
-def error_factor(q: ArrayLike, gain: ArrayLike, process: ArrayLike) -> Complex:
-    """Return Q (1 - L G), by which a trial of learning from the tracking error multiplies what is left to learn.
-
-    References
-    ----------
-    Bristow, Tharayil & Alleyne, "A survey of iterative learning control", IEEE Control Systems Magazine 26 (2006), eq (17).
-    """
-    return np.asarray(np.asarray(q) * (1.0 - np.asarray(gain) * np.asarray(process)), dtype=complex)
-
-
-def robust_factor(q: ArrayLike, gain: ArrayLike, process: ArrayLike, uncertainty: ArrayLike) -> Array:
-    """Return |Q| (|1 - L G| + |L G W|): the worst factor of all plants G (1 + W D), |D| <= 1; below 1 every one of them learns steadily.
-
-    Parameters
-    ----------
-    uncertainty : array_like (n,)
-        W, largest error of the model over the model.
-    """
-    open_ = np.asarray(gain) * np.asarray(process)
-    return np.asarray(np.abs(q) * (np.abs(1.0 - open_) + np.abs(open_ * np.asarray(uncertainty))), dtype=float)
-
-
 @dataclass(frozen=True, eq=False)
 class FrequencyLearning:
     """Factors of a trial over frequency, the worst over all directions of the path.
@@ -81,11 +245,11 @@ class FrequencyLearning:
     ----------
     frequency : ndarray (n,) [rad/s]
     radius : ndarray (n,)
-        Spectral radius of the factor: what a trial does in the end.
+        Spectral radius of the factor: growth per trial in the end.
     norm : ndarray (n,)
-        Its largest singular value: what a trial may do at once. Without coupling the two are the same.
+        Its largest singular value: growth in one trial. Without coupling the two are equal.
     worst_radius, worst_norm : (frequency [rad/s], factor)
-        The peaks, found between the frequencies.
+        The peaks, refined between the frequencies.
     """
 
     frequency: Array
@@ -95,16 +259,14 @@ class FrequencyLearning:
     worst_norm: tuple[float, float]
 
 
-def frequency_learning(loop: CoupledLoop, law: LearningLaw, tangents: ArrayLike | None = None) -> FrequencyLearning:
-    """Return what a trial makes of each frequency, each direction of the path standing still.
+def frequency_learning(loop: CoupledLoop, law: LearningLaw) -> FrequencyLearning:
+    """Return the factor of a trial over frequency, for each direction of the path at rest.
 
     Parameters
     ----------
     loop : CoupledLoop
     law : LearningLaw
-        Any law that is linear in what it hears.
-    tangents : array_like (n, n_axis), optional
-        Directions of the path to look at; else spread over all there are.
+        Linear in its inputs.
 
     Raises
     ------
@@ -113,7 +275,7 @@ def frequency_learning(loop: CoupledLoop, law: LearningLaw, tangents: ArrayLike 
     """
     n_axis = len(loop.axes)
     coupled = loop.coupling.d != 0.0 or len(loop.coupling.f) > 0 or loop.coupling.weight != 0.0
-    spread = directions(n_axis) if tangents is None else np.atleast_2d(np.asarray(tangents, dtype=float))
+    spread = directions(n_axis)
     known = law_model(law, loop) or law_kernels(law, loop)
     if not (coupled or law.needs_contour_error or known.directed):
         spread = spread[:1]
@@ -133,14 +295,8 @@ def frequency_learning(loop: CoupledLoop, law: LearningLaw, tangents: ArrayLike 
     return FrequencyLearning(w, radius, norm, by_radius, by_norm)
 
 
-def trial_matrices(loop: CoupledLoop, law: LearningLaw, frequency: ArrayLike, tangent: ArrayLike) -> Complex:
-    """Return the factors (n, n_axis, n_axis) by which a trial multiplies what is left to learn, with a direction of the path at rest."""
-    known = law_model(law, loop) or law_kernels(law, loop)
-    return _Trial(loop, law, known, np.atleast_1d(np.asarray(frequency, dtype=float)))(np.asarray(tangent, dtype=float))
-
-
 class _Trial:
-    """A trial at some frequencies, ready to be asked for in any direction."""
+    """A trial at some frequencies, for any direction."""
 
     def __init__(self, loop: CoupledLoop, law: LearningLaw, known: LawKernels | LawModel, frequency: Array) -> None:
         self.target, self.weight, eye = law.target, loop.coupling.weight, np.eye(len(loop.axes))
@@ -159,13 +315,13 @@ class _Trial:
         return np.asarray(heard["table"] - from_error @ position + heard["feedback_command"] @ feedback)
 
     def _closed(self, along: Array, across: Array) -> tuple[Complex, Complex]:
-        """Return position and feedback command over what is learned, the axes and their coupling closed."""
+        """Return position and feedback command over the learned signal, with axes and coupling closed."""
         eye, coupling, weighted = np.eye(len(along)), self.coupling * across, self.weight * along
         driven = self.pushed if self.target == "command" else self.shifted
         position = np.asarray(np.linalg.solve(eye + self.pushed @ coupling - self.shifted @ weighted, driven))
         correction, shift = -coupling @ position, weighted @ position
         if self.target == "command":
-            # What is learned goes into the command and is no part of the feedback.
+            # The learned command is no part of the feedback.
             return position, np.asarray(self.back @ (eye + correction) + self.asked @ shift - eye)
         return position, np.asarray(self.back @ correction + self.asked @ (eye + shift))
 
@@ -189,9 +345,9 @@ def _compositions(total: int, parts: int) -> list[tuple[int, ...]]:
 
 
 def learning_grid(loop: CoupledLoop, first: int, last: int) -> Array:
-    """Return frequencies (n,) [rad/s] at which no side lobe of an average from sample `first` to `last` slips through."""
+    """Return frequencies (n,) [rad/s] that resolve the side lobes of an average from sample `first` to `last`."""
     top = loop.nyquist
-    # Side lobes fall with frequency: the first ones are looked at closely, the rest by the spread of the decades.
+    # Side lobes fall with frequency: a fine grid for the first ones, decades for the rest.
     lobe = 2.0 * top / max(last - first, 8)
     poles = np.concatenate([axis.loop.poles for axis in loop.axes])
     angle = np.abs(np.angle(poles[np.abs(poles) > 1e-6])) / loop.servo_period
@@ -200,7 +356,7 @@ def learning_grid(loop: CoupledLoop, first: int, last: int) -> Array:
 
 
 def peak(function: Callable[[Array], Array], w: Array, values: Array) -> tuple[float, float]:
-    """Return where a function of frequency is largest, and its value there, looked for again about its largest value."""
+    """Return place and value of the largest value of a function of frequency, refined on ever finer grids."""
     for _ in range(4):
         i = int(np.argmax(values))
         w = np.linspace(w[max(i - 1, 0)], w[min(i + 1, w.size - 1)], 17)

@@ -1,7 +1,7 @@
-"""Learning over a whole trial, with the normal turning as it does: the operator from what is left to learn to what is left a trial later.
+"""Learning over a whole trial, with the turning normal: the operator from what is left to learn to what is left one trial later.
 
-Its largest singular value is the most by which one trial can make matters worse, its spectral radius what trials do in the end. Neither
-takes a matrix: the operator is the trial itself, run on tables, and its transpose.
+Its largest singular value bounds how much worse one trial can make matters; its spectral radius says where trials end. Neither needs a
+matrix: the operator is the trial itself, run on tables, and its transpose.
 """
 
 from __future__ import annotations
@@ -15,39 +15,39 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from contourlab.analysis.learning.learning_law import LawKernels, law_kernels, law_model, lifted_problem
-from contourlab.analysis.learning.trial_map import TrialMap
+from contourlab.analysis.learning.learning_frequency import LawKernels, law_kernels, law_model, lifted_problem
 from contourlab.analysis.linear.coupled_loop import CoupledLoop
+from contourlab.analysis.linear.trial_map import TrialMap
 from contourlab.components.learning.law import LearningLaw, TrialRecord
 from contourlab.errors import ComponentError
 
 Array = NDArray[np.float64]
 
 WIDEST = 400
-"""Samples of a law's reach up to which its edges are taken as they are; a wider one is taken as if there were zeros beyond the ends."""
+"""Longest reach of a law, in samples, whose behaviour at the ends is exact; a wider law sees zeros beyond the ends."""
 TOLERANCE = 1e-4
 TRIALS = 40
 LONG = 4000
-"""Numbers in a table beyond which the trials themselves, which all converge on the slowest part, tell more than Arnoldi's method."""
+"""Entries of a table beyond which repeated trials give the radius better than Arnoldi's method."""
 
 
 SHORT = 1000
-"""Numbers in a table up to which the whole matrix is formed for its singular values."""
+"""Entries of a table up to which the whole matrix is formed for its singular values."""
 
 
 @dataclass(frozen=True, eq=False)
 class LiftedLearning:
-    """What trials on one path do to what is left to learn.
+    """Growth of the error from trial to trial on one path.
 
     Attributes
     ----------
     radius : float
         Spectral radius: below 1 learning converges.
     norm : float
-        Largest singular value: below 1 every trial leaves less than the one before, whatever is left; nan for a law that learns through a
-        model, whose transpose is not known.
+        Largest singular value: below 1 every trial reduces any error; nan for a law that learns through a model, whose transpose is
+        unknown.
     singular_values : ndarray (n,) or None
-        All of them, falling, of a table of up to `SHORT` numbers; None of a longer one.
+        Falling; None for a table of more than `SHORT` entries.
     """
 
     radius: float
@@ -56,7 +56,7 @@ class LiftedLearning:
 
 
 class TrialOperator:
-    """u (n_sample, n_axis) -> what a trial and the law after it make of a deviation u of the table from its limit.
+    """Map of a table's deviation u (n_sample, n_axis) from its limit to the deviation one trial later.
 
     Parameters
     ----------
@@ -89,7 +89,7 @@ class TrialOperator:
             If the law learns through a model.
         """
         if self._reach is None:
-            raise ComponentError(f"learning {self.law.kind} learns through a model: its transpose is not known")
+            raise ComponentError(f"learning {self.law.kind} learns through a model: its transpose is unknown")
         table, error, contour, feedback = self._reach.transposed(v)
         return table + self.map.transposed(error + self.problem.across(contour), feedback)
 
@@ -107,10 +107,10 @@ class TrialOperator:
         return np.column_stack([self(unit.reshape(self.shape)).ravel() for unit in np.eye(n)])
 
     def norm(self, steps: int = 20) -> float:
-        """Return the largest singular value, by Golub and Kahan's bidiagonalisation: from below, and close after some tens of steps."""
+        """Return the largest singular value by Golub and Kahan's bidiagonalisation: a close lower bound after some tens of steps."""
         u = np.random.default_rng(1).normal(size=self.shape)
         u = u / np.linalg.norm(u)
-        # Kept orthogonal to all that were there before, or the largest value is found over and over again.
+        # Kept orthogonal to all before, or the largest value repeats.
         lefts: list[Array] = []
         rights: list[Array] = [u]
         columns: list[tuple[float, float]] = []
@@ -132,7 +132,7 @@ class TrialOperator:
         return float(np.linalg.norm(bidiagonal, 2))
 
     def radius(self) -> float:
-        """Return the spectral radius: by Arnoldi's method for short trials, for long ones by what many trials do to a random table."""
+        """Return the spectral radius: by Arnoldi's method for short trials, by repeated trials of a random table for long ones."""
         from scipy.sparse.linalg import ArpackNoConvergence, LinearOperator, eigs
 
         n = self.shape[0] * self.shape[1]
@@ -147,7 +147,7 @@ class TrialOperator:
             return self.growth(start.reshape(self.shape))
 
     def growth(self, start: Array, trials: int = TRIALS) -> float:
-        """Return the factor of a trial, as the mean over the last third of many."""
+        """Return the mean factor of a trial over the last third of many."""
         u, sizes = start, []
         for _ in range(trials):
             u = self(u)
@@ -162,14 +162,14 @@ class TrialOperator:
 
 
 def _apart(vector: Array, others: list[Array]) -> Array:
-    """Return what of a vector is at right angles to others of length 1."""
+    """Return the part of a vector at right angles to unit vectors."""
     for other in others:
         vector = vector - float(np.vdot(other, vector)) * other
     return vector
 
 
 class _Banded:
-    """A law as sparse matrices over the samples, its edges as they are; axes do not mix."""
+    """A law as sparse matrices over the samples, exact at the ends; axes do not mix."""
 
     def __init__(self, law: LearningLaw, problem: Any, kernels: LawKernels) -> None:
         self.heard = [_band(law, problem, kernels, name) for name in kernels.kernels]
@@ -182,7 +182,7 @@ class _Banded:
 
 
 def _band(law: LearningLaw, problem: Any, kernels: LawKernels, name: str) -> Any:
-    """Return what a law makes of one thing that it hears, by combs of impulses that do not meet; None for nothing."""
+    """Return the matrix of one input of a law, by combs of impulses whose answers do not overlap; None for zero."""
     from scipy.sparse import coo_matrix
 
     if not kernels.kernels[name].any():
@@ -233,7 +233,7 @@ class _Wide:
 
 
 def lifted_learning(loop: CoupledLoop, law: LearningLaw, tangents: ArrayLike) -> LiftedLearning:
-    """Return what trials on a path do, its normal turning as it does.
+    """Return the growth of errors from trial to trial on a path, with its turning normal.
 
     Parameters
     ----------

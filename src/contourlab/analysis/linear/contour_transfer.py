@@ -1,10 +1,13 @@
-"""The contour error with cross-coupling over that without: eq (22), sampled as it runs, with its margins over all directions of the normal.
+"""The contour error with cross-coupling over that without (eq 22), its margins over all directions, and internal stability.
 
-A machine turns the contour error by 1/(1 + L), L = C_cc P_e and P_e = sum n_i^2 P_i/(1 + P_i C_i): a mean of the axes' own responses whose
-weights n_i^2 are the direction of the normal. Over all directions L fills, at each frequency, the convex hull of the axes' own
-C_cc P_i/(1 + P_i C_i): the distance of that polygon from -1 is the worst that any direction does, without a grid of directions. Where the
-normal has more than one direction (three axes and more) the loop is a matrix whose numerical range lies in the same polygon: its distance
-from -1 then bounds the smallest singular value of 1 + L from below.
+A machine multiplies the contour error by 1/(1 + L), L = C_cc P_e and P_e = sum n_i^2 P_i/(1 + P_i C_i): a mean of the axes' own responses
+with weights n_i^2, the direction of the normal. Over all directions L fills, at each frequency, the convex hull of the axes' own
+C_cc P_i/(1 + P_i C_i). The distance of that polygon from -1 is the worst over all directions. With three axes and more the loop is a matrix
+whose numerical range lies in the same polygon: the distance then bounds the smallest singular value of 1 + L from below.
+
+References
+----------
+Gecer Ulu, Ulu & Cakmakci, eq (22).
 """
 
 from __future__ import annotations
@@ -18,60 +21,28 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from contourlab.analysis.linear.coupled_loop import CoupledLoop, coupled_loop, normal_basis
-from contourlab.analysis.linear.hull_margins import HullMargin, edge_margins, hull_modulus
+from contourlab.analysis.linear.margins import HullMargin, edge_margins, frequency_grid, hull_modulus, nearest_approach
 from contourlab.analysis.linear.tick_map import poles_of
+from contourlab.analysis.linear.trial_map import TrialMap
 from contourlab.errors import ComponentError, ParameterError
+from contourlab.feed import Reference
 from contourlab.loop.machine import Controller, Machine
 
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
 
 LEFT_STANDING = 1e-7
-"""Distance from 1 of a pole that neither grows nor dies."""
+"""Distance from 1 of a pole that neither grows nor decays."""
 TOUCHING = 1e-6
-"""Distance of the polygon from -1 below which it is taken to reach it: what is left of a search over frequency."""
-
-
-def equivalent_plant(plant: ArrayLike, feedback: ArrayLike, normal: ArrayLike) -> Complex:
-    """Return P_e = sum n_i^2 P_i/(1 + P_i C_i), the plant that the cross-coupled controller sees.
-
-    Parameters
-    ----------
-    plant, feedback : array_like (..., n_axis), complex
-        P_i and C_i at any number of frequencies, in continuous time or sampled.
-    normal : array_like (n_axis,)
-        Coupling gains C_i: the unit normal, or the longer vector of variable gains.
-
-    References
-    ----------
-    Gecer Ulu, Ulu & Cakmakci, below eq (22).
-    """
-    p, c, n = np.asarray(plant, dtype=complex), np.asarray(feedback, dtype=complex), np.asarray(normal, dtype=float)
-    return np.asarray((n**2 * p / (1.0 + p * c)).sum(axis=-1))
-
-
-def contour_error_transfer(coupling: ArrayLike, plant: ArrayLike, feedback: ArrayLike, normal: ArrayLike) -> Complex:
-    """Return H = 1/(1 + C_cc P_e), the contour error with cross-coupling over that without: eq (22).
-
-    Parameters
-    ----------
-    coupling : array_like (...,), complex
-        C_cc.
-    plant, feedback, normal
-        As of `equivalent_plant`.
-
-    >>> float(abs(contour_error_transfer(6.0, [[1.0, 1.0]], [[2.0, 2.0]], [0.6, 0.8])[0]))  # T = 2/3, kappa = 3: 1/(1 + 3 T)
-    0.3333333333333333
-    """
-    return np.asarray(1.0 / (1.0 + np.asarray(coupling, dtype=complex) * equivalent_plant(plant, feedback, normal)))
+"""Distance of the polygon from -1 that counts as none: the accuracy of the search over frequency."""
 
 
 @dataclass(frozen=True)
 class ContourMargins:
-    """Margins of the coupling over all directions of the path, each direction standing still. An unstable loop has none: they are nan.
+    """Margins of the coupling over all directions of the path, each at rest; nan for an unstable loop.
 
-    A direction is a unit vector over the axes, known up to the signs of its entries: of the normal for cross-coupling, of the tangent for
-    a modified reference.
+    A direction is a unit vector over the axes, up to the signs of its entries: the normal for cross-coupling, the tangent for a modified
+    reference.
 
     Attributes
     ----------
@@ -85,7 +56,7 @@ class ContourMargins:
         Smallest factor > 1 on the coupling at which some direction would reach -1; infinite if none.
     gain_direction : tuple of float
     phase : float [rad]
-        Smallest turn of phase at a gain of 1, over all directions; infinite if the gain is never 1.
+        Smallest change of phase that reaches -1 at a gain of 1, over all directions; infinite if the gain is never 1.
     phase_direction : tuple of float
     crossover : float [rad/s]
         Frequency of the phase margin; nan if there is none.
@@ -118,7 +89,7 @@ class ContourTransfer:
 
     @property
     def along(self) -> bool:
-        """Whether the coupling acts on the error along the path (modified reference) rather than on that across it."""
+        """Whether the coupling acts on the error along the path (modified reference) instead of across it."""
         return self.loop.coupling.weight != 0.0
 
     def vertices(self, frequency: ArrayLike) -> Complex:
@@ -133,10 +104,6 @@ class ContourTransfer:
         """Return L (n,) with a direction (n_axis,), the normal of the path, at rest; for a modified reference the tangent."""
         return np.asarray(self.vertices(frequency) @ self._weights(direction))
 
-    def cetf(self, frequency: ArrayLike, direction: ArrayLike) -> Complex:
-        """Return 1/(1 + L) (n,): the error with coupling over that without, with a direction at rest (eq 22)."""
-        return np.asarray(1.0 / (1.0 + self.loop_gain(frequency, direction)))
-
     def distance(self, frequency: ArrayLike) -> Array:
         """Return the distance (n,) of -1 from the loop gains of all directions; its inverse bounds the contour error transfer function."""
         return hull_modulus(self.vertices(frequency))
@@ -149,15 +116,10 @@ class ContourTransfer:
 
     @cached_property
     def grid(self) -> Array:
-        """Frequencies at which nothing of the loops slips through: dense over the decades, over a delay, and about each pole."""
-        period, top = self.loop.servo_period, self.loop.nyquist
-        poles = [self.loop.axes[i].loop.poles for i in range(len(self.loop.axes))] + [poles_of(self.loop.coupling.f)]
-        found = [np.geomspace(1e-5 * top, top, 400), np.linspace(0.0, top, 12 * max(len(a.a) for a in self.loop.axes) + 2)]
-        known = np.concatenate([*poles, *(self._vertex_poles(i) for i in range(len(self.loop.axes)))])
-        angle, width = np.abs(np.angle(known)), np.abs(1.0 - np.abs(known))
-        found += [(angle + k * width) / period for k in (-2.0, -1.0, -0.5, 0.0, 0.5, 1.0, 2.0)]
-        w = np.unique(np.concatenate(found))
-        return np.asarray(w[(w >= 1e-5 * top) & (w <= top)])
+        """Frequencies fine enough for every crossing of the loop gains."""
+        n_axis = range(len(self.loop.axes))
+        poles = [*(axis.loop.poles for axis in self.loop.axes), poles_of(self.loop.coupling.f), *(self._vertex_poles(i) for i in n_axis)]
+        return frequency_grid(self.loop.servo_period, np.concatenate(poles), max(len(axis.a) for axis in self.loop.axes))
 
     def _vertex_poles(self, i: int) -> Complex:
         unit = np.eye(len(self.loop.axes))[i]
@@ -168,27 +130,15 @@ class ContourTransfer:
 
     @cached_property
     def _modulus(self) -> HullMargin:
-        from scipy.optimize import minimize_scalar
-
         w = self.grid
-        distance = self.distance(w)
-        low = np.concatenate([[math.inf], distance, [math.inf]])
-        dips = np.flatnonzero((distance <= low[:-2]) & (distance <= low[2:]))
-        found = [(float(distance.min()), float(w[distance.argmin()]))]
-        for i in dips[np.argsort(distance[dips])][:4]:
-            bounds = (float(w[max(i - 1, 0)]), float(w[min(i + 1, w.size - 1)]))
-            best = minimize_scalar(
-                lambda x: float(self.distance(x)[0]), bounds=bounds, method="bounded", options={"xatol": 1e-9 * bounds[1]}
-            )
-            found.append((float(best.fun), float(best.x)))
-        value, at = min(found)
+        value, at = nearest_approach(lambda x: float(self.distance(x)[0]), w, self.distance(w), n_dip=4, tolerance=1e-9)
         return HullMargin.nearest(value, at, self.vertices(at)[0])
 
     @cached_property
     def stable(self) -> bool:
         """Whether the machine is stable with any direction at rest.
 
-        Where one direction is stable and -1 is in the polygon of no frequency, no pole can leave the unit circle on the way to any other.
+        If one direction is stable and no polygon contains -1, no pole can leave the unit circle on the way to any other direction.
         """
         axes = all(axis.loop.stable for axis in self.loop.axes)
         inside = all(_settles(self._vertex_poles(i)) for i in range(len(self.loop.axes)))
@@ -196,26 +146,17 @@ class ContourTransfer:
 
     def margins(self) -> ContourMargins:
         """Return the margins over all directions."""
-        if not self.stable:
-            worst = self._modulus
-            return ContourMargins(False, math.nan, worst.frequency, _direction(worst.weights))
         worst = self._modulus
+        direction = _direction(worst.weights)
+        if not self.stable:
+            return ContourMargins(False, math.nan, worst.frequency, direction)
         phase, gain = edge_margins(self.vertices, self.grid, list(combinations(range(len(self.loop.axes)), 2)))
-        return ContourMargins(
-            True,
-            worst.value,
-            worst.frequency,
-            _direction(worst.weights),
-            gain.value,
-            _direction(gain.weights),
-            phase.value,
-            _direction(phase.weights),
-            phase.frequency,
-        )
+        of_gain, of_phase = (gain.value, _direction(gain.weights)), (phase.value, _direction(phase.weights))
+        return ContourMargins(True, worst.value, worst.frequency, direction, *of_gain, *of_phase, phase.frequency)
 
 
 def _settles(poles: Complex) -> bool:
-    """An integral of the coupling beside those of the axes leaves a pole at 1: only their sum is told, and what each holds stands still."""
+    """Return whether all poles lie inside the unit circle, apart from those at 1: integrals of axes and coupling share one sum."""
     return bool(np.abs(poles[np.abs(poles - 1.0) > LEFT_STANDING]).max(initial=0.0) < 1.0)
 
 
@@ -229,11 +170,11 @@ def contour_transfer(machine: Machine, controller: Controller, *, strength: floa
     Parameters
     ----------
     machine, controller
-        Linear but for limits, friction and quantisation, which are left out.
+        Limits, friction and quantisation are left out; all else is linear.
     strength : float, > 0
-        |C|^2, length of the coupling gains squared, which multiplies the loop gain. The unit normal has 1. Koren and Lo's variable gains
-        are C = n + e/(2 rho): (1 + e_max/(2 rho_min))^2 is the most they reach with a tracking error of e_max and curvature radii from
-        rho_min, and the margins are to be asked for at that.
+        |C|^2, squared length of the coupling gains, a factor on the loop gain: 1 for the unit normal. For Koren and Lo's variable gains,
+        C = n + e/(2 rho), use their largest value, (1 + e_max/(2 rho_min))^2 for tracking errors up to e_max and curvature radii from
+        rho_min.
 
     Raises
     ------
@@ -243,7 +184,7 @@ def contour_transfer(machine: Machine, controller: Controller, *, strength: floa
         If the strength is not positive.
     """
     if controller.coupling is None:
-        raise ComponentError("the controller has no coupling, so it has no contour error transfer function: give it one")
+        raise ComponentError("the controller has no coupling, so there is no contour error transfer function: add one")
     if not (strength > 0.0 and math.isfinite(strength)):
         raise ParameterError("strength", f"{strength:g}", "> 0 and finite")
     return ContourTransfer(coupled_loop(machine, controller), strength)
@@ -252,6 +193,90 @@ def contour_transfer(machine: Machine, controller: Controller, *, strength: floa
 def contour_margins(machine: Machine, controller: Controller, *, strength: float = 1.0) -> ContourMargins:
     """Return gain, phase and modulus margin of the coupling over all directions of the path; see `contour_transfer`.
 
-    Each direction stands still. What turning of the path adds is a matter of `internal_stability`.
+    Each direction is at rest; for the turning path see `internal_stability`.
     """
     return contour_transfer(machine, controller, strength=strength).margins()
+
+
+@dataclass(frozen=True)
+class InternalStability:
+    """Internal stability of coupled axes, in three steps, each based on the one before.
+
+    Attributes
+    ----------
+    axes : dict of str to bool
+        Each axis alone under its own controller.
+    directions : ContourMargins or None
+        The coupling with the direction of the path at rest, over all directions; None without a coupling.
+    lap : float
+        Largest multiplier of a small error over one lap of a closed path, with the turning normal: below 1 it decays; nan without a
+        closed path. States at rest are left out.
+    """
+
+    axes: dict[str, bool]
+    directions: ContourMargins | None
+    lap: float
+
+    @property
+    def stable(self) -> bool:
+        """Whether every step found stability."""
+        frozen = self.directions is None or self.directions.stable
+        return all(self.axes.values()) and frozen and not self.lap >= 1.0
+
+    @property
+    def verdict(self) -> str:
+        """The result as a sentence."""
+        bad = [name for name, stable in self.axes.items() if not stable]
+        if bad:
+            return f"axis {', '.join(bad)} is unstable under its own controller: stabilise it before coupling"
+        if self.directions is None:
+            return "every axis is stable, and nothing couples them"
+        if not self.directions.stable:
+            worst = ", ".join(f"{name} {part:.2f}" for name, part in zip(self.axes, self.directions.modulus_direction, strict=True))
+            return f"the coupling is unstable in the direction ({worst}), near {self._hertz:.3g} Hz: lower its gain"
+        at_rest = f"stable in every direction at rest, never nearer to -1 than {self.directions.modulus:.2f}, at {self._hertz:.3g} Hz"
+        if math.isnan(self.lap):
+            return f"{at_rest}; a path that turns fast may differ"
+        if self.lap >= 1.0:
+            return f"{at_rest}, but unstable on this path: an error grows by {self.lap:.3g} per lap, because the path turns too fast"
+        return f"{at_rest}, and on this path: one lap leaves {self.lap:.2g} of an error"
+
+    @property
+    def _hertz(self) -> float:
+        return (self.directions.modulus_frequency if self.directions is not None else math.nan) / (2.0 * math.pi)
+
+
+def internal_stability(machine: Machine, controller: Controller, reference: Reference | None = None) -> InternalStability:
+    """Return whether coupled axes are internally stable.
+
+    By the theorem of Yeh and Hsu the machine is internally stable if each axis is, and (C_cc, P_e) is for every normal. That holds for
+    normals at rest; for turning normals the product of the ticks of a lap decides.
+
+    Parameters
+    ----------
+    machine, controller
+        Limits, friction and quantisation are left out; all else is linear.
+    reference : Reference, optional
+        On a closed path with whole laps; the last lap counts.
+
+    Raises
+    ------
+    ComponentError
+        If a component is not linear.
+
+    References
+    ----------
+    Yeh & Hsu, "Theory and applications of the robust cross-coupled control design", Proc. American Control Conference (1997); Gecer Ulu,
+    Ulu & Cakmakci, section 4.
+    """
+    loop = coupled_loop(machine, controller)
+    axes = {name: axis.loop.stable for name, axis in zip(loop.names, loop.axes, strict=True)}
+    margins = None if controller.coupling is None else ContourTransfer(loop).margins()
+    lap = math.nan
+    if reference is not None and reference.laps and all(axes.values()):
+        start, stop = reference.laps[-1]
+        tangents = reference.path.tangent(reference.block(start, stop).arc_length)
+        multipliers = poles_of(TrialMap(loop, tangents).monodromy())
+        moving = multipliers[np.abs(multipliers - 1.0) > LEFT_STANDING]
+        lap = float(np.abs(moving).max(initial=0.0))
+    return InternalStability(axes, margins, lap)

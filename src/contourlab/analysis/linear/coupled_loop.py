@@ -1,7 +1,7 @@
 """Axes and their coupling for small errors around the reference, from the very steps that run.
 
-Each axis is closed by its own controller; what is left open is what enters its command from elsewhere (the correction of a cross-coupling,
-a learned table) and what moves its reference. The coupling is taken as it runs on an error in one direction.
+Each axis is closed by its own controller. Its inputs are additions to its command (the correction of a cross-coupling, a learned table) and
+shifts of its reference. The coupling is linearised for an error in one direction.
 """
 
 from __future__ import annotations
@@ -15,11 +15,11 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from contourlab.analysis.linear.delay_form import DelayForm
-from contourlab.analysis.linear.sampled_loop import SampledLoop, sampled_loop
-from contourlab.analysis.linear.tick_map import poles_of
+from contourlab.analysis.linear.sampled_loop import SampledLoop, checked_frequency, sampled_loop
+from contourlab.analysis.linear.tick_map import live_states, poles_of
 from contourlab.components.contract import Component
 from contourlab.engine.step import pack, record, unpack
-from contourlab.errors import ComponentError, ParameterError
+from contourlab.errors import ComponentError
 from contourlab.loop.machine import Controller, Machine
 from contourlab.primitives import Clock
 
@@ -27,26 +27,26 @@ Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
 
 NEGLIGIBLE = 1e-13
-"""Part of the largest value at which an impulse response has died away."""
+"""Part of the largest value at which an impulse response has decayed."""
 LOOK = 512
-"""Samples over which it has to be that small."""
+"""Samples over which it has to stay that small."""
 
 
 @dataclass(frozen=True, eq=False)
 class AxisLink:
-    """One axis closed by its controller: x(k + 1) = A x(k) + b v(k) + r m(k), with what is added to its command and to its reference.
+    """One axis closed by its controller: x(k + 1) = A x(k) + b v(k) + r m(k), with additions v to its command and m to its reference.
 
     Attributes
     ----------
     loop : SampledLoop
-        What it was made of.
+        The opened loop.
     a : ndarray (n, n)
     b, r : ndarray (n,)
-        Of the added command v and of the shift m of the reference.
+        Inputs of v and m.
     position : ndarray (n,)
         Position at tick k from x(k).
     command : ndarray (n + 2,)
-        Command at tick k from x(k), v(k), m(k), what was added included.
+        Command at tick k from x(k), v(k), m(k), v included.
     """
 
     loop: SampledLoop
@@ -57,7 +57,7 @@ class AxisLink:
     command: Array
 
     def response(self, frequency: ArrayLike) -> tuple[Complex, Complex]:
-        """Return position over added command, P/(1 + P C), and the share of it that the axis' own law takes back, T = P C/(1 + P C).
+        """Return position over added command, P/(1 + P C), and the complementary sensitivity T = P C/(1 + P C).
 
         Parameters
         ----------
@@ -73,10 +73,7 @@ class AxisLink:
 
     def form(self, frequency: ArrayLike) -> Complex:
         """Return position and command over added command and shift of the reference: (n, 2, 2)."""
-        w = np.atleast_1d(np.asarray(frequency, dtype=float))
-        top = self.loop.nyquist
-        if not ((w > 0.0) & (w <= top * (1.0 + 1e-9))).all():
-            raise ParameterError("frequency", "an array", f"> 0 and up to the Nyquist frequency, {top:g}", "rad/s")
+        w = checked_frequency(frequency, self.loop.nyquist)
         found = self._form(np.exp(1j * w * self.loop.servo_period))
         found[:, 1] += self.command[-2:]
         return np.asarray(found)
@@ -88,7 +85,7 @@ class AxisLink:
 
 @dataclass(frozen=True, eq=False)
 class CouplingModel:
-    """A coupling on an error of one direction, as it runs.
+    """A coupling, linear in an error of one direction.
 
     Attributes
     ----------
@@ -96,7 +93,7 @@ class CouplingModel:
         q(k + 1) = F q + g eps, correction = h q + d eps: from the contour error, along the normal from the tool to the path, to the
         correction along the same normal. All zero for a coupling that gives none.
     weight : float
-        Part of the position along the path that the modified reference gives away, lambda; 0 for a coupling that leaves the reference.
+        Part of the position along the path that the modified reference discards, lambda; 0 for a coupling without it.
     servo_period : float [s]
     """
 
@@ -116,6 +113,36 @@ class CouplingModel:
             z[:, None, None] * np.eye(len(self.f)) - self.f, np.broadcast_to(self.g[:, None] + 0j, (z.size, len(self.g), 1))
         )
         return np.asarray((self.h @ inner)[:, 0] + self.d)
+
+
+@dataclass(frozen=True, eq=False)
+class LoopMatrices:
+    """One tick with the coupling cut out, over the axes' states and then the coupling's.
+
+    Attributes
+    ----------
+    n_axis_state : int
+        States of the axes.
+    a : ndarray (n, n)
+    pushed, referred : ndarray (n, n_axis)
+        What is added to commands, and to references.
+    position, command : ndarray (n_axis, n)
+    command_pushed, command_referred : ndarray (n_axis,)
+        Commands over what is added at the same tick.
+    coupling_in, coupling_out : ndarray (n, n_normal), (n_normal, n)
+        Contour errors to the coupling's states, and those to corrections.
+    """
+
+    n_axis_state: int
+    a: Array
+    pushed: Array
+    referred: Array
+    position: Array
+    command: Array
+    command_pushed: Array
+    command_referred: Array
+    coupling_in: Array
+    coupling_out: Array
 
 
 @dataclass(frozen=True, eq=False)
@@ -144,27 +171,37 @@ class CoupledLoop:
         """Return frequencies (n,) [rad/s] for a picture, up to the Nyquist frequency."""
         return self.axes[0].loop.frequencies(n)
 
-    def responses(self, frequency: ArrayLike) -> tuple[Complex, Complex]:
-        """Return P/(1 + P C) and T of every axis: two arrays (n, n_axis)."""
-        found = [axis.response(frequency) for axis in self.axes]
-        return np.column_stack([g for g, _ in found]), np.column_stack([t for _, t in found])
+    def matrices(self, n_normal: int) -> LoopMatrices:
+        """Return one tick with the coupling cut out, for a path with some normals at each place."""
+        sizes = [len(axis.a) for axis in self.axes]
+        n, total, m = len(sizes), sum(sizes), len(self.coupling.f) * n_normal
+        a, pushed, referred = np.zeros((total + m, total + m)), np.zeros((total + m, n)), np.zeros((total + m, n))
+        position, command = np.zeros((n, total + m)), np.zeros((n, total + m))
+        first, eye = 0, np.eye(n_normal)
+        for i, axis in enumerate(self.axes):
+            rows = slice(first, first + sizes[i])
+            a[rows, rows], pushed[rows, i], referred[rows, i] = axis.a, axis.b, axis.r
+            position[i, rows], command[i, rows] = axis.position, axis.command[:-2]
+            first += sizes[i]
+        a[total:, total:] = np.kron(self.coupling.f, eye)
+        coupling_in, coupling_out = np.zeros((total + m, n_normal)), np.zeros((n_normal, total + m))
+        coupling_in[total:] = np.kron(self.coupling.g[:, None], eye)
+        coupling_out[:, total:] = np.kron(self.coupling.h[None, :], eye)
+        direct = np.array([axis.command[-2:] for axis in self.axes])
+        return LoopMatrices(total, a, pushed, referred, position, command, direct[:, 0], direct[:, 1], coupling_in, coupling_out)
 
     def matrix(self, normals: Array) -> Array:
-        """Return the matrix of a tick with the normals (n_axis, n_normal) standing still: the axes' states, then the coupling's."""
-        sizes = [len(axis.a) for axis in self.axes]
-        first, r, m = np.concatenate([[0], np.cumsum(sizes)]), normals.shape[1], len(self.coupling.f)
-        total = int(first[-1])
-        positions, pushed, referred = np.zeros((len(sizes), total)), np.zeros((total, len(sizes))), np.zeros((total, len(sizes)))
-        a = np.zeros((total + m * r, total + m * r))
-        for i, axis in enumerate(self.axes):
-            rows = slice(first[i], first[i + 1])
-            a[rows, rows], positions[i, rows], pushed[rows, i], referred[rows, i] = axis.a, axis.position, axis.b, axis.r
-        across, along = normals @ normals.T, np.eye(len(sizes)) - normals @ normals.T
-        a[:total, :total] += -self.coupling.d * pushed @ across @ positions + self.coupling.weight * referred @ along @ positions
-        eye = np.eye(r)
-        a[:total, total:] = pushed @ normals @ np.kron(self.coupling.h[None, :], eye)
-        a[total:, :total] = -np.kron(self.coupling.g[:, None], eye) @ normals.T @ positions
-        a[total:, total:] = np.kron(self.coupling.f, eye)
+        """Return the matrix of a tick with the normals (n_axis, n_normal) at rest: the axes' states, then the coupling's."""
+        made = self.matrices(normals.shape[1])
+        a, n = made.a, made.n_axis_state
+        pushed, referred, positions, in_, out = (
+            np.ascontiguousarray(part)
+            for part in (made.pushed[:n], made.referred[:n], made.position[:, :n], made.coupling_in[n:], made.coupling_out[:, n:])
+        )
+        across, along = normals @ normals.T, np.eye(len(normals)) - normals @ normals.T
+        a[:n, :n] += -self.coupling.d * pushed @ across @ positions + self.coupling.weight * referred @ along @ positions
+        a[:n, n:] = pushed @ normals @ out
+        a[n:, :n] = -in_ @ normals.T @ positions
         return a
 
     def poles(self, normals: Array) -> Complex:
@@ -173,14 +210,14 @@ class CoupledLoop:
 
 
 def coupled_loop(machine: Machine, controller: Controller) -> CoupledLoop:
-    """Return the machine for small errors: friction, disturbance, quantisation, limits and feedforward left out.
+    """Return the machine for small errors, without friction, disturbance, quantisation, limits and feedforward.
 
-    Axes that move along each other are taken without each other's reaction.
+    Reactions between axes that carry each other are left out.
 
     Raises
     ------
     ComponentError
-        If a component is not linear, or the coupling is of no kind that the analysis knows.
+        If a component is not linear, or the analysis does not know the kind of coupling.
     """
     period = machine.servo_period
     links = tuple(axis_link(machine, controller, name) for name in machine.axis_names)
@@ -188,47 +225,42 @@ def coupled_loop(machine: Machine, controller: Controller) -> CoupledLoop:
 
 
 def axis_link(machine: Machine, controller: Controller, name: str) -> AxisLink:
-    """Return one axis of a machine, closed by its controller; feedforward of the reference is no part of a loop and is left out."""
-    mine = replace(controller.axes[name], feedforward=None)
-    return link_of(sampled_loop(machine.axis(name), mine, machine.servo_period, machine.carried_mass(name)))
+    """Return one axis of a machine, closed by its controller, without feedforward: it is no part of a loop."""
+    alone = replace(controller.axes[name], feedforward=None)
+    return link_of(sampled_loop(machine.axis(name), alone, machine.servo_period, machine.carried_mass(name)))
 
 
 def link_of(loop: SampledLoop) -> AxisLink:
-    """Return a sampled loop as seen from outside: closed, with what is added to its command."""
+    """Return a sampled loop, closed, with additions to its command and reference."""
     cut, c = loop.b[:, :2], loop.c
-    # What leaves the controller at a tick enters the drive at the same tick, and what is added goes the same way.
+    # The controller's command enters the drive at the same tick, and so do additions.
     inner = np.linalg.inv(np.eye(2) - c @ cut)
     closed, driven = loop.closed
     pushed, referred = cut @ inner[:, 0], driven[:, 0]
     through = c[0] @ closed
     kept = _live(closed, np.column_stack([pushed, referred]), np.vstack([loop.state[0], through]))
-    # The command holds what was added to it.
+    # The command includes the addition.
     direct = np.array([c[0] @ pushed + 1.0, c[0] @ referred])
     return AxisLink(
-        loop,
-        closed[np.ix_(kept, kept)],
-        pushed[kept],
-        referred[kept],
-        loop.state[0, kept],
-        np.concatenate([through[kept], direct]),
+        loop, closed[np.ix_(kept, kept)], pushed[kept], referred[kept], loop.state[0, kept], np.concatenate([through[kept], direct])
     )
 
 
 def impulse_responses(axes: Sequence[AxisLink], n_sample: int, target: str) -> Array:
-    """Return the positions of axes, each alone, after an impulse of 1 at sample 0 in what is added to their command or reference.
+    """Return the positions of axes, each alone, after a unit impulse at sample 0 in the addition to command or reference.
 
     Parameters
     ----------
     axes : sequence of AxisLink
-        The response of one that is not stable lasts to the end.
+        The response of an unstable axis lasts to the end.
     n_sample : int
-        Longest response that is of use.
+        Longest response.
     target : {"command", "reference"}
 
     Returns
     -------
     ndarray (m, n_axis) [m per command unit, or m/m]
-        m <= n_sample; what comes later is below 1e-13 of the largest value.
+        m <= n_sample; later values are below 1e-13 of the largest.
     """
     found = [_impulse_response(axis, n_sample, target) for axis in axes]
     longest = max(len(response) for response in found)
@@ -241,7 +273,7 @@ def _impulse_response(axis: AxisLink, n_sample: int, target: str) -> Array:
     for k in range(1, n_sample):
         found[k] = axis.position @ state
         state = axis.a @ state
-        # Over a stretch, since one sample may happen to pass zero; a long delay comes before anything.
+        # Over a stretch: one sample may pass zero, and a long delay precedes any response.
         if k % LOOK == 0:
             last = float(np.abs(found[k - LOOK : k + 1]).max())
             largest = max(largest, last)
@@ -251,19 +283,12 @@ def _impulse_response(axis: AxisLink, n_sample: int, target: str) -> Array:
 
 
 def _live(a: Array, b: Array, c: Array) -> NDArray[np.intp]:
-    """Return the states that inputs reach and outputs see, by which entries are not zero."""
-    kept = np.arange(len(a))
-    while True:
-        part = a[np.ix_(kept, kept)]
-        off = part - np.diag(np.diag(part))
-        live = (off.any(axis=0) | (c[:, kept] != 0.0).any(axis=0)) & (off.any(axis=1) | (b[kept] != 0.0).any(axis=1))
-        if live.all():
-            return kept
-        kept = kept[live]
+    """Return the states that inputs reach and outputs see; a state that only keeps itself is none of them."""
+    return live_states((a != 0.0) & ~np.eye(len(a), dtype=bool), (b != 0.0).any(axis=1), (c != 0.0).any(axis=0))
 
 
 def coupling_model(coupling: Component | None, servo_period: float) -> CouplingModel:
-    """Return a coupling as it runs on an error in one direction, which is what it does in any number of axes with that direction at rest.
+    """Return a coupling on an error in one direction; it is the same for any number of axes with that direction at rest.
 
     Parameters
     ----------
@@ -274,7 +299,7 @@ def coupling_model(coupling: Component | None, servo_period: float) -> CouplingM
     Raises
     ------
     ComponentError
-        If it is not linear in the error, or does with it what this analysis has no form for.
+        If it is not linear in the error, or has a form that this analysis does not cover.
     """
     none = np.zeros(0)
     if coupling is None:
@@ -287,7 +312,7 @@ def coupling_model(coupling: Component | None, servo_period: float) -> CouplingM
         raise ComponentError(f"coupling {coupling.kind} is not linear in the contour error, so it has no frequency response")
     # Rows: next states, correction across, correction along, shift across, shift along; columns: states, position across, position along.
     across, along = -matrix[:, m], matrix[:, m + 1]
-    # All but what the form has: a correction across from the error across, a shift along from the position along.
+    # The form: a correction across from the error across, a shift along from the position along; all else has to be zero.
     form = np.zeros(matrix.shape, dtype=bool)
     form[: m + 1, : m + 1] = form[m + 3, m + 1] = True
     form[:m, m + 1] = (matrix[:, :m] == 0.0).all(axis=0)
@@ -309,7 +334,7 @@ class _CouplingProbe:
         self.port = [name for port in self.step.states for name in [port.name] * port.rows]
         self.state_type = record(tuple(port.name for port in self.step.states))
         self.input_type = record(tuple(port.name for port in self.step.inputs))
-        # The first tick tells it the direction; what it remembers of that is no state of its own.
+        # The first tick shows it the direction; the memory of that is no state of the loop.
         self.rest = np.zeros(len(self.port))
         self.rest = self._tick(self.rest, 0.0, 0.0)[: len(self.port)]
         self.own = [i for i, name in enumerate(self.port) if name != "tangent"]

@@ -1,7 +1,6 @@
-"""Frequency responses of large, sparse tick matrices: states that only pass on another state a tick later become powers of 1/z.
+"""Frequency responses of large, sparse tick matrices: states that only copy another state one tick later become powers of 1/z.
 
-A transport delay is a chain of such states. Taken out, the system that is solved at each frequency stays as small as the components are,
-however long the delay.
+A transport delay is a chain of such states. Without them the system to solve at each frequency stays small, however long the delay.
 """
 
 from __future__ import annotations
@@ -15,7 +14,7 @@ _Terms = list[tuple[int, Array]]
 
 
 class DelayForm:
-    """C (z I - A)^-1 B, made ready to be asked for at many z.
+    """C (z I - A)^-1 B, prepared for many z.
 
     Parameters
     ----------
@@ -41,7 +40,7 @@ class DelayForm:
 
 
 def _read(a: Array, c: Array) -> NDArray[np.intp]:
-    """Return the states that reach an output; all that are left where none does."""
+    """Return the states that reach an output; all remaining ones if none does."""
     kept = np.arange(len(a))
     while True:
         seen = a[np.ix_(kept, kept)].any(axis=0) | c[:, kept].any(axis=0)
@@ -51,7 +50,7 @@ def _read(a: Array, c: Array) -> NDArray[np.intp]:
 
 
 def _chains(a: Array, b: Array) -> tuple[NDArray[np.intp], NDArray[np.intp]]:
-    """Return for each state the one that it passes on, and how many ticks later; itself and 0 for all others."""
+    """Return for each state the one that it copies, and how many ticks late; itself and 0 for all others."""
     n = len(a)
     before = np.argmax(a != 0.0, axis=1)
     passes = ((a != 0.0).sum(axis=1) == 1) & (a[np.arange(n), before] == 1.0) & ~b.any(axis=1)
@@ -60,7 +59,7 @@ def _chains(a: Array, b: Array) -> tuple[NDArray[np.intp], NDArray[np.intp]]:
         at, ticks = i, 0
         while passes[at] and ticks < n:
             at, ticks = int(before[at]), ticks + 1
-        # A ring that passes on nothing but itself has no head: it stays as it is.
+        # A ring that copies only itself has no head: it stays.
         if ticks < n:
             root[i], lag[i] = at, ticks
     return root, lag

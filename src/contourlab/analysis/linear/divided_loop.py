@@ -1,8 +1,8 @@
-"""A machine whose controllers are divided between base and axes, for small errors: is it stable with what its links take?
+"""A machine whose controllers are divided between base and axes, for small errors: is it stable with its message links?
 
-The schedule that runs is cut at the links: what comes out of each becomes an input, what goes in an output, and all else is one linear map
-from tick to tick. Messages, their time on the way and what is held between them are put in by matrices, exactly, so that one map serves
-every message period and delay. Links repeat after a number of ticks; the product of the ticks of one repetition says whether errors die.
+The schedule is cut at the links: their outputs become inputs, their inputs outputs, and the rest is one linear map from tick to tick.
+Message period, delay and hold enter exactly, as matrices, so that one map serves every period and delay. Links repeat after a number of
+ticks; the product over one repetition shows whether errors decay.
 """
 
 from __future__ import annotations
@@ -16,7 +16,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from contourlab.analysis.linear.sampled_loop import linear_axis, sampled_loop, without_limits
+from contourlab.analysis.linear.sampled_loop import linear_axis, without_limits
 from contourlab.analysis.linear.tick_map import poles_of, tick_map
 from contourlab.components.contract import Component
 from contourlab.components.estimator.tangent import Tangent
@@ -34,29 +34,29 @@ from contourlab.loop.watch import NAME as WATCH
 Array = NDArray[np.float64]
 
 LONGEST = 20_000
-"""Ticks after which links have to repeat."""
+"""Longest repetition of the links [ticks]."""
 
 
 @dataclass(frozen=True)
 class LinkTiming:
-    """What a link does to a signal without chance: a message each `spacing` ticks, `taken` ticks on its way."""
+    """A link without randomness: a message every `spacing` ticks, delayed by `taken` ticks."""
 
     spacing: int = 1
     taken: int = 0
 
 
 def timing_of(link: Component | None, servo_period: float) -> LinkTiming:
-    """Return the timing of a link: with all messages as late as its jitter allows, and none lost.
+    """Return the timing of a link, with every message as late as its jitter allows and none lost.
 
     Raises
     ------
     ComponentError
-        If it extrapolates, or is of a kind that is not known here.
+        If it extrapolates, or its kind is unknown.
     """
     if link is None or isinstance(link, IdealLink):
         return LinkTiming()
     if not isinstance(link, Network) or link.between != "hold":
-        raise ComponentError(f"link {link.kind}: only messages that are held between have a linear model here")
+        raise ComponentError(f"link {link.kind}: only links that hold the last message have a linear model")
     values = link.block(servo_period)
     return LinkTiming(int(values["spacing"]), int(values["latest"]))
 
@@ -71,7 +71,7 @@ class DividedLoop:
     a : ndarray (n, n)
     b, c : ndarray (n, m), (m, n)
     e : ndarray (m, m)
-        Nilpotent: what is sent back at the tick at which something is received.
+        Nilpotent: the reply within the tick of a message.
     links : tuple of (str, str)
         Axis and direction, ``"down"`` or ``"up"``, of each signal that is part of the loop.
     """
@@ -84,7 +84,7 @@ class DividedLoop:
     links: tuple[tuple[str, str], ...]
 
     def growth(self, down: LinkTiming, up: LinkTiming) -> float:
-        """Return the factor per tick by which the slowest error dies, or the fastest grows; below 1 the machine is stable.
+        """Return the factor per tick of the slowest decaying or fastest growing error; below 1 the machine is stable.
 
         All axes have the same links.
 
@@ -99,7 +99,7 @@ class DividedLoop:
         """Return the same with a timing for each of `links`."""
         repeat = math.lcm(*(t.spacing for t in timings)) if timings else 1
         if repeat > LONGEST:
-            raise ComponentError(f"the messages come together only each {repeat} ticks: take periods with a common multiple")
+            raise ComponentError(f"the links repeat only after {repeat} ticks: choose periods with a smaller common multiple")
         product = np.eye(len(self.a) + sum(t.taken for t in timings) + len(timings))
 
         @cache
@@ -111,11 +111,11 @@ class DividedLoop:
         return float(np.abs(poles_of(product)).max(initial=0.0) ** (1.0 / repeat))
 
     def stable(self, down: LinkTiming, up: LinkTiming) -> bool:
-        """Tell whether errors die."""
+        """Return whether errors decay."""
         return self.growth(down, up) < 1.0
 
     def _tick(self, timings: Sequence[LinkTiming], fresh: tuple[bool, ...]) -> Array:
-        """Return the matrix of a tick on the states, what is on its way signal by signal, and what was received last."""
+        """Return the matrix of a tick on the states, the messages on their way signal by signal, and the last values received."""
         n, m = len(self.a), len(timings)
         first = np.cumsum([n, *(t.taken for t in timings)])
         held = int(first[-1])
@@ -140,20 +140,20 @@ class DividedLoop:
 
 
 def divided_loop(machine: Machine, controller: Controller, tangent: ArrayLike | None = None) -> DividedLoop:
-    """Return a machine cut at its links, friction, disturbance, quantisation and limits left out.
+    """Return a machine cut at its links, without friction, disturbance, quantisation and limits.
 
     Parameters
     ----------
     machine : Machine
     controller : Controller
-        At least one axis with a link. What its links are like is left open.
+        At least one axis has a link; the timing of links is ignored.
     tangent : array_like (n_axis,), optional
-        Direction of the path, which stands still; by default along the diagonal. It matters where axes are coupled.
+        Direction of the path, at rest; by default the diagonal. It matters for coupled axes.
 
     Raises
     ------
     ParameterError
-        If no axis has a link, or the direction is none.
+        If no axis has a link, or the direction is zero.
     ComponentError
         If a component is not linear.
     """
@@ -163,7 +163,7 @@ def divided_loop(machine: Machine, controller: Controller, tangent: ArrayLike | 
     t = np.ones(len(names)) if tangent is None else np.asarray(tangent, dtype=float)
     if t.shape != (len(names),) or not np.isfinite(t).all() or not t.any():
         raise ParameterError("tangent", f"{t.tolist()}", f"{len(names)} numbers, not all zero")
-    # What is left of a sine of half a turn is rounding, and would be told from what is not linear by nothing.
+    # The sine of half a turn leaves rounding, which would look nonlinear.
     t = np.where(np.abs(t) < 1e-9 * np.abs(t).max(), 0.0, t)
     path = Path([Line(tuple(np.zeros(len(names))), tuple(t / np.linalg.norm(t)))])
     axes = tuple(linear_axis(axis, machine.carried_mass(axis.name)) for axis in machine.axes)
@@ -173,17 +173,17 @@ def divided_loop(machine: Machine, controller: Controller, tangent: ArrayLike | 
     return _cut(whole, names)
 
 
-def _linear(mine: AxisController) -> AxisController:
-    """Return an axis' controller without what is not linear, between links that are nodes."""
+def _linear(controller: AxisController) -> AxisController:
+    """Return an axis' controller without nonlinear parts, with its links as nodes."""
     left_out: dict[str, Any] = dict.fromkeys(("gap_observer", "compensation", "supervisor", "feedforward"))
-    link = mine.link
+    link = controller.link
     if link is not None:
         link = Division(link.division, Network(), None if link.up is None else Network())
-    return replace(mine, controller=without_limits(mine.controller).linear(), others=(), link=link, **left_out)
+    return replace(controller, controller=without_limits(controller.controller).linear(), others=(), link=link, **left_out)
 
 
 def _cut(whole: Schedule, names: Sequence[str]) -> DividedLoop:
-    """Take the nodes of the links out of a schedule, with an input for each in their place."""
+    """Replace the nodes of the links by inputs."""
     ways = {f"{name}.{way}_": (name, way) for name in names for way in ("down", "up")}
     links = {node.name: key for node in whole.nodes for head, key in ways.items() if node.name.startswith(head)}
     inputs = {f"{name}.received": f"in.received_{i}" for i, name in enumerate(links)}
@@ -214,15 +214,15 @@ def _cut(whole: Schedule, names: Sequence[str]) -> DividedLoop:
         elif not wire.startswith("in."):  # the reference comes from outside the loop
             row = found.row(wire)
             c[i], e[i] = found.a[row], b[row]
-    # What comes from outside the loop, as the reference does, is no part of it.
+    # Signals from outside, such as the reference, are no part of the loop.
     kept = np.flatnonzero(c.any(axis=1) | e.any(axis=1))
     return DividedLoop(whole.period, found.a, b[:, kept], c[kept], e[np.ix_(kept, kept)], tuple(list(links.values())[i] for i in kept))
 
 
 def link_growth(machine: Machine, controller: Controller) -> float:
-    """Return the factor per tick by which the slowest error dies or the fastest grows, with the links as they are.
+    """Return the factor per tick of the slowest decaying or fastest growing error, with the links of the machine.
 
-    Where axes are coupled it is that of the worst of a few directions of the path: along each axis, and along the diagonal.
+    For coupled axes: the worst of a few directions of the path, along each axis and along the diagonal.
 
     Raises
     ------
@@ -236,30 +236,3 @@ def link_growth(machine: Machine, controller: Controller) -> float:
         loop = divided_loop(machine, controller, tangent)
         found.append(loop.growth_of([timing_of(getattr(controller.axes[axis].link, way), period) for axis, way in loop.links]))
     return max(found)
-
-
-def axis_delay_margin(machine: Machine, controller: Controller, name: str) -> float:
-    """Return how much longer signals may take down and up together, before an axis alone loses its stability [s].
-
-    It follows from the gain of the undivided loop, opened where the link cuts it, and so stands beside what `DividedLoop` says of whole
-    ticks of delay with a message at each of them.
-
-    Parameters
-    ----------
-    machine, controller
-        The axis' controller has a link.
-    name : str
-
-    Returns
-    -------
-    float
-        Infinite where the whole controller is in the axis, whose own loop crosses no link; nan if it is unstable without one.
-    """
-    mine = controller.axes[name]
-    if mine.link is None:
-        raise ParameterError(f"controller.axes.{name}", "without a link", "with one, whose division says where the loop is cut")
-    if mine.link.division == "controller":
-        return math.inf
-    loop = sampled_loop(machine.axis(name), mine, machine.servo_period, machine.carried_mass(name))
-    inside = mine.link.division == "observer" and mine.observer is not None
-    return loop.delay_margin(observed_in_axis=inside)

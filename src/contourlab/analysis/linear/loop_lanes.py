@@ -1,8 +1,8 @@
-"""Whether the loops of many controllers hold with margins, in lanes: what a search asks of every candidate.
+"""The loops of many controllers of one axis at once: what a search asks of every candidate.
 
-`sampled_loop` takes the exact margins of one loop; that is tens of milliseconds, too long for ten thousand candidates. Here one tick is run
-from each unit of the state in 32 lanes at once, and a margin is a question to the closed loop: does it still hold when the command is
-multiplied by a factor, or turned by an angle?
+`sampled_loop` takes tens of milliseconds for one loop, too long for ten thousand candidates. Here the ticks that show the linear map run in
+lanes, one variant in each. `sampled_loops` gives the loops themselves; `lane_loops` answers one question only: does the closed loop still
+hold when the command is multiplied by a factor, or turned by an angle?
 """
 
 from __future__ import annotations
@@ -13,15 +13,21 @@ from collections.abc import Mapping, Sequence
 import numpy as np
 from numpy.typing import NDArray
 
-from contourlab.analysis.linear.lane_maps import opened_lanes
-from contourlab.analysis.linear.sampled_loop import INPUTS
-from contourlab.loop.machine import Axis, AxisController
+from contourlab.analysis.linear.margins import Margins
+from contourlab.analysis.linear.sampled_loop import INPUTS, SampledLoop, bare_axis, loop_of, opened_schedule
+from contourlab.analysis.linear.tick_map import TickMap, lane_matrices, live_states
+from contourlab.engine.schedule import Schedule
+from contourlab.loop.batch import LANES
+from contourlab.loop.machine import Axis, AxisController, Controller, Machine, parameter_names
+from contourlab.loop.simulate import jit_enabled
 
 Array = NDArray[np.float64]
+GRID = 200
+"""Frequencies of `rough_margins`."""
 
 
 class LaneLoops:
-    """Opened loops x(k + 1) = A x(k) + B u(k), y(k) = C x(k + 1), one for each variant, as in `SampledLoop` but for what is cut only.
+    """Opened loops x(k + 1) = A x(k) + B u(k), y(k) = C x(k + 1), one for each variant; inputs and outputs are those that are cut.
 
     Attributes
     ----------
@@ -37,18 +43,18 @@ class LaneLoops:
     def radius(self, factor: complex) -> Array:
         """Return the largest magnitude of the closed loop's poles (n_variant,) with the command multiplied by a factor.
 
-        A complex factor of magnitude 1 turns the loop gain one way at positive frequencies and the other way at negative ones: it holds if
-        the loop bears both a lag and a lead of that angle.
+        A complex factor of magnitude 1 turns the loop gain one way at positive frequencies and the other way at negative ones: the loop
+        holds if it bears both a lag and a lead of that angle.
         """
         turned = np.array([factor, 1.0]).real if np.isreal(factor) else np.array([factor, 1.0])
         b = self.b * turned
         inner = np.eye(2) - self.c @ b
         closed = self.a + b @ np.linalg.solve(inner, self.c @ self.a)
-        found = np.full(len(closed), math.inf)
-        good = np.isfinite(closed).all(axis=(1, 2))
-        if good.any():
-            found[good] = np.abs(np.linalg.eigvals(closed[good])).max(axis=1, initial=0.0)
-        return found
+        largest = np.full(len(closed), math.inf)
+        finite = np.isfinite(closed).all(axis=(1, 2))
+        if finite.any():
+            largest[finite] = np.abs(np.linalg.eigvals(closed[finite])).max(axis=1, initial=0.0)
+        return largest
 
 
 def margin_factors(gain: float, phase: float) -> tuple[complex, ...]:
@@ -62,56 +68,123 @@ def margin_factors(gain: float, phase: float) -> tuple[complex, ...]:
 
     Notes
     -----
-    A margin asks that the loop holds all the way from 1 to there; only the ends are looked at, so the exact margins of what a search found
-    are to be taken afterwards. Factors that are 1 are left out.
+    Only the ends of each range are tested; take the exact margins of a search's result. Factors of 1 are left out.
     """
     turned = complex(np.exp(-1j * phase))
     return (1.0, *((gain,) if gain > 1.0 else ()), *((turned,) if phase > 0.0 else ()))
 
 
+def unstable_by(loops: LaneLoops, factors: Sequence[complex]) -> Array:
+    """Return how far (n_variant,) the largest pole over some factors lies outside the unit circle; negative where all hold."""
+    return np.asarray(np.max([loops.radius(factor) for factor in factors], axis=0) - 1.0)
+
+
 def lane_loops(
     axis: Axis, controller: AxisController, servo_period: float, carried_mass: float, overrides: Mapping[str, Array]
 ) -> LaneLoops:
-    """Return the opened loops of one axis under controllers that differ in numbers.
+    """Return the opened loops of one axis under many sets of parameters.
 
     Parameters
     ----------
     axis, controller, servo_period, carried_mass
         As of `contourlab.analysis.linear.sampled_loop.sampled_loop`.
     overrides : mapping of str to ndarray (n_variant,)
-        Values [SI] by dotted names; those that have no part in the loop of this axis are passed over.
+        Values [SI] by dotted names; names without a part in the loop of this axis are ignored.
 
     Raises
     ------
     ComponentError
-        If a step is not linear, or a delay is longer than its analysis takes.
+        If a step is not linear, or a delay is too long for the analysis.
     """
-    _, _, schedule, a, b = opened_lanes(axis, controller, servo_period, overrides, carried_mass)
+    _, _, schedule, a, b = _opened_lanes(axis, controller, servo_period, overrides, carried_mass)
     b = b[:, :, [schedule.row(signal) for signal in INPUTS[:2]]]
     c = np.zeros((2, a.shape[1]))
     base = a.shape[1] - schedule.n_row
     c[0, base + schedule.row(f"{axis.name}.controller.command")] = 1.0
     if controller.observer is not None:
         c[1, base + schedule.row(f"{axis.name}.observer.disturbance_estimate")] = 1.0
-    kept = _moving(a, b, c)
-    # What is cut enters at the tick in which it leaves, so a command that nothing of the past moves still has to be kept.
+    moved = np.asarray((a != np.eye(a.shape[1])).any(axis=0))
+    driven: NDArray[np.bool_] = np.asarray((b != 0.0).any(axis=(0, 2)))
+    read: NDArray[np.bool_] = np.asarray(c.any(axis=0))
+    kept = np.flatnonzero((moved.any(axis=1) | driven) & (moved.any(axis=0) | read))
+    # What is cut enters at the tick in which it leaves: a command that no past state moves is kept as well.
+    kept = kept[live_states((a[:, kept][:, :, kept] != 0.0).any(axis=0), driven[kept], read[kept])]
     return LaneLoops(a[:, kept][:, :, kept], b[:, kept], np.broadcast_to(c[:, kept], (len(a), 2, kept.size)))
 
 
-def _moving(a: Array, b: Array, c: Array) -> NDArray[np.int64]:
-    """Return which entries are part of the loop: those that are read, and that something moves, in any variant."""
-    moved = np.asarray((a != np.eye(a.shape[1])).any(axis=0))
-    entered: NDArray[np.bool_] = np.asarray((b != 0.0).any(axis=(0, 2)))
-    read: NDArray[np.bool_] = np.asarray(c.any(axis=0))
-    kept = np.flatnonzero((moved.any(axis=1) | entered) & (moved.any(axis=0) | read))
-    while True:
-        part = np.asarray((a[:, kept][:, :, kept] != 0.0).any(axis=0))
-        lives = (part.any(axis=1) | entered[kept]) & (part.any(axis=0) | read[kept])
-        if lives.all():
-            return kept
-        kept = kept[lives]
+def sampled_loops(
+    axis: Axis, controller: AxisController, servo_period: float, columns: Mapping[str, Array], carried_mass: float = 0.0
+) -> list[SampledLoop]:
+    """Return the sampled loop of an axis for each of many sets of parameters.
+
+    Parameters
+    ----------
+    axis, controller, servo_period, carried_mass
+        As of `contourlab.analysis.linear.sampled_loop.sampled_loop`.
+    columns : mapping of str to ndarray (n_variant,)
+        Values [SI] by dotted names; names without a part in the loop of this axis are ignored.
+
+    Raises
+    ------
+    ComponentError
+        If a step is not linear, or a delay is too long for the analysis.
+    """
+    machine, bare, schedule, a, b = _opened_lanes(axis, controller, servo_period, columns, carried_mass)
+    return [loop_of(machine, bare, TickMap(a[i], b[i], schedule)) for i in range(len(a))]
 
 
-def unstable_by(loops: LaneLoops, factors: Sequence[complex]) -> Array:
-    """Return by how much (n_variant,) the largest pole lies outside the unit circle over some factors; negative where all hold."""
-    return np.asarray(np.max([loops.radius(factor) for factor in factors], axis=0) - 1.0)
+def _opened_lanes(
+    axis: Axis, controller: AxisController, servo_period: float, columns: Mapping[str, Array], carried_mass: float
+) -> tuple[Machine, Controller, Schedule, Array, Array]:
+    """Return the bare axis, its controller and opened schedule, and A (n_variant, n, n) and B (n_variant, n, n_external)."""
+    n = len(next(iter(columns.values()), (0.0,)))
+    machine, bare = bare_axis(axis, controller, servo_period, carried_mass)
+    known = parameter_names(machine, bare)
+    # The estimator of a coupling sees all axes; the loop of one axis has none.
+    used = {name: np.asarray(values, dtype=float) for name, values in columns.items() if name in known}
+    schedule = opened_schedule(machine, bare, used)
+    parts = [lane_matrices(schedule, LANES, first, jit_enabled()) for first in range(0, n if used else 1, LANES)]
+    a, b = (np.concatenate([part[i] for part in parts]) for i in (0, 1))
+    if not used:
+        return machine, bare, schedule, np.repeat(a[:1], n, axis=0), np.repeat(b[:1], n, axis=0)
+    return machine, bare, schedule, a[:n], b[:n]
+
+
+def rough_margins(loop: SampledLoop) -> Margins:
+    """Return margins read off a grid of frequencies, straight between its points: within a few tenths of a decibel and of a degree.
+
+    Good enough to lead a search; check its result with `SampledLoop.margins`.
+    """
+    if not loop.stable:
+        return Margins(math.nan, math.nan, math.nan, math.nan, stable=False)
+    w = np.geomspace(1e-4 * loop.nyquist, loop.nyquist, GRID)
+    gain = loop.loop_gain(w)
+    phase, crossover = _phase(w, gain)
+    factor, phase_crossover = _factor(w, gain)
+    return Margins(factor, phase, crossover, float(np.abs(1.0 + gain).min()), True, phase_crossover)
+
+
+def _phase(w: Array, gain: NDArray[np.complex128]) -> tuple[float, float]:
+    with np.errstate(divide="ignore"):
+        size = np.log(np.abs(gain))
+    at = np.flatnonzero(np.isfinite(size[:-1]) & np.isfinite(size[1:]) & (size[:-1] * size[1:] <= 0.0) & (size[:-1] != size[1:]))
+    if not at.size:
+        return math.inf, math.nan
+    part = size[at] / (size[at] - size[at + 1])
+    angle = np.angle(-gain[at]) + part * np.angle(gain[at + 1] / gain[at])
+    angle = np.angle(np.exp(1j * angle))
+    best = int(np.argmin(np.abs(angle)))
+    return float(angle[best]), float(w[at[best]] * (w[at[best] + 1] / w[at[best]]) ** part[best])
+
+
+def _factor(w: Array, gain: NDArray[np.complex128]) -> tuple[float, float]:
+    at = np.flatnonzero(gain.imag[:-1] * gain.imag[1:] < 0.0)
+    part = gain.imag[at] / (gain.imag[at] - gain.imag[at + 1])
+    real, where = gain.real[at] + part * (gain.real[at + 1] - gain.real[at]), w[at] * (w[at + 1] / w[at]) ** part
+    if abs(gain[-1].imag) <= 1e-9 * abs(gain[-1]):
+        real, where = np.append(real, gain[-1].real), np.append(where, w[-1])
+    inside = (real < 0.0) & (real > -1.0)
+    if not inside.any():
+        return math.inf, math.nan
+    best = int(np.argmin(real[inside]))
+    return float(-1.0 / real[inside][best]), float(where[inside][best])

@@ -1,9 +1,12 @@
-"""Stability margins: how far a loop gain stays from -1."""
+"""Stability margins of one loop gain, and of all weighted means of a few.
+
+The means of a few loop gains fill, at each frequency, a polygon of the complex plane. Its distance from -1 is their modulus margin.
+"""
 
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -11,19 +14,24 @@ from numpy.typing import ArrayLike, NDArray
 
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
+
 LoopGain = Callable[[Array], Complex]
+"""Loop gain (n,), or loop gains (n, n_loop), at frequencies (n,) [rad/s]."""
+AROUND_A_POLE = (-2.0, -1.0, -0.5, 0.0, 0.5, 1.0, 2.0)
+"""Frequencies about a pole, in its own widths."""
 
 
 @dataclass(frozen=True)
 class Margins:
-    """Stability margins of a loop gain. An unstable loop has none: all but `stable` are nan.
+    """Stability margins of a loop gain. For an unstable loop all but `stable` are nan.
 
     Attributes
     ----------
     gain : float
-        Smallest factor > 1 at which the loop would reach -1; infinite if none in the range looked at.
+        Smallest factor > 1 at which the loop gain would reach -1; infinite if none in the frequency range.
     phase : float [rad]
-        Smallest turn of phase at a gain of 1 that would reach -1: positive if a lag, negative if a lead; infinite if the gain is never 1.
+        Smallest change of phase at a gain of 1 that would reach -1: positive for a lag, negative for a lead; infinite if the gain is
+        never 1.
     crossover : float [rad/s]
         Frequency of that phase margin; nan if there is none.
     modulus : float
@@ -50,9 +58,9 @@ def margins(loop: LoopGain, frequency: ArrayLike, *, stable: bool) -> Margins:
     loop : callable
         Gives the loop gain (n,) at frequencies (n,) [rad/s].
     frequency : array_like (n,) [rad/s]
-        Where to look, rising: fine enough that no two crossings lie between neighbours. Each crossing is then found to rounding.
+        Rising, fine enough that no two crossings lie between neighbours. Each crossing is then refined to rounding.
     stable : bool
-        Whether the closed loop is stable, which its gain alone cannot tell.
+        Whether the closed loop is stable: the gain alone does not show it.
     """
     if not stable:
         return Margins(math.nan, math.nan, math.nan, math.nan, stable=False)
@@ -61,7 +69,8 @@ def margins(loop: LoopGain, frequency: ArrayLike, *, stable: bool) -> Margins:
     crossover, phase = min(_phases(loop, w, gain), key=lambda found: abs(found[1]), default=(math.nan, math.inf))
     larger = [found for found in _factors(loop, w, gain) if found[1] > 1.0]
     phase_crossover, factor = min(larger, key=lambda found: found[1], default=(math.nan, math.inf))
-    return Margins(factor, phase, crossover, _modulus(loop, w, gain), True, phase_crossover)
+    modulus, _ = nearest_approach(lambda x: abs(1.0 + _value(loop, x)), w, np.abs(1.0 + gain), n_dip=3, tolerance=1e-6)
+    return Margins(factor, phase, crossover, modulus, True, phase_crossover)
 
 
 def delay_margin(loop: LoopGain, frequency: ArrayLike) -> float:
@@ -74,7 +83,7 @@ def delay_margin(loop: LoopGain, frequency: ArrayLike) -> float:
     """
     w = np.asarray(frequency, dtype=float)
     found = _phases(loop, w, np.asarray(loop(w), dtype=complex))
-    # A crossing that a lead would bring to -1 is brought there by a lag of the rest of the turn.
+    # Instead of a lead, a lag by the rest of the turn.
     return min(((phase % (2.0 * math.pi)) / at for at, phase in found), default=math.inf)
 
 
@@ -90,7 +99,7 @@ def _factors(loop: LoopGain, w: Array, gain: Complex) -> Iterator[tuple[float, f
     """Find where the loop gain is real and negative, and the factor from there to -1."""
     crossings = _zeros(lambda x: _value(loop, x).imag, w, gain.imag)
     found = [(at, _value(loop, at)) for at in crossings]
-    # At the Nyquist frequency a sampled loop is real: it meets the axis there without crossing it.
+    # At the Nyquist frequency a sampled loop is real: it meets the real axis without crossing it.
     if abs(gain[-1].imag) <= 1e-9 * abs(gain[-1]):
         found.append((float(w[-1]), complex(gain[-1])))
     for at, value in found:
@@ -98,20 +107,36 @@ def _factors(loop: LoopGain, w: Array, gain: Complex) -> Iterator[tuple[float, f
             yield at, 1.0 / abs(value)
 
 
-def _modulus(loop: LoopGain, w: Array, gain: Complex) -> float:
-    """Return the smallest distance from -1: the nearest points of the grid, each made better between its neighbours."""
+def nearest_approach(distance: Callable[[float], float], w: Array, values: Array, *, n_dip: int, tolerance: float) -> tuple[float, float]:
+    """Return the smallest distance and its frequency: the smallest dips of the grid `values` (n,), each refined between its neighbours."""
     from scipy.optimize import minimize_scalar
 
-    distance = np.abs(1.0 + gain)
-    low = np.concatenate([[math.inf], distance, [math.inf]])
-    dips = np.flatnonzero((distance <= low[:-2]) & (distance <= low[2:]))
-    best = float(distance.min())
-    # On a grid as fine as is asked for, the least of all lies beside one of the few least dips.
-    for i in dips[np.argsort(distance[dips])][:3]:
+    low = np.concatenate([[math.inf], values, [math.inf]])
+    dips = np.flatnonzero((values <= low[:-2]) & (values <= low[2:]))
+    candidates = [(float(values.min()), float(w[values.argmin()]))]
+    for i in dips[np.argsort(values[dips])][:n_dip]:
         bounds = (float(w[max(i - 1, 0)]), float(w[min(i + 1, w.size - 1)]))
-        found = minimize_scalar(lambda x: abs(1.0 + _value(loop, x)), bounds=bounds, method="bounded", options={"xatol": 1e-6 * bounds[1]})
-        best = min(best, float(found.fun))
-    return best
+        best = minimize_scalar(distance, bounds=bounds, method="bounded", options={"xatol": tolerance * bounds[1]})
+        candidates.append((float(best.fun), float(best.x)))
+    return min(candidates)
+
+
+def frequency_grid(servo_period: float, poles: Complex, n_delay: int) -> Array:
+    """Return frequencies [rad/s] up to Nyquist that no crossing of a loop gain slips through: dense over decades, delays and poles.
+
+    Parameters
+    ----------
+    servo_period : float [s]
+    poles : ndarray (n_pole,) of complex
+        In the plane of z, of the open and closed loop.
+    n_delay : int
+        Longest delay, in servo periods.
+    """
+    top = math.pi / servo_period
+    angle, width = np.abs(np.angle(poles)), np.abs(1.0 - np.abs(poles))
+    grids = [np.geomspace(1e-5 * top, top, 400), np.linspace(0.0, top, 12 * n_delay + 2)]
+    w = np.unique(np.concatenate([*grids, *((angle + k * width) / servo_period for k in AROUND_A_POLE)]))
+    return np.asarray(w[(w >= 1e-5 * top) & (w <= top)])
 
 
 def _zeros(function: Callable[[float], float], w: Array, values: Array) -> list[float]:
@@ -125,3 +150,122 @@ def _zeros(function: Callable[[float], float], w: Array, values: Array) -> list[
 
 def _value(loop: LoopGain, w: float) -> complex:
     return complex(loop(np.array([w]))[0])
+
+
+SHARES = np.linspace(0.0, 1.0, 33)
+"""Places on an edge that are tried first; the worst is then refined between its neighbours."""
+
+
+@dataclass(frozen=True, eq=False)
+class HullMargin:
+    """A margin, with its frequency [rad/s] and weights (n,)."""
+
+    value: float
+    frequency: float
+    weights: Array
+
+    @classmethod
+    def nearest(cls, value: float, frequency: float, vertices: Complex) -> HullMargin:
+        """Return the weights of the point nearest to -1 in the polygon with some vertices (n,)."""
+        from scipy.optimize import nnls
+
+        # A heavy weight holds the sum at 1 to rounding.
+        heavy = 1e6 * max(1.0, float(np.abs(vertices + 1.0).max()))
+        rows = np.vstack([vertices.real + 1.0, vertices.imag, np.full(vertices.size, heavy)])
+        weights, _ = nnls(rows, np.array([0.0, 0.0, heavy]))
+        return cls(value, frequency, weights / weights.sum())
+
+
+def hull_modulus(vertices: Complex) -> Array:
+    """Return the distance (n,) of -1 from the convex hull of points (n, n_vertex): 0 where it is inside.
+
+    >>> hull_modulus(np.array([[0.0, 2.0j], [-2.0 - 1.0j, 1.0j]])).round(6)
+    array([1., 0.])
+    """
+    to = vertices + 1.0
+    n = to.shape[1]
+    best = np.abs(to).min(axis=1)
+    for i in range(n):
+        for j in range(i + 1, n):
+            side = to[:, j] - to[:, i]
+            square = np.abs(side) ** 2
+            # The foot of -1 on the edge, held to its ends.
+            share = np.clip(-(to[:, i] * side.conj()).real / np.where(square > 0.0, square, 1.0), 0.0, 1.0)
+            best = np.minimum(best, np.abs(to[:, i] + share * side))
+    if n > 2:
+        angle = np.sort(np.angle(to), axis=1)
+        widest = np.maximum(np.diff(angle, axis=1).max(axis=1), angle[:, 0] + 2.0 * np.pi - angle[:, -1])
+        best[widest < np.pi] = 0.0
+    return np.asarray(best)
+
+
+def edge_margins(loops: LoopGain, frequency: Array, pairs: Sequence[tuple[int, int]]) -> tuple[HullMargin, HullMargin]:
+    """Return the smallest phase margin and gain margin over all weighted means of stable loops.
+
+    The unit circle and the negative real axis enter a polygon through its edges, so that means of two loops are enough.
+
+    Parameters
+    ----------
+    loops : callable
+        Gives the loop gains (n, n_loop) at frequencies (n,) [rad/s].
+    frequency : ndarray (n,) [rad/s]
+        Where to look, rising and fine enough for each of the loops.
+    pairs : sequence of (int, int)
+        The edges; with none there is one loop.
+    """
+    values = loops(frequency)
+    n, scale = values.shape[1], float(np.abs(values).max(initial=1.0))
+    alike = [np.abs(values[:, i] - values[:, j]).max() <= 1e-12 * scale for i, j in pairs]
+    edges = [pair for pair, same in zip(pairs, alike, strict=True) if not same] or [(0, 0)]
+    found = []
+    for measure in (0, 1):
+        rough = [
+            (_rough(values[:, i] + share * (values[:, j] - values[:, i]))[measure], (i, j), share) for i, j in edges for share in SHARES
+        ]
+        _, edge, share = min(rough, key=lambda entry: entry[0])
+        found.append(_refined(loops, frequency, n, edge, float(share), measure))
+    return found[0], found[1]
+
+
+def _rough(gain: Complex) -> tuple[float, float]:
+    """Return phase and gain margin of a loop from its values alone, straight between neighbours; infinite where there is none."""
+    size = np.log(np.maximum(np.abs(gain), 1e-300))
+    phase = factor = math.inf
+    crossed = np.flatnonzero((size[1:] > 0.0) != (size[:-1] > 0.0))
+    if crossed.size:
+        share = size[crossed] / (size[crossed] - size[crossed + 1])
+        phase = float(np.abs(np.angle(-(gain[crossed] + share * (gain[crossed + 1] - gain[crossed])))).min())
+    real = np.flatnonzero((gain.imag[1:] > 0.0) != (gain.imag[:-1] > 0.0))
+    share = gain.imag[real] / (gain.imag[real] - gain.imag[real + 1])
+    at = np.append(gain.real[real] + share * (gain.real[real + 1] - gain.real[real]), gain.real[-1])
+    at = at[(at < 0.0) & (at > -1.0)]
+    if at.size:
+        factor = float(1.0 / np.abs(at).max())
+    return phase, factor
+
+
+def _refined(loops: LoopGain, w: Array, n: int, edge: tuple[int, int], share: float, measure: int) -> HullMargin:
+    """Return the exact margin of the worst mean on an edge near a share."""
+    from scipy.optimize import minimize_scalar
+
+    def exact(at: float) -> tuple[float, float]:
+        mean = np.zeros(n)
+        mean[edge[0]] += 1.0 - at
+        mean[edge[1]] += at
+        found = margins(lambda x: np.asarray(loops(x) @ mean), w, stable=True)
+        return (found.phase, found.crossover) if measure == 0 else (found.gain, found.phase_crossover)
+
+    def size(at: float) -> float:
+        return min(abs(exact(at)[0]), 1e12)
+
+    shares = [share]
+    if edge[0] != edge[1] and math.isfinite(exact(share)[0]):
+        step = float(SHARES[1])
+        bounds = (max(share - step, 0.0), min(share + step, 1.0))
+        shares.append(float(minimize_scalar(size, bounds=bounds, method="bounded", options={"xatol": 1e-4}).x))
+    worst = min(shares, key=size)
+    value, frequency = exact(worst)
+    weights = np.zeros(n)
+    weights[edge[0]] += 1.0 - worst
+    weights[edge[1]] += worst
+    return HullMargin(value, frequency, weights)

@@ -1,8 +1,8 @@
 """One axis under its controller as it runs from tick to tick: poles, frequency response and margins of the sampled loop.
 
 The schedule of the servo loop is built for the axis alone and cut where the command enters the drive and where the observer's estimate
-enters the controller. What is cut becomes an input, so that every response follows from one linear map, with the order of the nodes, the
-wires that are one tick late, the filters as they are sampled, the hold and the delay of the drive as they are in a run.
+enters the controller. Each cut becomes an input. Every response then follows from one linear map, with the order of the nodes, the wires
+that are one tick late, the sampled filters, the hold and the delay of the drive as in a run.
 """
 
 from __future__ import annotations
@@ -17,8 +17,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from contourlab.analysis.linear.delay_form import DelayForm
-from contourlab.analysis.linear.margins import Margins, delay_margin, margins
-from contourlab.analysis.linear.response import AxisResponse
+from contourlab.analysis.linear.margins import Margins, delay_margin, frequency_grid, margins
 from contourlab.analysis.linear.tick_map import TickMap, poles_of, tick_map
 from contourlab.components.contract import Component
 from contourlab.engine.schedule import Schedule
@@ -32,8 +31,36 @@ from contourlab.loop.watch import NAME as WATCH
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
 
+
+@dataclass(frozen=True, eq=False)
+class AxisResponse:
+    """Complex responses (n_frequency,) of one axis; of a sampled loop, from samples to samples.
+
+    Attributes
+    ----------
+    frequency : ndarray [rad/s]
+    closed_loop : ndarray
+        Position over reference, feedforward included.
+    modified : ndarray
+        Position over modified reference alone: what acts on position and integral, without feedforward of its derivatives.
+    loop_gain : ndarray
+        The loop opened at the drive, sign such that -1 is the critical point.
+    compliance : ndarray [m per force unit]
+        Position over load; in a sampled loop the load is held over the servo period.
+    compensated : ndarray [m/s per command unit]
+        Velocity over the command ahead of the observer: what the position loop sees.
+    """
+
+    frequency: Array
+    closed_loop: Complex
+    modified: Complex
+    loop_gain: Complex
+    compliance: Complex
+    compensated: Complex
+
+
 LONGEST = 1000
-"""States beyond which the poles would take longer than a run."""
+"""Longest delay [ticks]; beyond it the poles take longer than a run."""
 INPUTS = ("in.command", "in.disturbance_estimate", *(f"in.{name}" for name in EXTERNALS), "in.load")
 
 
@@ -74,7 +101,7 @@ class SampledLoop:
 
     @cached_property
     def poles(self) -> Complex:
-        """Poles of the closed loop in the plane of z; memories and what nothing reads are no part of it."""
+        """Poles of the closed loop in the plane of z, without memories and states that nothing reads."""
         return poles_of(self.closed[0])
 
     @property
@@ -104,21 +131,20 @@ class SampledLoop:
         ParameterError
             If a frequency is out of range.
         """
-        return _gain(self._opened(self._checked(frequency)))
+        return _gain(self._opened(checked_frequency(frequency, self.nyquist)))
 
     def delay_margin(self, *, observed_in_axis: bool = False) -> float:
-        """Return how much longer the signals may take round the loop before it loses its stability [s].
+        """Return the additional delay [s] at which the loop loses its stability.
 
         Parameters
         ----------
         observed_in_axis : bool
-            Whether the observer's loop stays as it is, and the delay acts on the command ahead of it alone; by default it acts on all
-            that goes to the drive.
+            Delay only the command ahead of the observer; by default all that goes to the drive is delayed.
 
         Returns
         -------
         float
-            Infinite if no delay does; nan for a loop that is unstable without one. Exact for whole servo periods.
+            Infinite if there is none; nan for a loop that is unstable without delay. Exact for whole servo periods.
         """
         if not self.stable:
             return math.nan
@@ -137,7 +163,7 @@ class SampledLoop:
         ParameterError
             If a frequency is out of range.
         """
-        w = self._checked(frequency)
+        w = checked_frequency(frequency, self.nyquist)
         opened, driven = self._opened(w), self._driven(np.exp(1j * w * self.servo_period))[:, 0]
         return AxisResponse(
             frequency=w,
@@ -165,21 +191,17 @@ class SampledLoop:
         found[:, :2] *= z[:, None, None]
         return found
 
-    def _checked(self, frequency: ArrayLike) -> Array:
-        w = np.atleast_1d(np.asarray(frequency, dtype=float))
-        if not ((w > 0.0) & (w <= self.nyquist * (1.0 + 1e-9))).all():
-            raise ParameterError("frequency", "an array", f"> 0 and up to the Nyquist frequency, {self.nyquist:g}", "rad/s")
-        return w
-
     def _grid(self) -> Array:
-        """Return frequencies at which no crossing of the loop gain slips through: dense over the decades, the delay and each pole."""
-        period, top = self.servo_period, self.nyquist
-        found = [np.geomspace(1e-5 * top, top, 400), np.linspace(0.0, top, 12 * self._cut.longest + 2)]
         poles = np.concatenate([self.poles, poles_of(self.a)])
-        angle, width = np.abs(np.angle(poles)), 1.0 - np.abs(poles)
-        found += [(angle + k * width) / period for k in (-2.0, -1.0, -0.5, 0.0, 0.5, 1.0, 2.0)]
-        w = np.unique(np.concatenate(found))
-        return w[(w >= 1e-5 * top) & (w <= top)]
+        return frequency_grid(self.servo_period, poles, self._cut.longest)
+
+
+def checked_frequency(frequency: ArrayLike, nyquist: float) -> Array:
+    """Return frequencies (n,) [rad/s], or refuse them if one is not above 0 and up to the Nyquist frequency."""
+    w = np.atleast_1d(np.asarray(frequency, dtype=float))
+    if not ((w > 0.0) & (w <= nyquist * (1.0 + 1e-9))).all():
+        raise ParameterError("frequency", "an array", f"> 0 and up to the Nyquist frequency, {nyquist:g}", "rad/s")
+    return w
 
 
 def _gain(opened: Complex) -> Complex:
@@ -188,10 +210,10 @@ def _gain(opened: Complex) -> Complex:
 
 
 def sampled_loop(axis: Axis, controller: AxisController, servo_period: float, carried_mass: float = 0.0) -> SampledLoop:
-    """Return the sampled loop of an axis, friction, disturbance, quantisation and limits left out.
+    """Return the sampled loop of an axis, without friction, disturbance, quantisation and limits.
 
-    Axes are taken one at a time: without coupling by the contour, and without the reaction of axes that move along each other. A link
-    between base and axis is left out: what it costs is for `contourlab.analysis.linear.divided_loop`.
+    The axis is alone: no coupling by the contour, no reaction of axes that carry each other, and no link between base and axis (see
+    `contourlab.analysis.linear.divided_loop`).
 
     Parameters
     ----------
@@ -199,7 +221,7 @@ def sampled_loop(axis: Axis, controller: AxisController, servo_period: float, ca
     controller : AxisController
     servo_period : float [s], > 0
     carried_mass : float [kg]
-        What other axes put on this one.
+        Mass of the axes on this one.
 
     Raises
     ------
@@ -211,11 +233,11 @@ def sampled_loop(axis: Axis, controller: AxisController, servo_period: float, ca
 
 
 def bare_axis(axis: Axis, controller: AxisController, servo_period: float, carried_mass: float = 0.0) -> tuple[Machine, Controller]:
-    """Return a machine of one axis and its controller, without what is not linear; arguments as of `sampled_loop`."""
+    """Return a machine of one axis and its controller, without nonlinear parts; arguments as of `sampled_loop`."""
     ahead = controller.feedforward
-    # What is fed forward is no part of the loop: of it only what is linear has a place in the response to the reference.
+    # Feedforward is no part of the loop; if linear, it counts in the response to the reference.
     ahead = ahead if ahead is not None and ahead.linearize() is not None else None
-    # Under a supervisor it is the loop of the first controller, which is that for contact.
+    # Under a supervisor the loop is that of the first controller, which is for contact.
     nonlinear = dict.fromkeys(("gap_observer", "compensation", "supervisor", "link"))
     made = replace(controller, controller=without_limits(controller.controller).linear(), feedforward=ahead, others=(), **nonlinear)  # type: ignore[arg-type]
     return Machine("axis", (linear_axis(axis, carried_mass),), servo_period), Controller({axis.name: made})
@@ -232,7 +254,7 @@ def opened_schedule(machine: Machine, controller: Controller, columns: Mapping[s
     name = machine.axis_names[0]
     whole = build(machine, controller, Path([Line((0.0,), (1.0,))]), np.zeros(1), overrides=columns).schedule
     if sum(node.ring_length for node in whole.nodes) > LONGEST:
-        raise ComponentError(f"axis {name}: a delay of more than {LONGEST} servo periods is more than its analysis takes")
+        raise ComponentError(f"axis {name}: a delay of more than {LONGEST} servo periods is too long for the analysis")
     return _opened(name, whole)
 
 
@@ -260,7 +282,7 @@ def _opened(name: str, whole: Schedule) -> Schedule:
 
 
 def linear_axis(axis: Axis, carried_mass: float) -> Axis:
-    """Return the axis alone, without what is not linear."""
+    """Return the axis alone, without nonlinear parts."""
     drive, limit = axis.drive, axis.drive.parameters.get("limit")
     if limit is not None and limit.default == math.inf:
         drive = drive.replace(limit=math.inf)
@@ -269,7 +291,7 @@ def linear_axis(axis: Axis, carried_mass: float) -> Axis:
 
 
 def without_limits(controller: Component) -> Component:
-    """Return the controller without a limit of its own, whose integral does not wait for the drive, which is never at its limit here."""
+    """Return the controller without its own limit and without anti-windup: the drive never saturates here."""
     known = controller.parameters
     free: dict[str, Any] = {}
     if "anti_windup" in known and "none" in known["anti_windup"].choices:

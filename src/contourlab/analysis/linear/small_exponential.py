@@ -1,7 +1,7 @@
-"""Exponentials of small matrices at many times at once, kept exact where fast and slow rates stand side by side.
+"""Exponentials of small matrices at many times at once, exact also for fast rates next to slow ones.
 
-The usual scaling and squaring rounds a slow mode once for every unit of the fastest: here exp(M t) - 1 is what is squared, so that a slow
-mode keeps its digits. No library that spreads six by six products over threads is called.
+The usual scaling and squaring rounds a slow mode once for every unit of the fastest. Here exp(M t) - 1 is squared, so that a slow mode
+keeps its digits. No library call spreads six by six products over threads.
 """
 
 from __future__ import annotations
@@ -12,7 +12,7 @@ from numpy.typing import ArrayLike, NDArray
 Array = NDArray[np.float64]
 
 DEGREE = 18
-"""Of the Taylor polynomial, used up to a norm of 1: what is left out is 1/19! = 8e-18."""
+"""Degree of the Taylor polynomial, used up to a norm of 1: the remainder is 1/19! = 8e-18."""
 
 
 def exponentials(matrix: Array, times: ArrayLike) -> Array:
@@ -45,7 +45,7 @@ def exponentials(matrix: Array, times: ArrayLike) -> Array:
     for k in range(DEGREE, 1, -1):
         inner = eye + scaled @ inner / k
     less_one = scaled @ inner
-    # What grows beyond all bounds is inf or nan: the caller knows what to make of a motion that runs away.
+    # Overflow gives inf or nan: the caller detects a motion that diverges.
     with np.errstate(over="ignore", invalid="ignore"):
         for _ in range(halvings):
             less_one = 2.0 * less_one + less_one @ less_one

@@ -1,7 +1,7 @@
-"""The loop as one linear map from tick to tick, taken from the very steps that are simulated.
+"""The servo loop as one linear map from tick to tick, taken from the very steps that are simulated.
 
-Every state is moved by one unit in turn and one tick is run in plain Python; for a loop of linear components this gives the exact matrix of
-the sampled system, hold and delay included. Its eigenvalues are the poles of what runs, not of a continuous idealisation.
+Each state is moved by one unit in turn, and one tick runs. For linear components this gives the exact matrix of the sampled system, hold
+and delay included. Its eigenvalues are the poles of what runs, not of a continuous idealisation.
 """
 
 from __future__ import annotations
@@ -17,19 +17,19 @@ from contourlab.engine.step import rows
 from contourlab.errors import ComponentError
 
 Array = NDArray[np.float64]
+Mask = NDArray[np.bool_]
 
 
 @dataclass(frozen=True, eq=False)
 class TickMap:
-    """x(k + 1) = A x(k) + B u(k), where x(k + 1) holds all states, rings and signals as they stand at the end of tick k.
+    """x(k + 1) = A x(k) + B u(k), where x(k + 1) holds all states, rings and signals at the end of tick k.
 
     Attributes
     ----------
     a : ndarray (n, n)
     b : ndarray (n, n_external)
-        One column for each row of the schedule's externals.
+        One column for each external of the schedule.
     schedule : Schedule
-        What it was taken from.
     """
 
     a: Array
@@ -37,50 +37,75 @@ class TickMap:
     schedule: Schedule
 
     def row(self, signal: str) -> int:
-        """Return where a signal, such as ``"x.plant.position"``, stands in x."""
+        """Return the row of a signal, such as ``"x.plant.position"``, in x."""
         return len(self.a) - self.schedule.n_row + self.schedule.row(signal)
 
     def column(self, external: str) -> int:
-        """Return where an external, such as ``"in.reference"``, stands in u: externals are the first signals."""
+        """Return the row of an external, such as ``"in.reference"``, in u: externals are the first signals."""
         return self.schedule.row(external)
 
 
-class _Prober:
-    """One tick of a schedule, run from any state under any inputs."""
+class _Probe:
+    """One tick of `width` variants, run from any state under any inputs."""
 
-    def __init__(self, schedule: Schedule) -> None:
-        self.group = make_group(schedule, 1, slice(0, 1), False)
+    def __init__(self, schedule: Schedule, width: int = 1, first: int = 0, jit: bool = False) -> None:
+        self.group = make_group(schedule, width, slice(first, first + width), jit)
         self.parts = [*self.group.state, *self.group.rings, self.group.signals]
         self.n_input = rows(schedule.externals)
-        self.size = sum(part.size for part in self.parts)
+        self.size = sum(len(part) for part in self.parts)
         self.at_rest = self._after(np.zeros(self.size), np.zeros(self.n_input))
 
     def __call__(self, state: Array, inputs: Array) -> Array:
-        """Return what a tick makes of a state and inputs, beyond the constants that steps add of their own."""
+        """Return the state (n, width) after a tick, without the constants that steps add."""
         return self._after(state, inputs) - self.at_rest
 
     def _after(self, state: Array, inputs: Array) -> Array:
         start = 0
         for part in self.parts:
-            part[:] = state[start : start + part.size].reshape(part.shape)
-            start += part.size
+            part[:] = state[start : start + len(part), None]
+            start += len(part)
         self.group.tick = 0
         self.group.run(inputs[None, :], [])
-        # Rings are written round and round: turned back by one, they stand at the next tick as they stood at this one.
+        # A ring is written round and round: rolled back by one, it reads the same at every tick.
         for ring in self.group.rings:
             ring[:] = np.roll(ring, -1, axis=0)
-        return np.concatenate([part.ravel() for part in self.parts])
+        return np.concatenate(self.parts)
 
-    def owners(self) -> list[str]:
-        """Return what each entry of the state belongs to, for messages."""
-        nodes: list[str] = []
-        for group in (self.group.state, self.group.rings):
-            for node, part in zip(self.group.schedule.nodes, group, strict=True):
-                nodes += [node.name] * part.size
-        signals = ["in"] * self.n_input
-        for node in self.group.schedule.nodes:
-            signals += [node.name] * rows(node.step.outputs)
-        return nodes + signals
+    def state_matrix(self) -> Array:
+        """Return A (n, n, width)."""
+        none, untouched = np.zeros(self.n_input), np.zeros_like(self.at_rest)
+        # Externals are written afresh at every tick: their rows leave nothing behind.
+        first = self.size - len(self.group.signals)
+        externals = range(first, first + self.n_input)
+        return np.stack([untouched if i in externals else self(unit, none) for i, unit in enumerate(np.eye(self.size))], axis=1)
+
+    def matrices(self) -> tuple[Array, Array]:
+        """Return A (n, n, width) and B (n, n_external, width)."""
+        try:
+            a = self.state_matrix()
+            b = np.stack([self(np.zeros(self.size), unit) for unit in np.eye(self.n_input)], axis=1)
+            self._check_linear(a, b)
+        except ArithmeticError as fault:
+            raise ComponentError(f"a step cannot be run from a unit state, so the loop has no frequency response: {fault}") from fault
+        return a, b
+
+    def _check_linear(self, a: Array, b: Array) -> None:
+        """Two random points: a step that is not linear does not agree with A x + B u at both by chance."""
+        rng = np.random.default_rng(1)
+        for _ in range(2):
+            x, u = rng.normal(size=self.size), rng.normal(size=self.n_input)
+            expected = np.einsum("ijl,j->il", a, x) + np.einsum("ijl,j->il", b, u)
+            scale = np.einsum("ijl,j->il", np.abs(a), np.abs(x)) + np.einsum("ijl,j->il", np.abs(b), np.abs(u))
+            wrong = np.flatnonzero(~(np.abs(self(x, u) - expected) <= 1e-9 * scale).all(axis=1))
+            if wrong.size:
+                raise ComponentError(f"{self._owners()[wrong[0]]} is not linear, so the loop has no frequency response")
+
+    def _owners(self) -> list[str]:
+        """Return the node of each entry of the state."""
+        nodes = self.group.schedule.nodes
+        parts = [*zip(nodes, self.group.state, strict=True), *zip(nodes, self.group.rings, strict=True)]
+        owners = [node.name for node, part in parts for _ in part]
+        return [*owners, *["in"] * self.n_input, *(node.name for node in nodes for _ in range(rows(node.step.outputs)))]
 
 
 def tick_matrix(schedule: Schedule) -> Array:
@@ -89,13 +114,13 @@ def tick_matrix(schedule: Schedule) -> Array:
     Parameters
     ----------
     schedule : Schedule
-        Of linear steps, each run at every tick; constants that a step adds of its own are taken out.
+        Linear steps, each run at every tick; constants that a step adds are taken out.
     """
-    return _states_of(_Prober(schedule))
+    return np.ascontiguousarray(_Probe(schedule).state_matrix()[:, :, 0])
 
 
 def tick_map(schedule: Schedule) -> TickMap:
-    """Return the same matrix with that of the externals, for steps that are made sure to be linear.
+    """Return the map of states and externals to the next tick.
 
     Parameters
     ----------
@@ -107,45 +132,55 @@ def tick_map(schedule: Schedule) -> TickMap:
     ComponentError
         If a step is not linear; it names the node.
     """
-    probe = _Prober(schedule)
-    try:
-        a = _states_of(probe)
-        b = np.column_stack([probe(np.zeros(probe.size), unit) for unit in np.eye(probe.n_input)])
-        # Any point will do, as long as it is of no special kind: two steps that agree with A x + B u at all of them are not by chance.
-        rng = np.random.default_rng(1)
-        for _ in range(2):
-            x, u = rng.normal(size=probe.size), rng.normal(size=probe.n_input)
-            scale = np.abs(a) @ np.abs(x) + np.abs(b) @ np.abs(u)
-            wrong = np.flatnonzero(~(np.abs(probe(x, u) - a @ x - b @ u) <= 1e-9 * scale))
-            if wrong.size:
-                raise ComponentError(f"{probe.owners()[wrong[0]]} is not linear, so the loop has no frequency response")
-    except ArithmeticError as fault:
-        raise ComponentError(f"a step cannot be run from a unit of its states, so the loop has no frequency response: {fault}") from fault
-    return TickMap(a, b, schedule)
+    a, b = _Probe(schedule).matrices()
+    return TickMap(np.ascontiguousarray(a[:, :, 0]), np.ascontiguousarray(b[:, :, 0]), schedule)
+
+
+def lane_matrices(schedule: Schedule, width: int, first: int, jit: bool) -> tuple[Array, Array]:
+    """Return A (width, n, n) and B (width, n, n_external) of the variants from `first` on, probed side by side.
+
+    Raises
+    ------
+    ComponentError
+        If a step is not linear; it names the node.
+    """
+    a, b = _Probe(schedule, width, first, jit).matrices()
+    return np.moveaxis(a, 2, 0), np.moveaxis(b, 2, 0)
 
 
 def spectral_radius(schedule: Schedule) -> float:
     """Return the largest magnitude of the poles of the sampled loop: below 1 it is stable.
 
-    States that only remember what they were given at the start (where an axis stood, what the watch has noted), and those that sum up
-    what nothing reads (an integral without a gain), are no part of the loop.
+    Memories (a start position, what the watch noted) and sums that nothing reads (an integral without a gain) do not count.
     """
     return float(np.abs(poles_of(tick_matrix(schedule))).max(initial=0.0))
 
 
 def poles_of(matrix: Array) -> NDArray[np.complex128]:
-    """Return the eigenvalues of a tick matrix that are part of the loop; those at zero, which end at once, may be left out."""
-    apart = matrix != np.eye(len(matrix))
-    kept = np.flatnonzero(apart.any(axis=1) & apart.any(axis=0))
+    """Return the eigenvalues of a tick matrix that are part of the loop; some of those at zero, which end at once, are left out."""
+    moved = matrix != np.eye(len(matrix))
+    kept = np.flatnonzero(moved.any(axis=1) & moved.any(axis=0))
+    part = matrix[np.ix_(kept, kept)]
+    # States outside the loop add zeros only; without them fewer zeros stand in chains, where rounding grows.
+    live = live_states(part != 0.0)
+    return np.asarray(np.linalg.eigvals(part[np.ix_(live, live)]), dtype=complex)
+
+
+def live_states(links: Mask, driven: Mask | bool = False, read: Mask | bool = False) -> NDArray[np.intp]:
+    """Return the states that something moves and something reads.
+
+    Parameters
+    ----------
+    links : ndarray (n, n) of bool
+        Whether the column's state moves the row's.
+    driven, read : ndarray (n,) of bool, optional
+        Whether an input moves a state, and whether an output reads it.
+    """
+    kept = np.arange(len(links))
+    driven, read = np.broadcast_to(driven, len(links)), np.broadcast_to(read, len(links))
     while True:
-        part = matrix[np.ix_(kept, kept)]
-        # What nothing reads, and what takes in nothing, adds a zero only: without them fewer zeros stand in chains, where rounding grows.
-        moves = part.any(axis=1) & part.any(axis=0)
-        if moves.all():
-            return np.asarray(np.linalg.eigvals(part), dtype=complex)
-        kept = kept[moves]
-
-
-def _states_of(probe: _Prober) -> Array:
-    none = np.zeros(probe.n_input)
-    return np.column_stack([probe(unit, none) for unit in np.eye(probe.size)])
+        part = links[np.ix_(kept, kept)]
+        live = (part.any(axis=1) | driven[kept]) & (part.any(axis=0) | read[kept])
+        if live.all():
+            return kept
+        kept = kept[live]

@@ -1,7 +1,7 @@
 """Zero-phase-error tracking: the filter that leads a reference through the inverse of a closed loop.
 
 The response of position to the reference is z^-d B(z^-1)/A(z^-1). B is split into B+, whose zeros can be cancelled, and B-, whose zeros
-lie outside the unit circle or so near to it on the left that cancelling them would make the reference ring from tick to tick. Then
+lie outside the unit circle, or so near to it on the left that cancelling them would make the command ring. Then
 
     F(z) = A(z^-1) B-(z) z^d / (B+(z^-1) B-(1)^2)
 
@@ -27,12 +27,12 @@ Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
 
 RESIDUAL = 1e-6
-"""Largest part of the loop's response by which its polynomials may miss it."""
+"""Largest relative error of the polynomials of a loop."""
 
 
 @dataclass(frozen=True, eq=False)
 class ZeroPhaseDesign:
-    """A zero-phase filter, and what it was made of.
+    """A zero-phase filter and its design data.
 
     Attributes
     ----------
@@ -41,11 +41,11 @@ class ZeroPhaseDesign:
     lead : int
         Servo periods that F looks ahead.
     delay : int
-        Servo periods that the loop is late by, d.
+        Delay of the loop in servo periods, d.
     cancelled, kept : ndarray of complex
         Zeros of the loop that F cancels, and those that it mirrors.
     residual : float
-        Part of the loop's response by which its polynomials miss it; nan where they were given.
+        Relative error of the loop's polynomials; nan if they were given.
     """
 
     numerator: Array
@@ -62,7 +62,7 @@ class ZeroPhaseDesign:
         return np.asarray(z**self.lead * _value(self.numerator, z) / _value(self.denominator, z))
 
     def gain(self, angle: ArrayLike) -> Array:
-        """Return |B-(z)|^2/B-(1)^2 at z = exp(i angle): what position over reference comes to, real and 1 at rest."""
+        """Return |B-(z)|^2/B-(1)^2 at z = exp(i angle), the resulting position over reference: real, and 1 at rest."""
         z = np.exp(1j * np.asarray(angle, dtype=float))
         kept = _real_polynomial(self.kept)
         return np.asarray(np.abs(_value(kept, z)) ** 2 / kept.sum() ** 2)
@@ -73,10 +73,9 @@ class ZeroPhaseDesign:
 
 
 def zpetc_design(loop: SampledLoop, *, radius: float = 0.9) -> ZeroPhaseDesign:
-    """Return the zero-phase filter of a closed loop as it runs, transport delays and the hold included.
+    """Return the zero-phase filter of a closed loop, transport delays and hold included.
 
-    The reference is shifted; its velocity and acceleration are not. So the loop must take the reference by its position alone: a controller
-    that feeds velocity or acceleration of the reference forward is refused.
+    The filter shifts the reference position, not its velocity and acceleration. A controller that feeds those forward is therefore refused.
 
     Parameters
     ----------
@@ -89,19 +88,19 @@ def zpetc_design(loop: SampledLoop, *, radius: float = 0.9) -> ZeroPhaseDesign:
     ------
     ComponentError
         If the loop is unstable, feeds derivatives of the reference forward, does not come to rest at the reference, has more zeros to
-        cancel than the component takes, or its polynomials miss its response by more than a part in a million.
+        cancel than the component takes, or the relative error of its polynomials exceeds `RESIDUAL`.
     """
     if not loop.stable:
         raise ComponentError("the loop is unstable: no zero-phase filter can be made for it")
     a = _real_polynomial(loop.poles)
     n = 1 << max(6, (4 * a.size - 1).bit_length())
-    # Half-way between the usual points of a discrete Fourier transform: neither 0 nor the Nyquist frequency is asked for.
+    # Half-way between the usual points of a Fourier transform, which avoids 0 and the Nyquist frequency.
     angle = math.pi * (2.0 * np.arange(n // 2) + 1.0) / n
     response = loop.response(angle / loop.servo_period)
     g, z = response.modified, np.exp(1j * angle)
     if np.abs(response.closed_loop - g).max() > 1e-9 * np.abs(g).max():
         raise ComponentError(
-            "the controller feeds velocity or acceleration of the reference forward, which a shift of the reference does not reach: "
+            "the controller feeds velocity or acceleration of the reference forward, which zpetc cannot shift: "
             "set that feedforward to zero, or leave zpetc out"
         )
     delay, b = _numerator(g * _value(a, z), angle, n)
@@ -109,7 +108,7 @@ def zpetc_design(loop: SampledLoop, *, radius: float = 0.9) -> ZeroPhaseDesign:
     residual = float((np.abs(fitted - g) / np.maximum(np.abs(g), 1e-3 * np.abs(g).max())).max())
     if not residual <= RESIDUAL:
         raise ComponentError(
-            f"the loop's polynomials miss its response by a part of {residual:.2g}: it has too many poles near each other for them; "
+            f"the polynomials of the loop have a relative error of {residual:.2g}: too many poles lie near each other; "
             "design on a model of lower order with zpetc_from_polynomials"
         )
     made = zpetc_from_polynomials(b, a, delay, radius=radius)
@@ -148,15 +147,15 @@ def zpetc_from_polynomials(numerator: ArrayLike, denominator: ArrayLike, delay: 
         raise ComponentError("the closed loop is unstable: no zero-phase filter can be made for it")
     steady = b.sum() / a.sum()
     if not abs(steady - 1.0) <= 1e-6:
-        raise ComponentError(f"at rest the loop comes to {steady:.9g} of the reference, not to the reference itself")
+        raise ComponentError(f"at rest the position is {steady:.9g} of the reference: it has to be 1")
     zeros = np.roots(b)
     cancel = (np.abs(zeros) < 1.0) & ((zeros.real > 0.0) | (np.abs(zeros) <= radius))
     cancelled, kept = zeros[cancel], zeros[~cancel]
     if cancelled.size > MAX_ORDER:
-        raise ComponentError(f"the loop has {cancelled.size} zeros to cancel; {MAX_ORDER} are as many as the filter takes")
+        raise ComponentError(f"the loop has {cancelled.size} zeros to cancel; the filter takes {MAX_ORDER} at most")
     below, mirrored = _real_polynomial(cancelled), _real_polynomial(kept)
     above = np.convolve(a, mirrored[::-1])
-    # Scaled to 1 at rest by what stands below, so that nothing of the gain's rounding is left there.
+    # Scaled to exactly 1 at rest.
     above *= below.sum() / above.sum()
     return ZeroPhaseDesign(above, below, int(delay) + kept.size, int(delay), cancelled, kept)
 
@@ -167,9 +166,9 @@ def _value(coefficients: Array, z: Complex) -> Complex:
 
 
 def _real_polynomial(roots: Complex) -> Array:
-    """Return the coefficients of the product of 1 - root z^-1; roots that end at once (zero) leave no trace.
+    """Return the coefficients of the product of 1 - root z^-1; roots at zero drop out.
 
-    By its values on the unit circle: multiplied out root by root, the many poles that a delay spreads over a circle would lose all digits.
+    Computed from its values on the unit circle: root by root, the many poles of a delay would lose all digits.
     """
     n = 1 << max(4, (2 * roots.size).bit_length())
     around = np.exp(2j * math.pi * np.arange(n) / n)
@@ -184,13 +183,13 @@ def _real_polynomial(roots: Complex) -> Array:
 def _numerator(values: Complex, angle: Array, n: int) -> tuple[int, Array]:
     """Return delay and coefficients of a polynomial in z^-1 known at the upper half of n points of the unit circle.
 
-    Its degree is far below n, so that what is found at the high powers is rounding, and tells how much of it there is.
+    Its degree is far below n: the coefficients of high powers measure the rounding.
     """
-    # The points lie half a step off those of the transform, which turns each power by its own angle.
+    # The points lie half a step off those of the transform: each power is turned by its own angle.
     found = np.real(np.exp(1j * angle[0] * np.arange(n)) * np.fft.ifft(np.concatenate([values, values[::-1].conj()])))
     largest = np.abs(found).max()
     floor = max(10.0 * np.abs(found[n // 2 :]).max(), 1e-13 * largest)
     kept = np.flatnonzero(np.abs(found) > floor)
     if kept.size == 0 or kept[-1] >= n // 2:
-        raise ComponentError("the loop's response to its reference is no rational function of z that can be inverted")
+        raise ComponentError("the response to the reference is not an invertible rational function of z")
     return int(kept[0]), np.asarray(found[kept[0] : kept[-1] + 1], dtype=float)

@@ -9,9 +9,14 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from contourlab.analysis.learning.learning_analysis import LearningAnalysis, learning_analysis
-from contourlab.analysis.linear.contour_transfer import ContourMargins, ContourTransfer, contour_transfer
+from contourlab.analysis.linear.contour_transfer import (
+    ContourMargins,
+    ContourTransfer,
+    InternalStability,
+    contour_transfer,
+    internal_stability,
+)
 from contourlab.analysis.linear.divided_loop import link_growth
-from contourlab.analysis.linear.internal_stability import InternalStability, internal_stability
 from contourlab.analysis.linear.margins import Margins
 from contourlab.analysis.linear.sampled_loop import sampled_loop
 from contourlab.app.folder import staged

@@ -9,10 +9,9 @@ from dataclasses import dataclass, field, replace
 import numpy as np
 from numpy.typing import NDArray
 
-from contourlab.analysis.backlash.axis_backlash import axis_backlash_loop
 from contourlab.analysis.backlash.limit_cycle_prediction import LimitCycle, predict_limit_cycles
-from contourlab.analysis.backlash.orbit_search import find_orbits
-from contourlab.analysis.backlash.periodic_orbit import PeriodicOrbit
+from contourlab.analysis.backlash.lure import axis_backlash_loop
+from contourlab.analysis.backlash.periodic_orbit import PeriodicOrbit, find_orbits
 from contourlab.components.contract import Component
 from contourlab.components.plant.two_inertia import TwoInertia
 from contourlab.errors import ComponentError, DivergenceError, ParameterError, ResultError

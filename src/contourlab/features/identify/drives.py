@@ -8,8 +8,18 @@ from collections.abc import Callable, Mapping, Sequence
 import numpy as np
 from numpy.typing import NDArray
 
-from contourlab.analysis.identification.drive_fit import DriveFit, fit_linear_motor, fit_load_share, fit_two_inertia
-from contourlab.analysis.identification.drive_models import damping_ratio, held_response, linear_motor, load_side, resonances, two_inertia
+from contourlab.analysis.identification.drive_fit import (
+    DriveFit,
+    damping_ratio,
+    fit_linear_motor,
+    fit_load_share,
+    fit_two_inertia,
+    held_response,
+    linear_motor,
+    load_side,
+    resonances,
+    two_inertia,
+)
 from contourlab.analysis.identification.filtered_motion import filtered_motion
 from contourlab.analysis.identification.frequency_response import MeasuredResponse
 from contourlab.analysis.identification.identification_remarks import on_mass

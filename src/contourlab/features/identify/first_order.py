@@ -4,8 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
-from contourlab.analysis.identification.closed_first_order import identify_closed_loop
-from contourlab.analysis.identification.first_order import FirstOrderFit, FirstOrderSettings, identify_first_order
+from contourlab.analysis.identification.first_order import FirstOrderFit, identify_closed_loop, identify_first_order
 from contourlab.analysis.identification.identification_remarks import on_mass
 from contourlab.components.origin import Origin
 from contourlab.errors import ResultError
@@ -15,14 +14,13 @@ from contourlab.features.identify.plant_tables import Forces, drive_table, force
 from contourlab.features.identify.signals import AxisRecord, sensor_table
 
 
-def identify_open_loop(record: AxisRecord, settings: FirstOrderSettings | None = None) -> Finding:
+def identify_open_loop(record: AxisRecord) -> Finding:
     """Find v' = -b v + a (u - friction) of an axis that its command drives in open loop.
 
     Parameters
     ----------
     record : AxisRecord
         With command and position.
-    settings : FirstOrderSettings, optional
 
     Raises
     ------
@@ -31,7 +29,7 @@ def identify_open_loop(record: AxisRecord, settings: FirstOrderSettings | None =
     ParameterError
         As of `contourlab.analysis.identification.first_order.identify_first_order`.
     """
-    fit = identify_first_order(record.time, record.driven(), record.position, settings)
+    fit = identify_first_order(record.time, record.driven(), record.position)
     unit = record.unit
     units = {"a": _over("m/s^2", unit), "b": "1/s", "friction": unit, "offset": unit, "delay": "s", "start": "m/s"}
     figures = _figures(fit, units, {name: name for name in units})
@@ -85,7 +83,7 @@ def identify_behind_observer(record: AxisRecord, gains: tuple[float, float, str]
                 "or the column of what the observer takes off the command"
             )
         ahead = record.driven() + record.estimate
-        fit = identify_first_order(record.time, ahead, record.position, FirstOrderSettings(friction=False))
+        fit = identify_first_order(record.time, ahead, record.position, friction=False)
         unit, said = record.unit, "from the command ahead of the observer"
         quantity = "velocity [mm/s]", of_command(unit)
         remarks = (

@@ -11,16 +11,17 @@ from numpy.typing import NDArray
 from contourlab.analysis.identification.frequency_response import (
     Measured,
     MeasuredResponse,
+    is_sweep,
     period_of,
     periodic_response,
+    response_doubts,
     spectral_response,
+    swept_response,
 )
-from contourlab.analysis.identification.response_doubts import response_doubts
 from contourlab.analysis.identification.sine_response import sine_responses, sine_stretch
-from contourlab.analysis.identification.swept_response import is_sweep, swept_response
 from contourlab.features.identify.finding import Drawn, Finding, Graph, Picture
 from contourlab.features.identify.signals import AxisRecord, one_unit
-from contourlab.logs.naming import about
+from contourlab.logs.error_context import about
 
 Complex = NDArray[np.complex128]
 SHOWN = 24

@@ -6,12 +6,12 @@ from collections.abc import Mapping, Sequence
 
 import numpy as np
 
-from contourlab.analysis.identification.constant_speed import Stretch, StretchSettings, constant_speed_stretches
+from contourlab.analysis.identification.constant_speed import LEAST_TRAVEL, Stretch, constant_speed_stretches
 from contourlab.analysis.identification.friction_curve import FrictionCurve, FrictionFit, fit_friction
 from contourlab.features.identify.finding import Carried, Drawn, Figure, Finding, Graph, Picture, Row, Tables, carried, of_command, told
 from contourlab.features.identify.signals import AxisRecord, fits_a_plant, no_plant, one_unit, source_of, sources_of
 from contourlab.features.identify.ways import on_ways
-from contourlab.logs.naming import about
+from contourlab.logs.error_context import about
 
 DIP, RISE = "stribeck_velocity", "rise_velocity"
 """Speed of the bend as the components of a dip and of a rise call it."""
@@ -19,14 +19,13 @@ UNEVEN = 0.1
 """Variation of the speed within stretches, on the median, from which they are none of constant speed; ripple of a ball screw makes 0.06."""
 
 
-def identify_friction(records: Sequence[AxisRecord], settings: StretchSettings | None = None) -> Finding:
+def identify_friction(records: Sequence[AxisRecord]) -> Finding:
     """Fit a friction curve to the constant speeds of one or several logs of an axis.
 
     Parameters
     ----------
     records : sequence of AxisRecord
         With the force or the command.
-    settings : StretchSettings, optional
 
     Raises
     ------
@@ -42,14 +41,14 @@ def identify_friction(records: Sequence[AxisRecord], settings: StretchSettings |
     for record in records:
         with about(record.source):
             stretches += constant_speed_stretches(
-                record.period, record.position, record.driven(), record.reference, settings, record.source
+                record.period, record.position, record.driven(), record.reference, record.source
             )
     heard = {stretch.source for stretch in stretches}
     silent = [source for source in sources_of(records) if source not in heard]
     fit = fit_friction(*_points(stretches))
     uneven = float(np.median([stretch.unevenness for stretch in stretches]))
     usable = fit.usable and uneven <= UNEVEN
-    remarks = [*fit.remarks, *_by_log(records, settings or StretchSettings())]
+    remarks = [*fit.remarks, *_by_log(records)]
     remarks += [f"no constant speed in {', '.join(silent)}"] if silent else []
     if uneven > UNEVEN:
         remarks.append(
@@ -87,9 +86,9 @@ def _points(stretches: Sequence[Stretch]) -> tuple[list[float], list[float], lis
     return [s.speed for s in stretches], [s.command for s in stretches], [s.deviation for s in stretches]
 
 
-def _by_log(records: Sequence[AxisRecord], settings: StretchSettings) -> list[str]:
+def _by_log(records: Sequence[AxisRecord]) -> list[str]:
     bare = sources_of([record for record in records if record.reference is None])
-    how = f"constant speed is told from the position, where it lasts over {100.0 * settings.least_way:g} % of the way or more"
+    how = f"constant speed is told from the position, where it lasts over {100.0 * LEAST_TRAVEL:g} % of the way or more"
     return [f"no reference in {', '.join(bare)}: {how}; where there is a reference, give its column"] if bare else []
 
 

@@ -21,7 +21,7 @@ from contourlab.features.identify.limits import Effort, motion_limits
 from contourlab.features.identify.plant_tables import Forces, drive_table, forces_of, plant_numbers, plant_table
 from contourlab.features.identify.signals import AxisRecord, in_newtons, samples_digest, sensor_table
 from contourlab.features.identify.ways import on_ways
-from contourlab.logs.naming import about
+from contourlab.logs.error_context import about
 
 MODELS = {"symmetric": "rigid", "asymmetric": "rigid-by-direction"}
 UNITS = {"M": "kg", "Fv": "N*s/m", "Fc": "N", "offset": "N"}

@@ -9,14 +9,13 @@ from pathlib import Path
 from typing import Any
 
 from contourlab.analysis.encoder.interpolation import interpolation_order
-from contourlab.analysis.encoder.quadrature import QuadratureConstants, fit_ellipse
-from contourlab.analysis.encoder.quadrature_tracking import track_ellipse
+from contourlab.analysis.encoder.quadrature import QuadratureConstants, fit_ellipse, track_ellipse
 from contourlab.app.folder import spared
 from contourlab.errors import ParameterError, UnitError
 from contourlab.features.interpolate.record import InterpolatedRecord
 from contourlab.features.interpolate.signals import read_quadrature
 from contourlab.features.interpolate.text import counts_csv, summary_json, summary_text
-from contourlab.logs.naming import about
+from contourlab.logs.error_context import about
 from contourlab.units import to_si
 
 PLACES = {"counts": "interpolated.csv", "picture": "interpolation.png", "summary": "interpolation.json"}

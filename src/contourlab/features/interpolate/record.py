@@ -8,8 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from contourlab.analysis.encoder.interpolation import SinusoidTable, period_count
-from contourlab.analysis.encoder.quadrature import EllipseFit, QuadratureConstants, Subdivisional, subdivisional_error
-from contourlab.analysis.encoder.quadrature_tracking import Tracked
+from contourlab.analysis.encoder.quadrature import EllipseFit, QuadratureConstants, Subdivisional, Tracked, subdivisional_error
 from contourlab.errors import ParameterError, ResultError
 from contourlab.features.interpolate.signals import QuadratureRecord
 

@@ -22,7 +22,7 @@ from contourlab.features.measure.study import Measured, measure
 from contourlab.features.run.command import RunOutcome, check_plots, file_names
 from contourlab.features.run.summary import SCHEMA
 from contourlab.logs import Log
-from contourlab.logs.naming import about
+from contourlab.logs.error_context import about
 from contourlab.metrics import reversal_figures
 from contourlab.metrics.circles import pairs
 from contourlab.result import write_text_atomic

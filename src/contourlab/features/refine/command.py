@@ -18,7 +18,7 @@ from contourlab.features.refine.log_run import Agreement, LogRun, log_run
 from contourlab.features.refine.remarks import shown, size_left, worse_than_before
 from contourlab.features.refine.study import Refined, RefineSettings, Window, refine
 from contourlab.features.run.command import check_plots
-from contourlab.logs.naming import about
+from contourlab.logs.error_context import about
 from contourlab.result import write_text_atomic
 
 if TYPE_CHECKING:

@@ -7,8 +7,7 @@ from collections.abc import Iterator, Sequence
 import numpy as np
 from numpy.typing import NDArray
 
-from contourlab.analysis.identification.fit_covariance import FitCovariance
-from contourlab.analysis.identification.gauss_newton import Descent
+from contourlab.analysis.identification.gauss_newton import Descent, FitCovariance
 from contourlab.features.refine.log_run import Agreement
 from contourlab.features.refine.parameters import Sought
 

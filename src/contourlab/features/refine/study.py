@@ -9,8 +9,7 @@ from dataclasses import dataclass, field, replace
 import numpy as np
 from numpy.typing import NDArray
 
-from contourlab.analysis.identification.fit_covariance import FitCovariance, fit_covariance
-from contourlab.analysis.identification.gauss_newton import Descent, DescentSettings, descend, spread_starts
+from contourlab.analysis.identification.gauss_newton import Descent, DescentSettings, FitCovariance, descend, fit_covariance, spread_starts
 from contourlab.design.values import with_values
 from contourlab.errors import ParameterError
 from contourlab.features.refine.log_run import Agreement, LogRun

@@ -314,8 +314,9 @@ def _write_report(scenario: Scenario, outcomes: Sequence[Outcome], folder: Path,
     from contourlab.report.reversal_table import reversal_text
     from contourlab.report.switching import switch_lines
     from contourlab.report.tables import comparison_text, trials_text
+    from contourlab.scenario.dump import dump
 
-    data = report_data(scenario.name, outcomes, scenario=scenario.text, command=command)
+    data = report_data(scenario.name, outcomes, scenario=dump(scenario), command=command)
     write_html(data, folder / "report.html")
     if plots:
         from contourlab.report.plots import write_plots

@@ -9,10 +9,9 @@ from dataclasses import dataclass
 from time import perf_counter
 
 from contourlab.analysis.learning.learning_analysis import LearningAnalysis, learning_analysis
-from contourlab.analysis.linear.internal_stability import InternalStability, internal_stability
+from contourlab.analysis.linear.contour_transfer import InternalStability, internal_stability
 from contourlab.analysis.linear.margins import Margins
-from contourlab.analysis.linear.response import AxisResponse
-from contourlab.analysis.linear.sampled_loop import sampled_loop
+from contourlab.analysis.linear.sampled_loop import AxisResponse, sampled_loop
 from contourlab.components.supervisor.pre_routed import PreRouted
 from contourlab.engine.runner import make_group
 from contourlab.errors import ComponentError, ResultError

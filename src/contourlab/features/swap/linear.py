@@ -8,9 +8,16 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
-from contourlab.analysis.linear.modular_lmi import lmi_design
-from contourlab.analysis.linear.modular_lq import GAINS, LinearAxis, LqWeights, ModularDesign, blind_swaps, direct_design
-from contourlab.analysis.linear.modular_three_step import three_step_design
+from contourlab.analysis.linear.modular_design import (
+    GAINS,
+    LinearAxis,
+    LqWeights,
+    ModularDesign,
+    blind_swaps,
+    direct_design,
+    lmi_design,
+    three_step_design,
+)
 from contourlab.analysis.linear.sampled_loop import sampled_loop
 from contourlab.errors import ParameterError
 from contourlab.features.swap.variants import Variant
@@ -128,6 +135,6 @@ def linear_swap(
 def _designs(method: str, models: Sequence[LinearAxis], weights: LqWeights) -> list[ModularDesign]:
     """Return the designs of a method: nothing local, then each gain alone where the method can have that."""
     if method == "lmi":
-        return [lmi_design(models, weights=weights)[0]]
+        return [lmi_design(models, weights)[0]]
     design = direct_design if method == "direct" else three_step_design
     return [design(models, local, weights) for local in ((), *((gain,) for gain in GAINS))]

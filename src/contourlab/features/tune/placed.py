@@ -9,7 +9,7 @@ from typing import Any
 
 import numpy as np
 
-from contourlab.analysis.linear.sampled_loops import rough_margins, sampled_loops
+from contourlab.analysis.linear.loop_lanes import rough_margins, sampled_loops
 from contourlab.components.contract import Component
 from contourlab.design.bounds import SLACK, Bounds
 from contourlab.errors import ComponentError, ParameterError

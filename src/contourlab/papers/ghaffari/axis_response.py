@@ -9,8 +9,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from contourlab.analysis.linear.response import AxisResponse
-from contourlab.analysis.linear.sampled_loop import sampled_loop
+from contourlab.analysis.linear.sampled_loop import AxisResponse, sampled_loop
 from contourlab.components.conformance import SLOTS
 from contourlab.components.contract import Component, LinearModel
 from contourlab.components.velocity.true import TrueVelocity

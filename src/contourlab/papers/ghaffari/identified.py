@@ -13,7 +13,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
-from contourlab.analysis.identification.closed_first_order import identify_closed_loop
+from contourlab.analysis.identification.first_order import identify_closed_loop
 from contourlab.components.controller.position import PositionController
 from contourlab.engine.runner import make_group
 from contourlab.geometry import Line, Path

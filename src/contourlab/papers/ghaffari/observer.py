@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from contourlab.analysis.linear.response import AxisResponse
+from contourlab.analysis.linear.sampled_loop import AxisResponse
 from contourlab.components.controller.position import PositionController
 from contourlab.components.friction.none import NoFriction
 from contourlab.components.sensor.ideal import IdealSensor

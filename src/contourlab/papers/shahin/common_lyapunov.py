@@ -14,8 +14,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from contourlab.analysis.backlash import lyapunov_lmi
 from contourlab.errors import ParameterError
+from contourlab.papers.shahin import lyapunov_lmi
 from contourlab.papers.shahin.exact_arithmetic import Rational, add, is_hurwitz, is_positive_definite, kernel, lyapunov, rational, transpose
 
 Array = NDArray[np.float64]

@@ -15,8 +15,7 @@ from numpy.typing import NDArray
 from contourlab.analysis.backlash.exact_simulation import ExactRun, simulate_exact
 from contourlab.analysis.backlash.limit_cycle_prediction import LimitCycle, Prediction, predict_limit_cycles
 from contourlab.analysis.backlash.lure import BacklashLoop
-from contourlab.analysis.backlash.orbit_search import find_orbits
-from contourlab.analysis.backlash.periodic_orbit import PeriodicOrbit
+from contourlab.analysis.backlash.periodic_orbit import PeriodicOrbit, find_orbits
 from contourlab.papers.shahin.two_inertia_loop import Feedback, TwoInertias, motor_pid, p_pi_cascade, two_inertia_loop
 
 Array = NDArray[np.float64]

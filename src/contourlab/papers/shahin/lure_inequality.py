@@ -16,7 +16,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from contourlab.analysis.backlash.lyapunov_lmi import frames, solved
+from contourlab.analysis.linear.modular_design import solved
+from contourlab.papers.shahin.lyapunov_lmi import frames
 from contourlab.papers.shahin.pole_at_zero import Split
 
 Array = NDArray[np.float64]

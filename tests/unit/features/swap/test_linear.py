@@ -4,8 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from contourlab.analysis.linear.modular_lq import GAINS, LinearAxis, direct_design
-from contourlab.analysis.linear.modular_three_step import three_step_design
+from contourlab.analysis.linear.modular_design import GAINS, LinearAxis, direct_design, three_step_design
 from contourlab.features.swap.linear import LinearSwap
 from contourlab.features.swap.text import linear_remarks
 

@@ -13,7 +13,7 @@ from contourlab.features.identify.doubts import doubts
 from contourlab.features.identify.signals import AxisRecord, axis_pieces, longest_piece, newtons_per, samples_digest
 from contourlab.features.measure.log_choice import LogChoice, open_log, positive, told_apart
 from contourlab.logs import Log
-from contourlab.logs.naming import about
+from contourlab.logs.error_context import about
 from contourlab.units import split, to_si
 
 
@@ -93,7 +93,7 @@ class Request:
         return [record for records in found for record in records]
 
     def about(self) -> AbstractContextManager[None]:
-        """Return what gives errors about samples the names of the logs; see `contourlab.logs.naming.about`."""
+        """Return what gives errors about samples the names of the logs; see `contourlab.logs.error_context.about`."""
         return about(*self._names.values(), options=[each.name for each in fields(self)])
 
     def _check_once(self) -> None:

@@ -1,13 +1,12 @@
-"""A whole trial as a linear map, with the normal turning as the path does: forwards, transposed, and its transitions, without a matrix.
+"""A whole trial as a linear map, with the turning normal: forwards, transposed, and its monodromy matrix.
 
-The samples are cut into stretches that are run side by side, first from rest, then from where each truly starts; what a stretch makes of
-its first state is worked out once. A trial of 30 000 samples costs a few hundred small products of matrices.
+The samples are cut into stretches that run side by side, first from rest, then from their true start. The transition matrix of each stretch
+is computed once. A trial of 30 000 samples costs a few hundred small matrix products.
 """
 
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
@@ -20,7 +19,7 @@ Array = NDArray[np.float64]
 
 
 def normal_frames(tangents: ArrayLike) -> Array:
-    """Return unit normals (n_sample, n_axis, n_axis - 1) that are carried along a path by the least rotation from each tangent to the next.
+    """Return unit normals (n_sample, n_axis, n_axis - 1), each rotated as little as possible from the one before.
 
     Parameters
     ----------
@@ -41,42 +40,8 @@ def normal_frames(tangents: ArrayLike) -> Array:
     return frames
 
 
-@dataclass(frozen=True, eq=False)
-class _Matrices:
-    """The tick with the coupling cut out: s = (axes' states, coupling's states), what enters is added to commands and references."""
-
-    a: Array
-    pushed: Array
-    referred: Array
-    position: Array
-    command: Array
-    command_pushed: Array
-    command_referred: Array
-    q_in: Array
-    q_out: Array
-
-    @classmethod
-    def of(cls, loop: CoupledLoop, r: int) -> _Matrices:
-        sizes = [len(axis.a) for axis in loop.axes]
-        n, total, m = len(sizes), sum(sizes), len(loop.coupling.f) * r
-        a, pushed, referred = np.zeros((total + m, total + m)), np.zeros((total + m, n)), np.zeros((total + m, n))
-        position, command = np.zeros((n, total + m)), np.zeros((n, total + m))
-        first = 0
-        for i, axis in enumerate(loop.axes):
-            rows = slice(first, first + sizes[i])
-            a[rows, rows], pushed[rows, i], referred[rows, i] = axis.a, axis.b, axis.r
-            position[i, rows], command[i, rows] = axis.position, axis.command[:-2]
-            first += sizes[i]
-        a[total:, total:] = np.kron(loop.coupling.f, np.eye(r))
-        q_in, q_out = np.zeros((total + m, r)), np.zeros((r, total + m))
-        q_in[total:] = np.kron(loop.coupling.g[:, None], np.eye(r))
-        q_out[:, total:] = np.kron(loop.coupling.h[None, :], np.eye(r))
-        direct = np.array([axis.command[-2:] for axis in loop.axes])
-        return cls(a, pushed, referred, position, command, direct[:, 0], direct[:, 1], q_in, q_out)
-
-
 class TrialMap:
-    """What a table does to a trial, for small errors: u (n_sample, n_axis) -> tracking error, or feedback command.
+    """Effect of a table on a trial, for small errors: u (n_sample, n_axis) -> tracking error and feedback command.
 
     Parameters
     ----------
@@ -84,7 +49,7 @@ class TrialMap:
     tangents : ndarray (n_sample, n_axis)
         Direction of the path at each sample.
     target : str
-        ``"command"`` or ``"reference"``: what the table is added to.
+        ``"command"`` or ``"reference"``: the signal that the table is added to.
     """
 
     def __init__(self, loop: CoupledLoop, tangents: ArrayLike, target: str = "command") -> None:
@@ -93,7 +58,7 @@ class TrialMap:
             raise ParameterError("tangents", f"of shape {t.shape}", f"unit vectors, (n_sample, {len(loop.axes)})")
         self.loop, self.target, self.n_sample, self.n_axis = loop, target, len(t), t.shape[1]
         frames = normal_frames(t)
-        self._made = _Matrices.of(loop, frames.shape[2])
+        self._made = loop.matrices(frames.shape[2])
         self.length = max(16, math.isqrt(self.n_sample) // 2)
         self._turned = frames[0].T @ frames[-1]
         spare = -self.n_sample % self.length
@@ -101,11 +66,11 @@ class TrialMap:
         self._along = self._cut(np.concatenate([t, np.repeat(t[-1:], spare, axis=0)]))
 
     def forward(self, u: Array) -> tuple[Array, Array]:
-        """Return what a table (n_sample, n_axis) adds to the tracking error and to the feedback command, each (n_sample, n_axis)."""
+        """Return the effect of a table (n_sample, n_axis) on tracking error and feedback command, each (n_sample, n_axis)."""
         given = self._padded(u)
         shape = given.shape
         rest = np.zeros((shape[1], len(self._made.a)))
-        end = self._run(rest, given)[0]
+        end = self._run(rest, given)
         start = rest.copy()
         for b in range(1, shape[1]):
             start[b] = self._passages[b - 1] @ start[b - 1] + end[b - 1]
@@ -115,11 +80,11 @@ class TrialMap:
         return -self._joined(position), self._joined(fed)
 
     def transposed(self, of_error: Array, of_feedback: Array) -> Array:
-        """Return the transpose of `forward`: from weights on both of its results to one table."""
+        """Return the transpose of `forward`: from weights on both results to one table."""
         position, command = -self._padded(of_error), self._padded(of_feedback)
         count = position.shape[1]
         rest = np.zeros((count, len(self._made.a)))
-        begin = self._run_back(rest, position, command)[0]
+        begin = self._run_back(rest, position, command)
         last = rest.copy()
         for b in range(count - 2, -1, -1):
             last[b] = self._passages[b + 1].T @ last[b + 1] + begin[b + 1]
@@ -128,7 +93,7 @@ class TrialMap:
         return self._joined(found - command) if self.target == "command" else self._joined(found)
 
     def monodromy(self) -> Array:
-        """Return what the trial makes of its first state, once round, in the frame of its start."""
+        """Return the transition matrix of the whole trial, in the frame of its start."""
         n = len(self._made.a)
         total = np.eye(n)
         full = self.n_sample // self.length
@@ -136,13 +101,13 @@ class TrialMap:
             total = self._passages[b] @ total
         for k in range(self.n_sample - full * self.length):
             total = self._tick(total.T, np.zeros((n, self.n_axis)), self._frames[k, full][None], self._along[k, full][None])[0].T
-        first = n - self._made.q_in.shape[1] * len(self.loop.coupling.f)
+        first = n - self._made.coupling_in.shape[1] * len(self.loop.coupling.f)
         total[first:] = np.kron(np.eye(len(self.loop.coupling.f)), self._turned) @ total[first:]
         return total
 
     @cached_property
     def _passages(self) -> Array:
-        """What each stretch makes of the state that it begins with: (n_stretch, n, n)."""
+        """Transition matrices of the stretches: (n_stretch, n, n)."""
         n, count = len(self._made.a), self._frames.shape[1]
         state = np.tile(np.eye(n), (count, 1))
         none = np.zeros((count * n, self.n_axis))
@@ -155,38 +120,38 @@ class TrialMap:
         made, coupling = self._made, self.loop.coupling
         position = s @ made.position.T
         error = -(frame * position[:, :, None]).sum(axis=1)
-        added = (frame * (s @ made.q_out.T + coupling.d * error)[:, None, :]).sum(axis=2)
+        added = (frame * (s @ made.coupling_out.T + coupling.d * error)[:, None, :]).sum(axis=2)
         shift = coupling.weight * along * (along * position).sum(axis=1, keepdims=True)
         added, shift = (added + u, shift) if self.target == "command" else (added, shift + u)
         command = s @ made.command.T + added * made.command_pushed + shift * made.command_referred
-        after = s @ made.a.T + added @ made.pushed.T + shift @ made.referred.T + error @ made.q_in.T
+        after = s @ made.a.T + added @ made.pushed.T + shift @ made.referred.T + error @ made.coupling_in.T
         return after, position, command
 
     def _tick_back(self, z: Array, w: tuple[Array, Array], frame: Array, along: Array) -> tuple[Array, Array]:
-        """Return the transpose of `_tick`: what falls on the states (m, n) and on the table (m, n_axis)."""
+        """Return the transpose of `_tick`, on the states (m, n) and on the table (m, n_axis)."""
         made, coupling = self._made, self.loop.coupling
         added = z @ made.pushed + w[1] * made.command_pushed
         shift = z @ made.referred + w[1] * made.command_referred
         across = (frame * added[:, :, None]).sum(axis=1)
-        error = z @ made.q_in + coupling.d * across
+        error = z @ made.coupling_in + coupling.d * across
         position = w[0] - (frame * error[:, None, :]).sum(axis=2)
         position = position + coupling.weight * along * (along * shift).sum(axis=1, keepdims=True)
-        before = z @ made.a + w[1] @ made.command + position @ made.position + across @ made.q_out
+        before = z @ made.a + w[1] @ made.command + position @ made.position + across @ made.coupling_out
         return before, added if self.target == "command" else shift
 
-    def _run(self, state: Array, given: Array, out: tuple[Array, Array] | None = None) -> tuple[Array]:
+    def _run(self, state: Array, given: Array, out: tuple[Array, Array] | None = None) -> Array:
         for k in range(self.length):
             state, position, command = self._tick(state, given[k], self._frames[k], self._along[k])
             if out is not None:
                 out[0][k], out[1][k] = position, command
-        return (state,)
+        return state
 
-    def _run_back(self, state: Array, position: Array, command: Array, out: Array | None = None) -> tuple[Array]:
+    def _run_back(self, state: Array, position: Array, command: Array, out: Array | None = None) -> Array:
         for k in range(self.length - 1, -1, -1):
             state, fallen = self._tick_back(state, (position[k], command[k]), self._frames[k], self._along[k])
             if out is not None:
                 out[k] = fallen
-        return (state,)
+        return state
 
     def _padded(self, values: Array) -> Array:
         whole = np.zeros((-(-self.n_sample // self.length) * self.length, self.n_axis))

@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from contourlab.errors import ContourlabError, LogError, ParameterError, ResultError
-from contourlab.logs.naming import about
+from contourlab.logs.error_context import about
 
 
 @pytest.mark.parametrize(

@@ -1,4 +1,4 @@
-"""Whose fault it is: what is wrong with the samples of a log is told with its file."""
+"""Add the file of a log to errors about its samples."""
 
 from __future__ import annotations
 
@@ -12,21 +12,21 @@ from contourlab.errors import FeedError, GeometryError, LogError, ParameterError
 
 @contextmanager
 def about(*files: str | Path, options: Container[str] = ()) -> Iterator[None]:
-    """Give errors about what logs hold the names of the logs.
+    """Raise errors about samples as `LogError` with the names of their logs.
 
-    What is computed from samples knows no file. Errors that name one of the logs stay as they are, and so do those about an option.
+    Errors that name one of the logs already, or concern an option, pass unchanged.
 
     Parameters
     ----------
     *files : str or Path
-        What the logs are called, one or several.
+        Names of the logs.
     options : container of str
-        Names of parameters that are a user's to give, with low lines.
+        Names of parameters that the user sets, with underscores.
 
     Raises
     ------
     LogError
-        In place of what was raised, with the names.
+        In place of the error, with the names.
     """
     try:
         yield

@@ -11,6 +11,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from contourlab.analysis.linear.modular_design import solved
+
 Array = NDArray[np.float64]
 
 SOLVERS = ("CLARABEL", "SCS")
@@ -110,19 +112,3 @@ def _margin(matrices: list[Array], solver: str) -> Array | None:
     if not solved(cvxpy.Problem(cvxpy.Maximize(margin), rules), solver):
         return None
     return np.asarray(p.value, dtype=float) if float(margin.value) > 0.0 else None
-
-
-def solved(problem: Any, solver: str) -> bool:
-    """Let a solver try; whether it left anything to look at."""
-    import warnings
-
-    import cvxpy
-
-    try:
-        with warnings.catch_warnings():
-            # "Solution may be inaccurate": it is proved or rejected anyway.
-            warnings.simplefilter("ignore")
-            problem.solve(solver=solver)
-    except (cvxpy.error.SolverError, ArithmeticError, ValueError):
-        return False
-    return problem.status in ("optimal", "optimal_inaccurate") and all(each.value is not None for each in problem.variables())
