@@ -67,7 +67,7 @@ def test_the_summary_has_the_keys_of_its_document_and_no_others(circle: Finished
     for one in found["schemes"].values():
         assert set(one) == scheme
         assert set(one["metrics"]) == metrics
-        assert one["verdict"].keys() == {"passed", "tolerance", "worst", "causes", "advice", "untold", "left_out"}
+        assert one["verdict"].keys() == {"passed", "tolerance", "worst", "causes", "left_out"}
 
 
 def test_a_failed_tolerance_is_exit_code_1(circle: Finished) -> None:

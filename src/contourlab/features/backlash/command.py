@@ -107,5 +107,5 @@ def _kind(kind: str, cycle: Cycle, period: float) -> str:
     """Name a limit cycle, and say where the sampled loop may differ."""
     notes = [cycle.validity.partition(":")[0]] if cycle.validity else []
     if cycle.frequency * period > FEW:
-        notes.append(f"rough: {figure(1.0 / (cycle.frequency * period), '', 2)} servo periods")
+        notes.append(f"{figure(1.0 / (cycle.frequency * period), digits=2)} servo periods long")
     return f"{kind}: {'stable' if cycle.stable else 'unstable'}" + (f" ({', '.join(notes)})" if notes else "")
