@@ -24,7 +24,7 @@ from contourlab.components.controller.position import PositionController
 from contourlab.components.coupling.modified_reference import ModifiedReference
 from contourlab.components.drive.saturation import Saturation
 from contourlab.components.estimator.newton import Newton
-from contourlab.components.friction.smooth_coulomb import SmoothCoulomb
+from contourlab.components.friction.laws import SmoothCoulomb
 from contourlab.components.observer.disturbance_observer import DisturbanceObserver
 from contourlab.components.plant.rigid_axis import RigidAxis
 from contourlab.geometry.view import view_of

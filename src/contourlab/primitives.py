@@ -10,10 +10,8 @@ Conditions: `select(condition, a, b)` evaluates both sides and is what lanes wan
 from __future__ import annotations
 
 import math
-from typing import TYPE_CHECKING, NamedTuple
-
-if TYPE_CHECKING:
-    from collections.abc import Sequence
+from collections.abc import Sequence
+from typing import NamedTuple
 
 __all__ = [
     "Clock",

@@ -13,7 +13,7 @@ from scipy.integrate import solve_ivp
 from scipy.linalg import expm
 from two_mass_rig import DRIVE, NONE, Drive, chain_energy, random_command
 
-from contourlab.components.friction.coulomb import Coulomb
+from contourlab.components.friction.laws import Coulomb
 from contourlab.components.plant.inertia_chain import InertiaChain
 from contourlab.components.plant.two_inertia import COARSEST, TwoInertia
 

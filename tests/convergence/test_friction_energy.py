@@ -12,10 +12,7 @@ from hypothesis import strategies as st
 from numpy.typing import NDArray
 
 from contourlab.components.contract import Component
-from contourlab.components.friction.coulomb import Coulomb
-from contourlab.components.friction.lugre import LuGre
-from contourlab.components.friction.rising import Rising
-from contourlab.components.friction.smooth_coulomb import SmoothCoulomb
+from contourlab.components.friction.laws import Coulomb, LuGre, Rising, SmoothCoulomb
 from contourlab.components.mechanics.core import link
 from contourlab.components.plant.mass_damper import MassDamper
 from contourlab.components.registry import components

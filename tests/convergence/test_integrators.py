@@ -9,10 +9,7 @@ import numpy as np
 import pytest
 from scipy.integrate import solve_ivp
 
-from contourlab.components.friction.coulomb import Coulomb
-from contourlab.components.friction.lugre import LuGre
-from contourlab.components.friction.none import NoFriction
-from contourlab.components.friction.smooth_coulomb import SmoothCoulomb
+from contourlab.components.friction.laws import Coulomb, LuGre, NoFriction, SmoothCoulomb
 from contourlab.components.mechanics.core import link
 from contourlab.components.plant.mass_damper import MassDamper
 from contourlab.engine.step import record

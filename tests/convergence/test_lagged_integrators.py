@@ -15,13 +15,10 @@ from scipy.integrate import solve_ivp
 from scipy.linalg import expm
 
 from contourlab.components.contract import Component
-from contourlab.components.friction.coulomb import Coulomb
-from contourlab.components.friction.lugre import LuGre
-from contourlab.components.friction.none import NoFriction
-from contourlab.components.friction.smooth_coulomb import SmoothCoulomb
+from contourlab.components.friction.laws import Coulomb, LuGre, NoFriction, SmoothCoulomb
 from contourlab.components.mechanics.core import link
 from contourlab.components.mechanics.propagator import STIFFEST, propagator
-from contourlab.components.plant.linear_motor import LinearMotor
+from contourlab.components.plant.lagged_mass import LinearMotor
 from contourlab.engine.step import record
 from contourlab.primitives import Clock
 

@@ -14,9 +14,7 @@ from numpy.typing import NDArray
 from scipy.integrate import solve_ivp
 from two_mass_rig import DRIVE, NONE, Drive, energy, random_command
 
-from contourlab.components.friction.coulomb import Coulomb
-from contourlab.components.friction.lugre import LuGre
-from contourlab.components.friction.smooth_coulomb import SmoothCoulomb
+from contourlab.components.friction.laws import Coulomb, LuGre, SmoothCoulomb
 from contourlab.components.mechanics.core import link
 from contourlab.components.plant.ball_screw import BallScrew
 from contourlab.components.plant.two_inertia import TwoInertia

@@ -13,8 +13,8 @@ from numpy.typing import NDArray
 
 from contourlab.cli.main import main
 from contourlab.papers.gecer_ulu.axis import tracking
+from contourlab.papers.gecer_ulu.convergence import convergence, turn
 from contourlab.papers.gecer_ulu.learning import delay_rows, forecast, order_turns, side_lobe_rows
-from contourlab.papers.gecer_ulu.pictures import convergence, turn
 from contourlab.papers.gecer_ulu.setup import (
     EXPERIMENT,
     KAPPA,
@@ -25,7 +25,6 @@ from contourlab.papers.gecer_ulu.setup import (
     machine_of,
     reference_of,
     rms,
-    turning_points,
 )
 from contourlab.scenario import BUILTIN, builtin_file, chosen, load_scenario
 
@@ -55,6 +54,39 @@ def slow(kappa: float) -> tuple[float, float, float]:
     left = lag - kappa / (1.0 + kappa) * normal * across[:, None]
     x, y = 1e9 * np.sqrt(np.mean(left**2, axis=0))
     return float(x), float(y), 1e9 * float(np.sqrt(np.mean(across**2))) / (1.0 + kappa)
+
+
+def turning_points(width: float = 17.02e-6, height: float = 90e-6, radius: float = 1e-6, bend: float = 0.3, half: int = 60) -> Array:
+    """Return points of two bent legs that meet in one tight turn, from (0, 0) over (width, height/2) to (0, height).
+
+    A hyperbola has straight legs and a turn of any tightness; a parabola added to it bends the legs.
+
+    Parameters
+    ----------
+    width, height, radius : float [m]
+        Excursions, and the radius of curvature in the turn.
+    bend : float, 0 to 1
+        Share of the parabola.
+    half : int
+        Points on a leg; they lie dense where the curve turns.
+
+    Returns
+    -------
+    ndarray (2 half + 1, 2) [m]
+    """
+    tip = _tip(height**2 / (4.0 * width * radius), bend)
+    along = tip * np.sinh(np.linspace(-1.0, 1.0, 2 * half + 1) * np.arcsinh(1.0 / tip))
+    along[0], along[-1] = -1.0, 1.0
+    legs = (np.sqrt(along**2 + tip**2) - tip) / (np.sqrt(1.0 + tip**2) - tip)
+    x = width * ((1.0 - bend) * (1.0 - legs) + bend * (1.0 - along**2))
+    return np.column_stack([x, 0.5 * height * (along + 1.0)])
+
+
+def _tip(curvature: float, bend: float) -> float:
+    """Return the size of the hyperbola's tip at which the curve has a curvature there, both in parts of width and half height."""
+    wanted = (curvature - 2.0 * bend) / (1.0 - bend)
+    # 1/(t (sqrt(1 + t^2) - t)) = wanted, with its root in closed form: sqrt(1 + t^2) = t + 1/(wanted t).
+    return 1.0 / (wanted * np.sqrt(1.0 - 2.0 / wanted))
 
 
 # --- the contour ---------------------------------------------------------------------------------------------------------------------

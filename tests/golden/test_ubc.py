@@ -10,7 +10,8 @@ import pytest
 
 from contourlab.cli.main import main
 from contourlab.errors import LogError
-from contourlab.papers.ubc.study import MEASURED, reproduce
+from contourlab.papers.run import run_parts
+from contourlab.papers.ubc.study import MEASURED, parts_of
 
 Table = dict[tuple[str, str], dict[str, Any]]
 
@@ -25,7 +26,7 @@ def folder(shared: Path) -> Path:
 
 @pytest.fixture(scope="module")
 def table(folder: Path) -> Table:
-    rows = reproduce(folder, with_unseen=False)
+    rows = run_parts(parts_of(folder, with_unseen=False))
     found = {(row["name"], row["case"]): row for row in rows}
     assert len(found) == len(rows), "two rows share name and case"
     return found
@@ -64,7 +65,7 @@ def test_the_library_keeps_the_figures_that_it_was_given(table: Table) -> None:
 
 @pytest.mark.slow
 def test_what_was_left_out_is_met_too(folder: Path) -> None:
-    rows = [row for row in reproduce(folder) if row["name"].startswith("unseen")]
+    rows = [row for row in run_parts(parts_of(folder)) if row["name"].startswith("unseen")]
     explained = [row["here"] for row in rows if row["name"] == "unseen: variance explained"]
     assert len(explained) == 12
     contour = [row for row in rows if row["name"] == "unseen: contour rms"]
@@ -81,7 +82,7 @@ def test_the_command_prints_json_and_draws(folder: Path, tmp_path: Path, capsys:
 
 
 def test_without_logs_it_says_what_is_wanted(tmp_path: Path) -> None:
-    with pytest.raises(LogError, match="no folder given: wanted is a folder with line_circle_lli"):
-        reproduce(None)
-    with pytest.raises(LogError, match=r"holds no line_circle_lli\.mat and no line_circle_pp\.mat"):
-        reproduce(tmp_path)
+    with pytest.raises(LogError, match="no folder given"):
+        parts_of(None)
+    with pytest.raises(LogError, match=r"line_circle_lli\.mat and no line_circle_pp\.mat"):
+        parts_of(tmp_path)

@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from contourlab.components.contract import Component
-from contourlab.components.friction.none import NoFriction
+from contourlab.components.friction.laws import NoFriction
 from contourlab.components.mechanics.core import link
 from contourlab.components.registry import component
 from contourlab.engine.runner import make_group

@@ -10,11 +10,10 @@ from numpy.typing import NDArray
 from contourlab.components.contract import Component
 from contourlab.components.controller.position import PositionController
 from contourlab.components.controller.speed_pid import SpeedPID
-from contourlab.components.drive.delayed_saturation import DelayedSaturation
-from contourlab.components.drive.saturation import Saturation
-from contourlab.components.estimator.tangent import Tangent
+from contourlab.components.drive.saturation import DelayedSaturation, Saturation
+from contourlab.components.estimator.local import Tangent
+from contourlab.components.plant.lagged_mass import SecondOrderIntegrator
 from contourlab.components.plant.rigid_axis import RigidAxis
-from contourlab.components.plant.second_order_integrator import SecondOrderIntegrator
 from contourlab.loop.machine import Axis, AxisController, Controller, Machine
 
 PERIOD = 1e-3

@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from contourlab.components.contract import Component
-from contourlab.components.friction.none import NoFriction
+from contourlab.components.friction.laws import NoFriction
 from contourlab.components.mechanics.core import MOTOR_FRICTION, friction_prefix, link
 from contourlab.engine.runner import Group, make_group
 from contourlab.engine.schedule import Node, Schedule

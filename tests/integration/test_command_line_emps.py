@@ -34,7 +34,7 @@ def save(file: Path, held: dict[str, object]) -> Path:
 def test_without_a_log_it_says_which_and_from_where(contourlab: Run) -> None:
     said = contourlab("reproduce", "emps")
     assert (said.code, said.out) == (2, "")
-    assert said.err.startswith("contourlab: --log: no log given: wanted is DATA_EMPS.mat of Janot, Gautier & Brunot")
+    assert said.err.startswith("contourlab: --log: no log given: give DATA_EMPS.mat")
     assert "Traceback" not in said.err
 
 
@@ -42,7 +42,7 @@ def test_bad_input_is_refused_in_words_before_anything_is_written(contourlab: Ru
     whole = save(tmp_path / "whole.mat", held)
     save(tmp_path / "still.mat", held | {"qm": np.zeros(9000)})
     for words, told in (
-        (("--log", "nowhere.mat"), "nowhere.mat: cannot be read: No such file or directory; wanted is DATA_EMPS.mat"),
+        (("--log", "nowhere.mat"), "nowhere.mat: cannot be read: No such file or directory; give DATA_EMPS.mat"),
         (("--log", "still.mat"), "a record in which the axis moves"),
         (("--log", whole, "--validation", "nowhere.mat"), "nowhere.mat: cannot be read"),
         (("--log", whole, "--plots", "bmp"), "bmp"),

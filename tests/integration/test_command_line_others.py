@@ -12,7 +12,6 @@ from typed_commands import Run, contents
 import contourlab as package
 from contourlab.cli.main import main
 from contourlab.components.contract import FAMILIES
-from contourlab.papers.ghaffari import study as ghaffari
 
 ANSWERS = """\
 name = "Bench mill"
@@ -198,7 +197,7 @@ def test_the_last_line_counts_printed_derived_and_differing_figures_apart(
     reproduction: tuple[int, str, str], monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
     rows = json.loads(reproduction[1])
-    monkeypatch.setattr(ghaffari, "reproduce", lambda stage: rows)
+    monkeypatch.setattr("contourlab.papers.run.run_parts", lambda parts, stage: rows)
     assert main(["reproduce", "ghaffari"]) == 0
     said = capsys.readouterr()
     assert said.err == ""

@@ -11,7 +11,8 @@ from pathlib import Path
 import pytest
 import synthetic
 
-from contourlab.report import comparison_markdown, write_html
+from contourlab.report.html import write_html
+from contourlab.report.tables import comparison_markdown
 from contourlab.result import Result
 
 BROWSER = next((found for name in ("chromium", "chromium-browser", "google-chrome") if (found := shutil.which(name))), None)

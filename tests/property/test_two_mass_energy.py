@@ -11,7 +11,7 @@ from hypothesis import strategies as st
 from numpy.typing import NDArray
 from two_mass_rig import DRIVE, NONE, Drive, energy, gains, half_gap, random_command
 
-from contourlab.components.friction.coulomb import Coulomb
+from contourlab.components.friction.laws import Coulomb
 from contourlab.components.plant.two_inertia import TwoInertia
 
 Array = NDArray[np.float64]

@@ -1,4 +1,4 @@
-"""The same test for our components and a stranger's: does it keep the contract?"""
+"""One conformance test for our components and those of others."""
 
 from __future__ import annotations
 
@@ -57,24 +57,24 @@ SLOTS: dict[str, tuple[tuple[str, ...], tuple[str, ...]]] = {
     "link": (("sent",), ("received",)),
     "learning": ((), ()),
 }
-"""What the slot of each family offers, and what it wants back."""
+"""Ports of each family: inputs that its slot offers, outputs that it needs."""
 
 CHOOSING = ("gap_observer", "feedforward", "compensation", "supervisor", "controller", "coupling")
-"""Families that need not take all that is offered."""
+"""Families that may leave inputs out."""
 EITHER = ("feedforward", "compensation", "coupling")
-"""Families that give one of what is wanted, or all of it."""
+"""Families that may leave outputs out, but not all."""
 
 UNWIRED = {("velocity", "true")}
-"""Ideal parts that have no node in the loop and ports of their own."""
+"""Ideal parts without a node in the loop, which have ports of their own."""
 
 
 def check_component(kind: type[Component], *, jit: bool = True) -> None:
     """Check that a component keeps the contract.
 
-    Declarations (family, ports, bounds, documentation), sizes, finite outputs and states, determinism, save and restore in mid-run,
-    agreement of lanes, compiled scalar and plain Python to 1e-9, that a linear model belongs to its step, that friction takes energy, and
-    that every parameter has an effect, are checked on its `example`. Plants and frictions are checked linked to each other, estimators on
-    an ellipse, learning laws by what they make of a trial.
+    Runs the `example` and checks: declarations (family, ports, bounds, documentation), sizes, finite outputs and states, determinism, save
+    and restore in mid-run, agreement of lanes, compiled scalar and plain Python to 1e-9, the linear model against the step, that friction
+    takes energy, and that every parameter has an effect. Plants and frictions are linked to each other, estimators run on an ellipse,
+    learning laws on a trial.
 
     Parameters
     ----------
@@ -85,7 +85,7 @@ def check_component(kind: type[Component], *, jit: bool = True) -> None:
     Raises
     ------
     ComponentError
-        At the first clause that is broken, in words.
+        At the first broken clause.
 
     >>> from contourlab.components.drive.saturation import Saturation
     >>> check_component(Saturation, jit=False)
@@ -96,9 +96,9 @@ def check_component(kind: type[Component], *, jit: bool = True) -> None:
     except ContourlabError as error:
         raise _fault(kind, f"its example does not make a component: {error}") from error
     if kind.family == "learning":  # it has no step: it runs between trials
-        said = learning_fault(part, _others)
-        if said:
-            raise _fault(kind, said)
+        fault = learning_fault(part, _others)
+        if fault:
+            raise _fault(kind, fault)
         return
     for scale in SCALES:
         _check_running(kind, part, scale, jit)
@@ -181,7 +181,7 @@ def _linked(part: Component) -> tuple[Step, dict[str, Any], dict[str, Any]]:
 
 
 def _sized(step: Step) -> Step:
-    """Return the step with its tuples held against its ports: a vector of the wrong length would shift or leave out numbers in silence."""
+    """Return the step with a check of its tuples against its ports: a wrong length would shift numbers silently."""
 
     def function(*given: Any) -> Any:
         returned = step.function(*given)
@@ -223,7 +223,7 @@ def _outputs(group: Group) -> list[int]:
 
 
 def _excitation(group: Group, scale: float) -> Array:
-    """Return inputs that wander and turn: sums of sines of unlike frequencies, the same at every call."""
+    """Return inputs that wander and turn: sums of sines of different frequencies."""
     n = rows(group.schedule.externals)
     t = np.arange(TICKS)[:, None] * 0.05
     channel = np.arange(n)[None, :]
@@ -238,7 +238,7 @@ def _run(part: Component, scale: float, jit: bool, width: int = 1) -> Array:
 
 
 def _gap(one: Array, other: Array) -> float:
-    """Return the largest difference over the size of the numbers; not a number where either is."""
+    """Return the largest difference over the size of the numbers; NaN if either has one."""
     return float(np.abs(one - other).max(initial=0.0)) / max(1.0, float(np.abs(other).max(initial=0.0)))
 
 
@@ -276,10 +276,7 @@ def _check_resume(kind: type[Component], part: Component, scale: float, jit: boo
     group.restore(saved)
     again = group.run(inputs[half:], _outputs(group))
     if not np.array_equal(rest, again):
-        raise _fault(
-            kind,
-            "a run that is saved and restored goes on differently: all it remembers must be in its states or its ring",
-        )
+        raise _fault(kind, "a run that is saved and restored goes on differently: all it remembers must be in its states or its ring")
     if not np.array_equal(np.concatenate([first, rest]), whole):
         raise _fault(kind, "a run in two halves differs from a run in one")
 
@@ -297,13 +294,13 @@ def _check_linear(kind: type[Component], part: Component) -> None:
         part = part.linear()
         step = link(part, component("friction", "none")())
     tables = {name: Table(values) for name, values in part.table_values().items()}
-    said = linear_fault(model, step, lambda dt: {**part.block(dt), **tables})
-    if said:
-        raise _fault(kind, f"its linear model is not that of its step: {said}")
+    fault = linear_fault(model, step, lambda dt: {**part.block(dt), **tables})
+    if fault:
+        raise _fault(kind, f"its linear model is not that of its step: {fault}")
 
 
 def _check_passive(kind: type[Component], part: Component) -> None:
-    """Friction takes energy, at any speed; that of a bristle is a matter of its past, and is left to runs."""
+    """Check that friction takes energy at any speed; a bristle depends on its past and is left out."""
     law = getattr(kind, "law", "")
     force: Any = getattr(kind, {"smooth": "force", "sticking": "sliding"}.get(law, ""), None)
     if kind.family != "friction" or force is None:
@@ -311,9 +308,7 @@ def _check_passive(kind: type[Component], part: Component) -> None:
     par = part.constants()
     for speed in np.geomspace(1e-7, 10.0, 33):
         if not force(par, float(speed)) >= 0.0 or (law == "smooth" and not force(par, -float(speed)) <= 0.0):
-            raise _fault(
-                kind, f"a friction that feeds energy in at {speed:.3g} m/s: its force is counted against the motion, positive forwards"
-            )
+            raise _fault(kind, f"feeds energy in at {speed:.3g} m/s: a friction force is counted against the motion")
 
 
 def _check_effects(kind: type[Component], part: Component) -> None:

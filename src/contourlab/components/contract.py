@@ -1,4 +1,4 @@
-"""The one place where families of components meet: what a component is, and how it is declared.
+"""What a component is, and how it is declared.
 
 A component is one frozen class in one file::
 
@@ -10,28 +10,29 @@ A component is one frozen class in one file::
         viscous: float = param(default=0.0, unit="N*s/m", minimum=0.0, doc="viscous coefficient")
         ...
 
-Its numbers are validated, in SI, and never change. Its `step` is a pure function over tuples of floats, written with the names of
-`contourlab.primitives`: the engine compiles it, plain Python runs it as it stands.
+Its parameters are validated, in SI, and constant. Its `step` is a pure function over tuples of floats, written with the names of
+`contourlab.primitives`: the engine compiles it, plain Python runs it unchanged.
 """
 
 from __future__ import annotations
 
-import math
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
 from functools import cache, lru_cache
 from types import SimpleNamespace
-from typing import TYPE_CHECKING, Any, ClassVar, dataclass_transform
+from typing import Any, ClassVar, dataclass_transform
 
 import numpy as np
 from numpy.typing import NDArray
 
 from contourlab.components.origin import Traced
-from contourlab.engine.step import Port, Step
+from contourlab.components.parameter import NOISE_STREAM as NOISE_STREAM
+from contourlab.components.parameter import Parameter as Parameter
+from contourlab.components.parameter import param as param
+from contourlab.components.parameter import require_positive as require_positive
+from contourlab.components.parameter import text_param as text_param
+from contourlab.engine.step import Port, Step, ports, record
 from contourlab.errors import ComponentError, ParameterError
-
-if TYPE_CHECKING:
-    from collections.abc import Callable
 
 FAMILIES = (
     "plant",
@@ -55,140 +56,11 @@ FAMILIES = (
 """The slots of the servo loop, in the order in which `contourlab components` lists them."""
 
 
-@dataclass(frozen=True, slots=True)
-class Parameter:
-    """What is known of one parameter.
+REFERENCE = ports("reference", "reference_velocity", "reference_acceleration")
+"""Input ports with the reference of an axis."""
 
-    Attributes
-    ----------
-    name : str
-        Name in Python and in files.
-    unit : str
-        SI unit; empty for a bare number. ``{command}`` and ``{force}`` stand for the units of the plant it works with.
-    default : float, str, tuple of float or None
-        None where a value has to be given.
-    minimum, maximum : float
-        Bounds in SI.
-    exclusive : bool
-        Whether the minimum itself is out of range.
-    choices : tuple of str
-        For a parameter that is a word.
-    whole : bool
-        Whether only whole numbers are in range.
-    structural : bool
-        Whether it decides the structure of the step, so that it cannot differ between lanes.
-    vector : bool
-        Whether it is a list of numbers, each in range; such a parameter is structural.
-    display : str
-        Unit in which people write it.
-    doc, source : str
-        Meaning, and where it comes from.
-    """
-
-    name: str
-    unit: str
-    default: float | str | tuple[float, ...] | None
-    minimum: float
-    maximum: float
-    exclusive: bool
-    choices: tuple[str, ...]
-    whole: bool
-    structural: bool
-    vector: bool
-    display: str
-    doc: str
-    source: str
-
-    def for_plant(self, command_unit: str, force_unit: str) -> Parameter:
-        """Return the parameter with ``{command}`` and ``{force}`` in its units replaced by those of a plant."""
-        units = {"command": command_unit, "force": force_unit}
-
-        def filled(text: str) -> str:
-            for word, unit in units.items():
-                # A product below a line goes into brackets.
-                text = text.replace(f"/{{{word}}}", f"/({unit})" if "*" in unit else f"/{unit}")
-            return text.format(**units)
-
-        return replace(self, unit=filled(self.unit), display=filled(self.display))
-
-    def check(self, value: Any) -> Any:
-        """Return the value if it is in range: a float, a word, or a tuple of floats for a vector.
-
-        Infinity is for parameters whose default it is, where it says that there is no limit.
-
-        Raises
-        ------
-        ParameterError
-            With name, value, bound and unit.
-        """
-        if self.choices:
-            if value not in self.choices:
-                raise ParameterError(self.name, repr(value), "one of " + ", ".join(self.choices))
-            return str(value)
-        if self.vector:
-            if isinstance(value, str) or not hasattr(value, "__len__") or len(value) == 0:
-                raise ParameterError(self.name, repr(value), "a list of numbers", self._unit_in_words)
-            scalar = replace(self, vector=False)
-            return tuple(scalar.check(item) for item in value)
-        if isinstance(value, bool | str) or not isinstance(value, float | int | np.floating | np.integer):
-            raise ParameterError(self.name, repr(value), "a number", self._unit_in_words)
-        try:
-            number = float(value)
-        except OverflowError:  # a whole number that no float can hold
-            number = math.inf if value > 0 else -math.inf
-        if not math.isfinite(number) and number != self.default:
-            raise ParameterError(self.name, f"{number:g}", " and ".join(filter(None, ("finite", self.bound))), self._unit_in_words)
-        low = number <= self.minimum if self.exclusive else number < self.minimum
-        if low or number > self.maximum or (self.whole and number != round(number)):
-            raise ParameterError(self.name, f"{number:g}", self.bound, self._unit_in_words)
-        return number
-
-    @property
-    def _unit_in_words(self) -> str:
-        """The unit where the plant is not known."""
-        return self.unit.format(command="command", force="force")
-
-    @property
-    def needed(self) -> str:
-        """What is to be given, in words, where nothing was."""
-        return f"given{', ' if self.bound else ''}{self.bound}{' ' if self._unit_in_words else ''}{self._unit_in_words}"
-
-    @property
-    def bound(self) -> str:
-        """The range in words."""
-        if self.choices:
-            return "one of " + ", ".join(self.choices)
-        words = []
-        if self.minimum > -math.inf:
-            words.append(f"{'>' if self.exclusive else '>='} {self.minimum:g}")
-        if self.maximum < math.inf:
-            words.append(f"<= {self.maximum:g}")
-        if self.whole:
-            words.insert(0, "a whole number" + (" that is" if words else ""))
-        return " and ".join(words) if not self.whole else words[0] + (" " + " and ".join(words[1:]) if words[1:] else "")
-
-
-def param(
-    default: float | tuple[float, ...] | None = None,
-    *,
-    unit: str = "",
-    minimum: float = -math.inf,
-    maximum: float = math.inf,
-    exclusive: bool = False,
-    whole: bool = False,
-    structural: bool = False,
-    vector: bool = False,
-    display: str = "",
-    doc: str,
-    source: str = "",
-) -> Any:
-    """Declare a number; see `Parameter` for the arguments. Bounds and default are in `unit`, which is SI."""
-    return Parameter("", unit, default, minimum, maximum, exclusive, (), whole, structural or vector, vector, display or unit, doc, source)
-
-
-def text_param(default: str | None, choices: tuple[str, ...], *, doc: str, source: str = "") -> Any:
-    """Declare a word out of a few; it decides the structure of the step."""
-    return Parameter("", "", default, -math.inf, math.inf, False, choices, False, True, False, "", doc, source)
+BOTH_SIDES = ports("motor_position", "motor_velocity", "load_position", "load_velocity")
+"""Input ports with what is measured on both sides of a drive."""
 
 
 @dataclass(frozen=True)
@@ -212,27 +84,27 @@ class Component(Traced):
     family, kind : str
         Its slot, and its name in files.
     states, inputs, outputs : tuple of Port
-        By name; a family fixes the inputs and outputs that its slot offers.
+        The family fixes which inputs and outputs are possible.
     derived : tuple of str
-        Constants worked out once by `derive`, seen in `par` behind the parameters.
+        Constants from `derive`, in `par` after the parameters.
     tables : tuple of str
-        Read-only tables, given as arrays by `table_values`.
+        Read-only tables from `table_values`.
     ring : str
-        Input port whose past is kept.
+        Input port whose past values are kept.
     reference : str
         Paper and equation, for people.
     example : dict
-        Values with which every parameter has an effect, for `check_component` and the documentation.
+        Values for `check_component` and the documentation; every parameter must have an effect.
     unbounded : tuple of str
-        Parameters that may be any finite number, said on purpose.
+        Parameters that may be any finite number.
     without_effect : tuple of str
-        Parameters that act outside the step, said on purpose.
+        Parameters without an effect on the step in the example.
     calibrated : tuple of str
-        Gains that are calibrated in the closed loop, innermost loop first.
+        Gains to calibrate in the closed loop, innermost loop first.
     calibrated_ahead : tuple of str
-        Numbers of its feedforward, calibrated when all loops are.
+        Feedforward parameters, calibrated after all loops.
     wishes : dict of str to Parameter
-        What its gains can be worked out from, by `designed`: ``gains = {...}`` in files.
+        Arguments of `designed`, which computes gains: ``gains = {...}`` in files.
     """
 
     family: ClassVar[str] = ""
@@ -257,8 +129,7 @@ class Component(Traced):
         found = dict(cls.parameters)
         for name, value in list(vars(cls).items()):
             if isinstance(value, Parameter):
-                fields = {slot: getattr(value, slot) for slot in Parameter.__slots__}
-                found[name] = Parameter(**{**fields, "name": name})
+                found[name] = replace(value, name=name)
                 delattr(cls, name)
         cls.parameters = found
         if cls.kind and cls.family not in FAMILIES:
@@ -291,7 +162,13 @@ class Component(Traced):
         """Return every parameter with its value in SI."""
         return {name: getattr(self, name) for name in self.parameters}
 
-    # --- what the engine asks for ------------------------------------------------------------------------------------------------
+    def takes(self, port: str) -> bool:
+        """Tell whether it has this input."""
+        return any(known.name == port for known in self.inputs)
+
+    def gives(self, port: str) -> bool:
+        """Tell whether it has this output."""
+        return any(known.name == port for known in self.outputs)
 
     @classmethod
     @cache
@@ -306,7 +183,7 @@ class Component(Traced):
     @staticmethod
     def step(par: Any, x: Any, inp: Any, clock: Any) -> tuple[tuple[Any, ...], tuple[Any, ...]]:
         """Advance one tick: ``(x_next, out)``, tuples in the order of `states` and `outputs`."""
-        # A kind without a step of its own is a family, which is never run.
+        # A base class without a step never runs.
         raise NotImplementedError
 
     def derive(self, par: Any, dt: float) -> tuple[Any, ...]:
@@ -321,11 +198,11 @@ class Component(Traced):
         return {}
 
     def ring_length(self, dt: float) -> int:
-        """Return how many ticks of the ring port are kept."""
+        """Return how many past ticks of the ring port to keep."""
         return 1
 
     def ahead(self, dt: float) -> int:
-        """Return how many ticks its port ``reference_ahead`` runs before the reference."""
+        """Return how many ticks the port ``reference_ahead`` leads the reference."""
         return 0
 
     @staticmethod
@@ -335,15 +212,15 @@ class Component(Traced):
         raise NotImplementedError
 
     def at_rest(self, position: float) -> tuple[dict[str, float], dict[str, float]]:
-        """Return the states, and the outputs before the first tick, of an axis that stands at `position` [m]; zero where not given."""
+        """Return states, and outputs before the first tick, of an axis at rest at `position` [m]; missing ones are zero."""
         return {}, {}
 
     def linear(self) -> Any:
-        """Return the component without what is not linear in it, as the analysis of the loop takes it."""
+        """Return the component without its nonlinear parts, for the analysis of the loop."""
         return self
 
     def linearize(self) -> LinearModel | None:
-        """Return the linear model around rest, or None where one makes no sense."""
+        """Return the linear model around rest, or None if there is none."""
         return None
 
     @classmethod
@@ -362,8 +239,6 @@ class Component(Traced):
 
     def constants(self) -> Any:
         """Return the parameters as a step sees them, derived ones included."""
-        from contourlab.engine.step import record
-
         block = self.block(1.0)
         return record(tuple(block))(*block.values())
 

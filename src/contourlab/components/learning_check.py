@@ -44,7 +44,7 @@ def _next(law: LearningLaw, n_axis: int) -> Array:
 
 
 def learning_fault(law: Any, others: Any) -> str:
-    """Return in words which clause a law breaks; empty if none.
+    """Return the clause that a law breaks, as text; empty if none.
 
     It is held to one, two and three axes: shape, finite numbers, determinism, arguments left as they are, nothing learned from nothing,
     no winding up where the drive saturated, and an effect of every parameter, with either target.
@@ -59,9 +59,9 @@ def learning_fault(law: Any, others: Any) -> str:
     if not isinstance(law, LearningLaw):
         return "a learning law is a subclass of LearningLaw"
     for n_axis in AXES:
-        said = _fault(law, n_axis)
-        if said:
-            return f"{said}, with {n_axis} {'axis' if n_axis == 1 else 'axes'}"
+        fault = _fault(law, n_axis)
+        if fault:
+            return f"{fault}, with {n_axis} {'axis' if n_axis == 1 else 'axes'}"
     for name, parameter in law.parameters.items():
         if name not in law.without_effect and not _has_effect(law, name, parameter, others):
             return f"parameter {name} has no effect on the table in the example"

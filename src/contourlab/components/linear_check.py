@@ -24,7 +24,7 @@ TOLERANCE = 1e-3
 
 
 def linear_fault(model: LinearModel, step: Step, block: Callable[[float], dict[str, Any]]) -> str:
-    """Return in words where a model and a step differ; empty if they do not.
+    """Return where a model and a step differ, as text; empty if they agree.
 
     Parameters
     ----------
@@ -52,10 +52,10 @@ def linear_fault(model: LinearModel, step: Step, block: Callable[[float], dict[s
     sampled = _sampled(step, block(period), period)
     rows, columns = [outputs.index(name) for name in model.outputs], [inputs.index(name) for name in model.inputs]
     for w in np.geomspace(0.1 * rates.min(), rates.max(), 7):
-        said = _response(model.a, model.b, model.c, model.d, 1j * w)
-        done = _response(*sampled, np.exp(1j * w * period))[np.ix_(rows, columns)]
-        for i, j in np.argwhere(~(np.abs(done - said) <= TOLERANCE * np.abs(said))):
-            return f"from {model.inputs[j]} to {model.outputs[i]} at {w:.3g} rad/s {said[i, j]:.4g}, the step {done[i, j]:.4g}"
+        expected = _response(model.a, model.b, model.c, model.d, 1j * w)
+        actual = _response(*sampled, np.exp(1j * w * period))[np.ix_(rows, columns)]
+        for i, j in np.argwhere(~(np.abs(actual - expected) <= TOLERANCE * np.abs(expected))):
+            return f"from {model.inputs[j]} to {model.outputs[i]} at {w:.3g} rad/s {expected[i, j]:.4g}, the step {actual[i, j]:.4g}"
     return ""
 
 

@@ -37,7 +37,7 @@ class Origin:
     Raises
     ------
     ParameterError
-        If the source is unknown, both distributions are given, one has no width, or a chosen number is said to be uncertain.
+        If the source is unknown, both distributions are given, one has no width, or a number from design has an uncertainty.
 
     >>> Origin("fitted", deviation=0.11, reference="DATA_EMPS.mat").uncertain
     True

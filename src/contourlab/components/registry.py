@@ -1,6 +1,6 @@
-"""Finds components: by walking this package, through the entry-point group ``contourlab.components``, and from loose files.
+"""Find components: in this package, in the entry-point group ``contourlab.components``, and in loose files.
 
-A module that cannot be imported is an error, never skipped in silence: a part that is missing without a word gives a wrong machine.
+A module that cannot be imported is an error and is never skipped: a missing part would give a wrong machine.
 """
 
 from __future__ import annotations
@@ -38,7 +38,7 @@ def _built_in() -> dict[tuple[str, str], type[Component]]:
     for entry in importlib.metadata.entry_points(group=ENTRY_POINT_GROUP):
         try:
             loaded = entry.load()
-        except Exception as error:  # whatever a stranger's package raises on import is reported with its name
+        except Exception as error:  # a package may raise anything on import
             raise ComponentError(f"entry point {entry.name} = {entry.value} cannot be loaded: {error}") from error
         kinds = _declared(loaded) if isinstance(loaded, ModuleType) else [loaded]
         if not kinds:
@@ -50,22 +50,20 @@ def _built_in() -> dict[tuple[str, str], type[Component]]:
 
 def _add(found: dict[tuple[str, str], type[Component]], kind: type[Component], where: str) -> None:
     if not (isinstance(kind, type) and issubclass(kind, Component) and kind.kind):
-        raise ComponentError(f"{where}: {kind!r} is no component: a class with family and kind is wanted")
+        raise ComponentError(f"{where}: {kind!r} is no component: write a class with family and kind")
     key = (kind.family, kind.kind)
     if key in found and found[key] is not kind:
-        raise ComponentError(
-            f"{where}: there is a {kind.family} named {kind.kind!r} already ({found[key].__module__}); give this one another kind"
-        )
+        raise ComponentError(f"{where}: there is a {kind.family} {kind.kind!r} already, in {found[key].__module__}; choose another kind")
     found[key] = kind
 
 
 def load_plugin(file: str | Path) -> list[type[Component]]:
-    """Load the components of a loose Python file; return them. A file that is loaded again takes its own place.
+    """Load and return the components of a loose Python file. A file that is loaded again replaces itself.
 
     Raises
     ------
     ComponentError
-        If the file cannot be imported, defines no component, or one whose name is taken; then none of it is kept.
+        If the file cannot be imported, defines no component, or uses a name that is taken; then nothing is kept.
     """
     path = Path(file).resolve()
     name = f"contourlab_plugin_{path.stem}_{abs(hash(str(path))):x}"
@@ -76,7 +74,7 @@ def load_plugin(file: str | Path) -> list[type[Component]]:
     sys.modules[name] = module
     try:
         spec.loader.exec_module(module)
-    except (Exception, SystemExit) as error:  # a plug-in may raise anything; its name belongs in the message
+    except (Exception, SystemExit) as error:  # a plug-in may raise anything
         sys.modules.pop(name, None)
         raise ComponentError(f"{file}: cannot be imported: {type(error).__name__}: {error}") from error
     kinds = _declared(module)

@@ -18,8 +18,8 @@ from numba import cfunc, njit, types
 from numba.core.errors import NumbaError, UnsupportedBytecodeError
 
 from contourlab import primitives
-from contourlab.engine import intrinsics, memory, tuples
-from contourlab.engine.intrinsics import INLINE, OPTIONS, lane_maths, scalar_maths
+from contourlab.engine import intrinsics, memory
+from contourlab.engine.intrinsics import INLINE, OPTIONS, VECTOR_OPERATIONS, maths
 from contourlab.engine.step import Bank, Port, Step, record, rows
 from contourlab.errors import EngineError
 from contourlab.native import store
@@ -31,7 +31,7 @@ _PLAIN = (int, float, bool, str, tuple, type(None))
 
 @cache
 def _target(width: int) -> dict[str, Callable[..., Any]]:
-    return {**(lane_maths(width) if width > 1 else scalar_maths()), **tuples.VECTOR_OPERATIONS}
+    return {**maths(width), **VECTOR_OPERATIONS}
 
 
 def _names(function: Any) -> dict[str, Any]:
@@ -57,17 +57,13 @@ def _walk(function: Any, seen: dict[Any, None]) -> None:
 def _code_words(code: python_types.CodeType) -> list[str]:
     """Return what a code object does, without where it stands in its file."""
     constants = [c if not isinstance(c, python_types.CodeType) else _code_words(c) for c in code.co_consts]
-    return [
-        code.co_code.hex(),
-        repr(constants),
-        repr((code.co_names, code.co_varnames, code.co_freevars, code.co_cellvars)),
-    ]
+    return [code.co_code.hex(), repr(constants), repr((code.co_names, code.co_varnames, code.co_freevars, code.co_cellvars))]
 
 
 @cache
 def _engine_sources() -> str:
     """Return the sources that every step is compiled with, so that an edit here discards all machine code."""
-    return "".join(inspect.getsource(module) for module in (intrinsics, memory, tuples))
+    return "".join(inspect.getsource(module) for module in (intrinsics, memory))
 
 
 def source_key(step: Step, width: int) -> str:

@@ -1,4 +1,4 @@
-"""What the primitives become in compiled code: LLVM instructions, libm calls, and branch-free polynomials for lanes."""
+"""The primitives in compiled code: LLVM instructions, libm calls, branch-free polynomials for lanes, vectors written out."""
 
 from __future__ import annotations
 
@@ -8,10 +8,10 @@ from typing import Any
 
 from llvmlite import ir
 from numba import njit, types
-from numba.extending import intrinsic
+from numba.extending import overload
 
-from contourlab.engine.memory import load_ring, load_table, truncate
-from contourlab.native.door import INNER
+from contourlab.engine.memory import NUMBER, instruction, load_ring, load_table, truncate
+from contourlab.native.compile import INNER
 
 # No nnan/ninf: a flag that assumes finite numbers would fold away every check for them.
 FAST = {"contract", "nsz", "arcp"}
@@ -23,24 +23,17 @@ _INT = ir.IntType(64)
 
 
 def _unary(name: str) -> Any:
-    @intrinsic
-    def operation(typingctx: Any, x: Any) -> Any:
-        def codegen(context: Any, builder: Any, signature: Any, args: Any) -> Any:
-            return builder.call(builder.module.declare_intrinsic(f"llvm.{name}", [_DOUBLE]), args)
-
-        return types.float64(types.float64), codegen
+    @instruction(NUMBER, NUMBER)
+    def operation(builder: Any, x: Any) -> Any:
+        return builder.call(builder.module.declare_intrinsic(f"llvm.{name}", [_DOUBLE]), [x])
 
     return operation
 
 
-def _binary(name: str) -> Any:
-    @intrinsic
-    def operation(typingctx: Any, x: Any, y: Any) -> Any:
-        def codegen(context: Any, builder: Any, signature: Any, args: Any) -> Any:
-            function = builder.module.declare_intrinsic(f"llvm.{name}", [_DOUBLE], ir.FunctionType(_DOUBLE, [_DOUBLE] * 2))
-            return builder.call(function, args)
-
-        return types.float64(types.float64, types.float64), codegen
+def _compare(predicate: str) -> Any:
+    @instruction(NUMBER, NUMBER, NUMBER)
+    def operation(builder: Any, a: Any, b: Any) -> Any:
+        return builder.select(builder.fcmp_ordered(predicate, a, b), a, b)
 
     return operation
 
@@ -49,45 +42,27 @@ rint = _unary("rint")
 fabs = _unary("fabs")
 floor = _unary("floor")
 sqrt = _unary("sqrt")
-copysign = _binary("copysign")
-
-
-@intrinsic
-def fma(typingctx: Any, a: Any, b: Any, c: Any) -> Any:
-    """a*b + c in one rounding."""
-
-    def codegen(context: Any, builder: Any, signature: Any, args: Any) -> Any:
-        return builder.fma(*args)
-
-    return types.float64(types.float64, types.float64, types.float64), codegen
-
-
-@intrinsic
-def select(typingctx: Any, condition: Any, a: Any, b: Any) -> Any:
-    """Both sides evaluated, one kept: never a branch."""
-
-    def codegen(context: Any, builder: Any, signature: Any, args: Any) -> Any:
-        flag = args[0]
-        if flag.type != ir.IntType(1):
-            flag = builder.trunc(flag, ir.IntType(1))
-        return builder.select(flag, args[1], args[2])
-
-    return types.float64(types.boolean, types.float64, types.float64), codegen
-
-
-def _compare(predicate: str) -> Any:
-    @intrinsic
-    def operation(typingctx: Any, a: Any, b: Any) -> Any:
-        def codegen(context: Any, builder: Any, signature: Any, args: Any) -> Any:
-            return builder.select(builder.fcmp_ordered(predicate, *args), args[0], args[1])
-
-        return types.float64(types.float64, types.float64), codegen
-
-    return operation
-
-
 minimum = _compare("<")
 maximum = _compare(">")
+
+
+@instruction(NUMBER, NUMBER, NUMBER)
+def copysign(builder: Any, x: Any, y: Any) -> Any:
+    function = builder.module.declare_intrinsic("llvm.copysign", [_DOUBLE], ir.FunctionType(_DOUBLE, [_DOUBLE] * 2))
+    return builder.call(function, [x, y])
+
+
+@instruction(NUMBER, NUMBER, NUMBER, NUMBER)
+def fma(builder: Any, a: Any, b: Any, c: Any) -> Any:
+    """Return a*b + c in one rounding."""
+    return builder.fma(a, b, c)
+
+
+@instruction(NUMBER, types.boolean, NUMBER, NUMBER)
+def select(builder: Any, condition: Any, a: Any, b: Any) -> Any:
+    """Evaluate both sides, keep one: never a branch."""
+    flag = condition if condition.type == ir.IntType(1) else builder.trunc(condition, ir.IntType(1))
+    return builder.select(flag, a, b)
 
 
 @njit(**INLINE)
@@ -114,59 +89,43 @@ def make_delayed(width: int) -> Any:
     return delayed
 
 
-@intrinsic
-def pow2(typingctx: Any, n: Any) -> Any:
-    """2**n for a whole n in [-1022, 1023], by the exponent's bits."""
-
-    def codegen(context: Any, builder: Any, signature: Any, args: Any) -> Any:
-        bits = builder.add(builder.fptosi(args[0], _INT), ir.Constant(_INT, 1023))
-        return builder.bitcast(builder.shl(bits, ir.Constant(_INT, 52)), _DOUBLE)
-
-    return types.float64(types.float64), codegen
+@instruction(NUMBER, NUMBER)
+def pow2(builder: Any, n: Any) -> Any:
+    """Return 2**n for a whole n in [-1022, 1023], by the exponent's bits."""
+    bits = builder.add(builder.fptosi(n, _INT), ir.Constant(_INT, 1023))
+    return builder.bitcast(builder.shl(bits, ir.Constant(_INT, 52)), _DOUBLE)
 
 
-@intrinsic
-def exponent_of(typingctx: Any, x: Any) -> Any:
-    """The binary exponent of a positive normal number, so that x / 2**e lies in [1, 2)."""
-
-    def codegen(context: Any, builder: Any, signature: Any, args: Any) -> Any:
-        bits = builder.lshr(builder.bitcast(args[0], _INT), ir.Constant(_INT, 52))
-        return builder.sitofp(builder.sub(bits, ir.Constant(_INT, 1023)), _DOUBLE)
-
-    return types.float64(types.float64), codegen
+@instruction(NUMBER, NUMBER)
+def exponent_of(builder: Any, x: Any) -> Any:
+    """Return the binary exponent of a positive normal number, so that x / 2**e lies in [1, 2)."""
+    bits = builder.lshr(builder.bitcast(x, _INT), ir.Constant(_INT, 52))
+    return builder.sitofp(builder.sub(bits, ir.Constant(_INT, 1023)), _DOUBLE)
 
 
-@intrinsic
-def parity(typingctx: Any, n: Any, bit: Any) -> Any:
-    """Whether a bit (1 or 2) of a whole number is set."""
-
-    def codegen(context: Any, builder: Any, signature: Any, args: Any) -> Any:
-        masked = builder.and_(builder.fptosi(args[0], _INT), builder.fptosi(args[1], _INT))
-        return builder.icmp_signed("!=", masked, ir.Constant(_INT, 0))
-
-    return types.boolean(types.float64, types.float64), codegen
+@instruction(types.boolean, NUMBER, NUMBER)
+def parity(builder: Any, n: Any, bit: Any) -> Any:
+    """Tell whether a bit (1 or 2) of a whole number is set."""
+    return builder.icmp_signed("!=", builder.and_(builder.fptosi(n, _INT), builder.fptosi(bit, _INT)), ir.Constant(_INT, 0))
 
 
-@intrinsic
-def hashed_uniform(typingctx: Any, stream: Any, k: Any, draw: Any) -> Any:
-    """The counter-based generator of `primitives.uniform`, bit for bit."""
+@instruction(NUMBER, NUMBER, NUMBER, NUMBER)
+def hashed_uniform(builder: Any, stream: Any, k: Any, draw: Any) -> Any:
+    """Return the number of the counter-based generator `primitives.uniform`, bit for bit."""
 
-    def codegen(context: Any, builder: Any, signature: Any, args: Any) -> Any:
-        def times(value: Any, factor: int) -> Any:
-            return builder.mul(value, ir.Constant(_INT, factor))
+    def times(value: Any, factor: int) -> Any:
+        return builder.mul(value, ir.Constant(_INT, factor))
 
-        def fold(value: Any, shift: int) -> Any:
-            return builder.xor(value, builder.lshr(value, ir.Constant(_INT, shift)))
+    def fold(value: Any, shift: int) -> Any:
+        return builder.xor(value, builder.lshr(value, ir.Constant(_INT, shift)))
 
-        whole = [builder.fptosi(a, _INT) for a in args]
-        z = builder.add(times(whole[0], 0x9E3779B97F4A7C15), times(whole[1], 0xD1342543DE82EF95))
-        z = builder.add(z, times(whole[2], 0x2545F4914F6CDD1D))
-        z = times(fold(z, 30), 0xBF58476D1CE4E5B9)
-        z = times(fold(z, 27), 0x94D049BB133111EB)
-        top = builder.sitofp(builder.lshr(fold(z, 31), ir.Constant(_INT, 12)), _DOUBLE)
-        return builder.fmul(builder.fadd(top, ir.Constant(_DOUBLE, 0.5)), ir.Constant(_DOUBLE, 2.0**-52))
-
-    return types.float64(types.float64, types.float64, types.float64), codegen
+    whole = [builder.fptosi(number, _INT) for number in (stream, k, draw)]
+    z = builder.add(times(whole[0], 0x9E3779B97F4A7C15), times(whole[1], 0xD1342543DE82EF95))
+    z = builder.add(z, times(whole[2], 0x2545F4914F6CDD1D))
+    z = times(fold(z, 30), 0xBF58476D1CE4E5B9)
+    z = times(fold(z, 27), 0x94D049BB133111EB)
+    top = builder.sitofp(builder.lshr(fold(z, 31), ir.Constant(_INT, 12)), _DOUBLE)
+    return builder.fmul(builder.fadd(top, ir.Constant(_DOUBLE, 0.5)), ir.Constant(_DOUBLE, 2.0**-52))
 
 
 # --- libm: fastest for one variant -------------------------------------------------------------------------------------------------
@@ -284,28 +243,63 @@ def poly_cos(x: float) -> float:
     return select(parity(n + 1.0, 2.0), -b, b)
 
 
-def scalar_maths() -> dict[str, Callable[..., Any]]:
-    """Return the primitives for one variant: libm's exp and tanh have less latency, sine and cosine together are faster as polynomials."""
-    return {"exp": libm_exp, "log": libm_log, "tanh": libm_tanh, "sin": poly_sin, "cos": poly_cos, **_common(1)}
+def maths(width: int) -> dict[str, Callable[..., Any]]:
+    """Return the primitives for `width` variants.
+
+    For a single one libm's exp, log and tanh have less latency; sine and cosine together are faster as polynomials.
+    """
+    curves = (poly_exp, poly_log, poly_tanh) if width > 1 else (libm_exp, libm_log, libm_tanh)
+    made = {**dict(zip(("exp", "log", "tanh"), curves, strict=True)), "sin": poly_sin, "cos": poly_cos, "uniform": hashed_uniform}
+    rounding = {"sqrt": sqrt, "fabs": fabs, "floor": floor, "rint": rint, "copysign": copysign}
+    choosing = {"minimum": minimum, "maximum": maximum, "clip": clip, "select": select}
+    return {**made, **rounding, **choosing, "lookup": lookup, "delayed": make_delayed(width)}
 
 
-def lane_maths(width: int) -> dict[str, Callable[..., Any]]:
-    """Return the primitives for `width` variants in lanes."""
-    return {"exp": poly_exp, "log": poly_log, "tanh": poly_tanh, "sin": poly_sin, "cos": poly_cos, **_common(width)}
+def _written_out(arguments: str, term: str, count: int, total: bool) -> Any:
+    terms = [term.replace("#", str(i)) for i in range(count)]
+    body = " + ".join(terms) if total else f"({', '.join(terms)},)"
+    scope: dict[str, Any] = {}
+    exec(f"def implementation({arguments}):\n    return {body}\n", scope)
+    return scope["implementation"]
 
 
-def _common(width: int) -> dict[str, Callable[..., Any]]:
-    return {
-        "sqrt": sqrt,
-        "fabs": fabs,
-        "floor": floor,
-        "rint": rint,
-        "copysign": copysign,
-        "minimum": minimum,
-        "maximum": maximum,
-        "clip": clip,
-        "select": select,
-        "lookup": lookup,
-        "delayed": make_delayed(width),
-        "uniform": hashed_uniform,
-    }
+def _length(*vectors: Any) -> int | None:
+    if all(isinstance(v, types.BaseTuple) for v in vectors) and len({v.count for v in vectors}) == 1:
+        return int(vectors[0].count)
+    return None
+
+
+def dot(a, b): ...  # type: ignore[no-untyped-def]
+def add(a, b): ...  # type: ignore[no-untyped-def]
+def sub(a, b): ...  # type: ignore[no-untyped-def]
+def scale(factor, a): ...  # type: ignore[no-untyped-def]
+def lincomb(p, a, q, b): ...  # type: ignore[no-untyped-def]
+
+
+def _overloaded(operation: Any, term: str, total: bool = False) -> None:
+    """Write an operation of two vectors out for each length."""
+
+    @overload(operation, jit_options=INLINE)
+    def written(a, b):  # type: ignore[no-untyped-def]
+        n = _length(a, b)
+        return None if n is None else _written_out("a, b", term, n, total)
+
+
+_overloaded(dot, "a[#] * b[#]", total=True)
+_overloaded(add, "a[#] + b[#]")
+_overloaded(sub, "a[#] - b[#]")
+
+
+@overload(scale, jit_options=INLINE)
+def _scale(factor, a):  # type: ignore[no-untyped-def]
+    n = _length(a)
+    return None if n is None else _written_out("factor, a", "factor * a[#]", n, False)
+
+
+@overload(lincomb, jit_options=INLINE)
+def _lincomb(p, a, q, b):  # type: ignore[no-untyped-def]
+    n = _length(a, b)
+    return None if n is None else _written_out("p, a, q, b", "p * a[#] + q * b[#]", n, False)
+
+
+VECTOR_OPERATIONS: dict[str, Callable[..., Any]] = {"dot": dot, "add": add, "sub": sub, "scale": scale, "lincomb": lincomb}

@@ -8,7 +8,7 @@ from typing import Any
 
 from contourlab.engine.intrinsics import OPTIONS
 from contourlab.engine.memory import call_step, load, load_word, store
-from contourlab.native.door import compiled
+from contourlab.native.compile import compiled
 
 NODE_FIELDS = ("function", "parameters", "tables", "state", "inputs", "outputs", "every", "phase", "repeat")
 _FIELDS = len(NODE_FIELDS)
@@ -17,9 +17,6 @@ _SIGNATURE = "i8 " * _WORDS + "f8"
 
 
 def _source(width: int) -> Any:
-    w = width
-    fields = _FIELDS
-
     def run(  # type: ignore[no-untyped-def]
         nodes, n_node, record_point, external, n_external, tick_stride, signal_stride, signals, log, log_rows, n_log, first, n_tick, period
     ):
@@ -28,16 +25,16 @@ def _source(width: int) -> Any:
             t = k * period
             for j in range(n_external):
                 value = load(external, step * tick_stride + j * signal_stride)
-                for i in range(w):
-                    store(signals, j * w + i, value)
+                for i in range(width):
+                    store(signals, j * width + i, value)
             for n in range(n_node + 1):
                 if n == record_point:
                     for j in range(n_log):
                         row = load_word(log_rows, j)
-                        for i in range(w):
-                            store(log, (step * n_log + j) * w + i, load(row, i))
+                        for i in range(width):
+                            store(log, (step * n_log + j) * width + i, load(row, i))
                 if n < n_node:
-                    node = nodes + 8 * fields * n
+                    node = nodes + 8 * _FIELDS * n
                     every = load_word(node, 6)
                     if every == 1 or (k - load_word(node, 7)) % every == 0:
                         repeat = load_word(node, 8)

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import inspect
+from collections.abc import Callable
 from typing import Any
 
 from llvmlite import ir
@@ -11,6 +13,26 @@ from numba.extending import intrinsic
 
 _DOUBLE = ir.DoubleType()
 _SCOPES = ("parameter", "state", "input", "output", "table", "ring")
+WORD, NUMBER = types.int64, types.float64
+
+
+def instruction(returns: Any, *takes: Any) -> Callable[[Callable[..., Any]], Any]:
+    """Make an intrinsic of these types from ``emit(builder, *values) -> value``, which writes its LLVM instructions."""
+
+    def made(emit: Callable[..., Any]) -> Any:
+        def codegen(context: Any, builder: Any, signature: Any, args: Any) -> Any:
+            value = emit(builder, *args)
+            return context.get_dummy_value() if returns is types.void else value
+
+        def operation(typingctx: Any, *kinds: Any) -> Any:
+            return returns(*takes), codegen
+
+        # Numba binds the arguments by this signature.
+        operation.__signature__ = inspect.signature(emit)  # type: ignore[attr-defined]
+        operation.__name__ = emit.__name__
+        return intrinsic(operation)
+
+    return made
 
 
 def _tag(builder: Any, instruction: Any, scope: str) -> Any:
@@ -27,13 +49,10 @@ def _tag(builder: Any, instruction: Any, scope: str) -> Any:
 def make_load(scope: str = "") -> Any:
     """Return ``load(address, index) -> float`` for one region of memory, or for any memory."""
 
-    @intrinsic
-    def load_at(typingctx: Any, address: Any, index: Any) -> Any:
-        def codegen(context: Any, builder: Any, signature: Any, args: Any) -> Any:
-            base = builder.inttoptr(args[0], _DOUBLE.as_pointer())
-            return _tag(builder, builder.load(builder.gep(base, [args[1]], inbounds=True)), scope)
-
-        return types.float64(types.int64, types.int64), codegen
+    @instruction(NUMBER, WORD, WORD)
+    def load_at(builder: Any, address: Any, index: Any) -> Any:
+        base = builder.inttoptr(address, _DOUBLE.as_pointer())
+        return _tag(builder, builder.load(builder.gep(base, [index], inbounds=True)), scope)
 
     return load_at
 
@@ -41,14 +60,10 @@ def make_load(scope: str = "") -> Any:
 def make_store(scope: str = "") -> Any:
     """Return ``store(address, index, value)`` for one region of memory, or for any memory."""
 
-    @intrinsic
-    def store_at(typingctx: Any, address: Any, index: Any, value: Any) -> Any:
-        def codegen(context: Any, builder: Any, signature: Any, args: Any) -> Any:
-            base = builder.inttoptr(args[0], _DOUBLE.as_pointer())
-            _tag(builder, builder.store(args[2], builder.gep(base, [args[1]], inbounds=True)), scope)
-            return context.get_dummy_value()
-
-        return types.void(types.int64, types.int64, types.float64), codegen
+    @instruction(types.void, WORD, WORD, NUMBER)
+    def store_at(builder: Any, address: Any, index: Any, value: Any) -> None:
+        base = builder.inttoptr(address, _DOUBLE.as_pointer())
+        _tag(builder, builder.store(value, builder.gep(base, [index], inbounds=True)), scope)
 
     return store_at
 
@@ -62,56 +77,31 @@ load_table = make_load("table")
 load_ring, store_ring = make_load("ring"), make_store("ring")
 
 
-@intrinsic
-def load_address(typingctx: Any, address: Any, index: Any) -> Any:
-    """Read entry `index` of an array of 64-bit words that nobody writes to."""
-
-    def codegen(context: Any, builder: Any, signature: Any, args: Any) -> Any:
-        base = builder.inttoptr(args[0], ir.IntType(64).as_pointer())
-        return _tag(builder, builder.load(builder.gep(base, [args[1]])), "table")
-
-    return types.int64(types.int64, types.int64), codegen
-
-
-@intrinsic
-def load_word(typingctx: Any, address: Any, index: Any) -> Any:
+@instruction(WORD, WORD, WORD)
+def load_word(builder: Any, address: Any, index: Any) -> Any:
     """Read entry `index` of an array of 64-bit words that may have been written to."""
-
-    def codegen(context: Any, builder: Any, signature: Any, args: Any) -> Any:
-        base = builder.inttoptr(args[0], ir.IntType(64).as_pointer())
-        return builder.load(builder.gep(base, [args[1]]))
-
-    return types.int64(types.int64, types.int64), codegen
+    return builder.load(builder.gep(builder.inttoptr(address, ir.IntType(64).as_pointer()), [index]))
 
 
-@intrinsic
-def truncate(typingctx: Any, x: Any) -> Any:
-    """The whole part of a number, as an index."""
-
-    def codegen(context: Any, builder: Any, signature: Any, args: Any) -> Any:
-        return builder.fptosi(args[0], ir.IntType(64))
-
-    return types.int64(types.float64), codegen
+@instruction(WORD, WORD, WORD)
+def load_address(builder: Any, address: Any, index: Any) -> Any:
+    """Read entry `index` of an array of 64-bit words that nobody writes to."""
+    base = builder.inttoptr(address, ir.IntType(64).as_pointer())
+    return _tag(builder, builder.load(builder.gep(base, [index])), "table")
 
 
-def _make_call() -> Any:
-    word, double = types.int64, types.float64
-    arguments = (word,) * 5 + (double,) * 3
-
-    @intrinsic
-    def call(typingctx: Any, function: Any, par: Any, table: Any, x: Any, inp: Any, out: Any, k: Any, t: Any, dt: Any) -> Any:
-        def codegen(context: Any, builder: Any, signature: Any, args: Any) -> Any:
-            # The compiled function itself, not its C wrapper: two more arguments, for a result and an exception that it never gives.
-            pointer = ir.IntType(8).as_pointer()
-            kinds = [pointer, pointer] + [ir.IntType(64)] * 5 + [_DOUBLE] * 3
-            target = builder.inttoptr(args[0], ir.FunctionType(ir.IntType(32), kinds).as_pointer())
-            unused = builder.bitcast(cgutils.alloca_once(builder, ir.IntType(64)), pointer)
-            builder.call(target, [unused, unused, *args[1:]])
-            return context.get_dummy_value()
-
-        return types.void(word, *arguments), codegen
-
-    return call
+@instruction(WORD, NUMBER)
+def truncate(builder: Any, x: Any) -> Any:
+    """Return the whole part of a number, as an index."""
+    return builder.fptosi(x, ir.IntType(64))
 
 
-call_step = _make_call()
+@instruction(types.void, *(WORD,) * 6, *(NUMBER,) * 3)
+def call_step(builder: Any, function: Any, par: Any, table: Any, x: Any, inp: Any, out: Any, k: Any, t: Any, dt: Any) -> None:
+    """Call a compiled step: the function itself, not its C wrapper."""
+    # Its first two arguments are for a result and an exception that it never gives.
+    pointer = ir.IntType(8).as_pointer()
+    kinds = [pointer, pointer] + [ir.IntType(64)] * 5 + [_DOUBLE] * 3
+    target = builder.inttoptr(function, ir.FunctionType(ir.IntType(32), kinds).as_pointer())
+    unused = builder.bitcast(cgutils.alloca_once(builder, ir.IntType(64)), pointer)
+    builder.call(target, [unused, unused, par, table, x, inp, out, k, t, dt])

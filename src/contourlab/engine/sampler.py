@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from contourlab.engine import intrinsics, memory
 from contourlab.engine.intrinsics import OPTIONS, maximum, minimum, poly_cos, poly_sin
 from contourlab.engine.memory import load_input, load_parameter, store_output, truncate
-from contourlab.native.door import compiled
+from contourlab.native.compile import compiled
 
 Array = NDArray[np.float64]
 SPAN_FIELDS = ("first", "last", "t0", "s0", "v0", "a0", "j", "end")

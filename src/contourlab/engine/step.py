@@ -24,6 +24,11 @@ class Port:
         return self.size if self.size > 0 else 1
 
 
+def ports(*names: str, size: int = 0) -> tuple[Port, ...]:
+    """Return one port for each name, all of one size."""
+    return tuple(Port(name, size) for name in names)
+
+
 @dataclass(frozen=True)
 class Bank:
     """Alike members of a step, run one after the other in each tick before the step itself: compiled once, however many there are.

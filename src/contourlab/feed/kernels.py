@@ -1,4 +1,4 @@
-"""Recursions along the samples of a stretch. They are compiled by `contourlab.native.door`, and run as plain Python as well.
+"""Recursions along the samples of a stretch. They are compiled by `contourlab.native.compile`, and run as plain Python as well.
 
 Arrays over samples have the length n, derivatives of the path the shape (n, n_axis). Two samples may lie at one place, the end of one curve
 and the start of the next, where the curvature jumps. x is v^2: between samples the acceleration a is constant, so x is linear in

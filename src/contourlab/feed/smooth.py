@@ -73,7 +73,7 @@ class Shaped(NamedTuple):
 def _kernels() -> SimpleNamespace:
     """Return the compiled recursions of `kernels` and `speed_profile`, by name."""
     from contourlab.feed import kernels, speed_profile
-    from contourlab.native.door import kernel  # the compiler is loaded when something is planned
+    from contourlab.native.compile import kernel  # the compiler is loaded when something is planned
 
     f, m, i = "f8[:]", "f8[:,:]", "i8[:]"
     signatures = {

@@ -1,6 +1,6 @@
 """Turn v^2 at samples into a motion, and check what it demands: recursions along the samples of stretches, as in `kernels`.
 
-They are compiled by `contourlab.native.door`, and run as plain Python as well.
+They are compiled by `contourlab.native.compile`, and run as plain Python as well.
 """
 
 # mypy: disable-error-code="no-untyped-def, no-untyped-call"

@@ -104,7 +104,7 @@ def _joints(path: CurveSequence) -> tuple[Array, Array]:
 
 @cache
 def _kernel() -> Any:
-    from contourlab.native.door import kernel  # the compiler is loaded where a window holds many curves
+    from contourlab.native.compile import kernel  # the compiler is loaded where a window holds many curves
 
     return kernel(search, "f8[:,:] f8[:] i8 f8[:,:] i8[:] i8[:] i8[:,:] f8[:] i8[:] i8[:,:] f8[:,:]")
 

@@ -46,7 +46,7 @@ def polygon_corners(points: NDArray[np.float64], tolerance: float) -> NDArray[np
 
 @cache
 def _kernel() -> Any:
-    from contourlab.native.door import kernel  # the compiler is loaded when a log is measured
+    from contourlab.native.compile import kernel  # the compiler is loaded when a log is measured
 
     return kernel(corners, "f8[:,:] f8 i8[:] i8[:]")
 

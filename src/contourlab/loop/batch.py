@@ -19,11 +19,12 @@ from contourlab.engine.schedule import Node
 from contourlab.errors import ParameterError
 from contourlab.feed import Reference
 from contourlab.geometry.view import PathView, view_of
+from contourlab.loop.builder import Signals
 from contourlab.loop.feeding import Feed, Learned
 from contourlab.loop.judging import counted, effort_figures, effort_node, error_figures, judge_node, sums_of
 from contourlab.loop.machine import Controller, Machine, parameter_names
 from contourlab.loop.simulate import BLOCK, jit_enabled, sampler
-from contourlab.loop.template import Loop, Signals, build
+from contourlab.loop.template import Loop, build
 from contourlab.loop.watch import NAME
 from contourlab.metrics.streaming import SUMS
 
@@ -203,12 +204,12 @@ def _check_together(known: Mapping[str, tuple[Component, str]], columns: Mapping
     """Refuse variants whose parameters do not go together, as the part itself refuses them."""
     heads = {name.rpartition(".")[0] for name in columns}
     for head in sorted(heads):
-        mine = {name: values for name, values in columns.items() if name.rpartition(".")[0] == head}
-        part = known[next(iter(mine))][0]
+        of_part = {name: values for name, values in columns.items() if name.rpartition(".")[0] == head}
+        part = known[next(iter(of_part))][0]
         if type(part).__init__ is Component.__init__:
             continue
-        names = [known[name][1] for name in mine]
-        for row in np.unique(np.column_stack(list(mine.values())), axis=0).tolist():
+        names = [known[name][1] for name in of_part]
+        for row in np.unique(np.column_stack(list(of_part.values())), axis=0).tolist():
             try:
                 part.replace(**dict(zip(names, row, strict=True)))
             except ParameterError as error:
@@ -227,9 +228,8 @@ def _check_substeps(machine: Machine, columns: Mapping[str, Array]) -> None:
             plant = machine.loaded_plant(axis.name).replace(**dict(zip(changed, row, strict=True)))
             wanted, why = plant.fewest_substeps(machine.servo_period)
             if axis.substeps < wanted:
-                raise ParameterError(
-                    f"axes.{axis.name}.substeps", f"{axis.substeps}", f"at least {wanted} for {why}, in one of the variants"
-                )
+                bound = f"at least {wanted} for {why}, in one of the variants"
+                raise ParameterError(f"axes.{axis.name}.substeps", f"{axis.substeps}", bound)
 
 
 def _signal(loop: Loop, name: str) -> tuple[str, ...]:

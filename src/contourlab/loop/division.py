@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 
 from contourlab.components.contract import Component
-from contourlab.components.link.ideal import IdealLink
+from contourlab.components.ideal import IdealLink
 from contourlab.errors import ParameterError
 
 DIVISIONS = {
@@ -15,10 +15,7 @@ DIVISIONS = {
 }
 """What is local, from the least to the most, in words."""
 
-_LOCAL = {
-    "drive": ("velocity",),
-    "observer": ("velocity", "observer"),
-}
+_LOCAL = {"drive": ("velocity",), "observer": ("velocity", "observer")}
 """Slots in the axis; under "controller" it is all of them."""
 
 
@@ -53,12 +50,8 @@ class Division:
         if self.division not in DIVISIONS:
             raise ParameterError("link.division", repr(self.division), "one of " + ", ".join(DIVISIONS))
         if self.up is None and self.division != "controller":
-            raise ParameterError(
-                "link.up",
-                '"none"',
-                f'a link, as the base controls by what the axis measures in the division "{self.division}": '
-                '"ideal" where it has wires of its own to the sensors',
-            )
+            bound = f'a link, as the base needs measurements in the division "{self.division}"; "ideal" if it has wires of its own'
+            raise ParameterError("link.up", '"none"', bound)
 
     def is_local(self, slot: str) -> bool:
         """Tell whether a slot of an axis' controller stands in the axis; ``others.NAME`` stands where ``controller`` does."""

@@ -69,10 +69,10 @@ def extra_externals(machine: Machine, controller: Controller, learned: Learned |
         found.append(LEARNED_COMMAND)
     if learned is not None and learned.reference is not None:
         found.append(LEARNED_REFERENCE)
-    if any(part is not None and any(port.name == AHEAD for port in part.inputs) for part in _feedforwards(machine, controller)):
+    if any(part is not None and part.takes(AHEAD) for part in _feedforwards(machine, controller)):
         found.append(AHEAD)
     supervisors = (controller.axes[name].supervisor for name in machine.axis_names if name in controller.axes)
-    if any(port.name == SOURCE_LINE for part in supervisors if part is not None for port in part.inputs):
+    if any(part is not None and part.takes(SOURCE_LINE) for part in supervisors):
         found.append(SOURCE_LINE)
     return tuple(found)
 

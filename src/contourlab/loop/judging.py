@@ -13,6 +13,7 @@ from contourlab.engine.runner import Group
 from contourlab.engine.schedule import Late, Node
 from contourlab.feed import Reference
 from contourlab.geometry.view import PathView
+from contourlab.loop.builder import accepted_output
 from contourlab.loop.machine import Axis, Machine
 from contourlab.metrics.effort import EFFORT_SUMS, effort_step
 from contourlab.metrics.streaming import SUMS, corner_parts, judge_step
@@ -48,13 +49,9 @@ def effort_node(machine: Machine, commands: Sequence[str], columns: Mapping[str,
     rates = {f"rate_{i}": _rate(axis, columns) for i, axis in enumerate(machine.axes)}
     wires: dict[str, Any] = {
         "command": tuple(commands),
-        "accepted": tuple(f"{axis.name}.drive.{_accepted(axis)}" for axis in machine.axes),
+        "accepted": tuple(f"{axis.name}.drive.{accepted_output(axis.drive)}" for axis in machine.axes),
     }
     return Node("effort", effort_step(len(machine.axes)), wires, {**rates, "first": float(window[0]), "last": float(window[1] - 1)})
-
-
-def _accepted(axis: Axis) -> str:
-    return "accepted" if any(port.name == "accepted" for port in axis.drive.outputs) else "applied"
 
 
 def _rate(axis: Axis, columns: Mapping[str, Array]) -> float | Array:

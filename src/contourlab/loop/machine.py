@@ -12,11 +12,10 @@ import numpy as np
 from contourlab.components.contract import Component
 from contourlab.components.controller.position import PositionController
 from contourlab.components.drive.saturation import Saturation
-from contourlab.components.friction.none import NoFriction
+from contourlab.components.friction.laws import NoFriction
+from contourlab.components.ideal import IdealSensor, TrueVelocity
 from contourlab.components.origin import Origin
 from contourlab.components.plant.plant import Plant
-from contourlab.components.sensor.ideal import IdealSensor
-from contourlab.components.velocity.true import TrueVelocity
 from contourlab.errors import FeedError, ParameterError
 from contourlab.feed import AxisLimits
 from contourlab.loop.axis_parts import AxisError, Limits
@@ -88,11 +87,7 @@ class Machine:
             raise ParameterError("axes", ", ".join(names) or "none", "at least one axis, each with a name of its own")
         for axis in self.axes:
             if axis.mounted_on and (axis.mounted_on not in names or axis.name in self.carriers(axis.name)):
-                raise ParameterError(
-                    f"axes.{axis.name}.mounted_on",
-                    axis.mounted_on,
-                    "another axis of the machine, without going in a circle",
-                )
+                raise ParameterError(f"axes.{axis.name}.mounted_on", axis.mounted_on, "another axis of the machine, and not in a circle")
             self._check_masses(axis)
             self._check_motor_side(axis)
             self._check_step(axis)
@@ -126,19 +121,13 @@ class Machine:
         """A plant that is known by its response only cannot be given more mass, nor tell what it moves."""
         carried = self.carried_mass(axis.name)
         if carried and not axis.plant.knows_mass:
-            raise ParameterError(
-                f"axes.{axis.name}.plant",
-                f'"{axis.plant.kind}"',
-                f"a plant that knows its mass, as it carries {carried:g} kg: leave stage_mass out where the response was measured with it",
-            )
+            bound = f"a plant that knows its mass, as it carries {carried:g} kg; or leave stage_mass out"
+            raise ParameterError(f"axes.{axis.name}.plant", f'"{axis.plant.kind}"', bound)
         below = self.axis(axis.mounted_on).plant if axis.mounted_on and axis.alignment else axis.plant
         for plant in (axis.plant, below):
             if axis.alignment and not (plant.knows_mass and plant.force_unit == "N"):
-                raise ParameterError(
-                    f"axes.{axis.name}.alignment",
-                    f"{axis.alignment:g}",
-                    f'0 on a "{plant.kind}" plant, which does not know what mass it moves',
-                )
+                bound = f'0 on a "{plant.kind}" plant, which does not know what mass it moves'
+                raise ParameterError(f"axes.{axis.name}.alignment", f"{axis.alignment:g}", bound)
 
     def _check_step(self, axis: Axis) -> None:
         """The Runge-Kutta step follows a decay by friction of at most 2.78 in a step; what is fast in a plant it knows itself."""
@@ -150,21 +139,16 @@ class Machine:
             steepest = getattr(type(friction), "steepest", None)
             decay = mobility * steepest(friction.constants()) * self.servo_period if steepest is not None else 0.0
             if decay / axis.substeps > 2.78:
-                raise ParameterError(
-                    f"axes.{axis.name}.substeps",
-                    f"{axis.substeps}",
-                    f"at least {math.ceil(decay / 2.5)} for a {friction.kind} friction as steep near rest as this; or take a softer or a "
-                    "sticking one",
-                )
+                bound = f"at least {math.ceil(decay / 2.5)} for a {friction.kind} friction this steep; or soften it, or let it stick"
+                raise ParameterError(f"axes.{axis.name}.substeps", f"{axis.substeps}", bound)
 
     def _check_motor_side(self, axis: Axis) -> None:
         """A plant without a motor of its own has no motor's side."""
         for slot in ("motor_friction", "motor_sensor"):
             part = getattr(axis, slot)
             if not axis.plant.two_sided and not isinstance(part, NoFriction | IdealSensor):
-                raise ParameterError(
-                    f"axes.{axis.name}.{slot}", f'"{part.kind}"', f"left out: a {axis.plant.kind} is motor and load in one"
-                )
+                bound = f"left out: a {axis.plant.kind} is motor and load in one"
+                raise ParameterError(f"axes.{axis.name}.{slot}", f'"{part.kind}"', bound)
 
     @property
     def axis_names(self) -> tuple[str, ...]:
@@ -203,16 +187,7 @@ class Machine:
 AXIS_SLOTS = ("plant", "friction", "motor_friction", "drive", "sensor", "motor_sensor", "disturbance")
 """What an axis is made of."""
 
-CONTROLLER_SLOTS = (
-    "predictor",
-    "velocity",
-    "observer",
-    "gap_observer",
-    "feedforward",
-    "compensation",
-    "supervisor",
-    "controller",
-)
+CONTROLLER_SLOTS = ("predictor", "velocity", "observer", "gap_observer", "feedforward", "compensation", "supervisor", "controller")
 """What the controller of an axis is made of, in the order of a tick."""
 
 SIDES = ("load", "motor")
@@ -257,14 +232,10 @@ class AxisController:
             raise ParameterError("supervisor", shown, "given where there are several controllers, and only there")
         chosen_from = getattr(self.supervisor, "n_controller", 1)
         if chosen_from != 1 + len(self.others):
-            raise ParameterError(
-                "others", f"{len(self.others)} of them", f"{chosen_from - 1}, as the supervisor chooses from {chosen_from}"
-            )
-        uses = any(port.name == "velocity" for port in self.controller.inputs) or self.observer is not None
+            raise ParameterError("others", f"{len(self.others)} of them", f"{chosen_from - 1}: the supervisor chooses from {chosen_from}")
+        uses = self.controller.takes("velocity") or self.observer is not None
         if self.predictor is not None and uses and isinstance(self.velocity, TrueVelocity):
-            wanted = (
-                'made from the predicted position, as by "filtered-difference": the true one knows nothing of the commands on their way'
-            )
+            wanted = 'made from the predicted position, as by "filtered-difference"'
             raise ParameterError("velocity", '"true"', wanted)
         if self.link is not None:
             self._check_link(self.link)
@@ -284,8 +255,8 @@ class AxisController:
         if self.local or self.link is None:
             return self.local
         parts = {slot: getattr(self, slot) for slot in CONTROLLER_SLOTS} | {f"others.{label}": part for label, part in self.others}
-        mine = {slot: part for slot, part in parts.items() if part is not None and self.link.is_local(slot)}
-        return tuple(f"{slot}.{name}" for slot, part in mine.items() for name in part.numeric())
+        local = {slot: part for slot, part in parts.items() if part is not None and self.link.is_local(slot)}
+        return tuple(f"{slot}.{name}" for slot, part in local.items() for name in part.numeric())
 
 
 @dataclass(frozen=True)
@@ -308,7 +279,7 @@ class Controller:
     def __post_init__(self) -> None:
         if self.coupling is not None and self.estimator is None:
             raise ParameterError("controller.coupling", self.coupling.kind, "given with an estimator, whose foot point it uses")
-        blind = [name for name, mine in self.axes.items() if mine.link is not None and mine.link.up is None]
+        blind = [name for name, axis in self.axes.items() if axis.link is not None and axis.link.up is None]
         if self.estimator is not None and blind:
             wanted = f"left out, as axis {blind[0]} sends the base no position: its link goes one way"
             raise ParameterError("controller.estimator", f'"{self.estimator.kind}"', wanted)
@@ -328,13 +299,13 @@ def parameter_names(machine: Machine, controller: Controller) -> dict[str, Any]:
     for axis in machine.axes:
         for slot in AXIS_SLOTS:
             collect(f"axes.{axis.name}.{slot}", getattr(axis, slot))
-        mine = controller.axes[axis.name]
+        parts = controller.axes[axis.name]
         for slot in CONTROLLER_SLOTS:
-            collect(f"controller.axes.{axis.name}.{slot}", getattr(mine, slot))
-        for label, part in mine.others:
+            collect(f"controller.axes.{axis.name}.{slot}", getattr(parts, slot))
+        for label, part in parts.others:
             collect(f"controller.axes.{axis.name}.others.{label}", part)
-        for direction in ("down", "up") if mine.link is not None else ():
-            collect(f"controller.axes.{axis.name}.link.{direction}", getattr(mine.link, direction))
+        for direction in ("down", "up") if parts.link is not None else ():
+            collect(f"controller.axes.{axis.name}.link.{direction}", getattr(parts.link, direction))
     collect("controller.estimator", controller.estimator)
     collect("controller.coupling", controller.coupling)
     return found

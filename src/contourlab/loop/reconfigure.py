@@ -1,9 +1,8 @@
-"""A controller that takes over from another one while the machine runs.
+"""Replace the controller while the machine runs.
 
-All of its components are compiled before the run begins. At the sample of the change, between two ticks, its schedule is laid out anew, and
-every node that both have (the plants above all, with what is in the delay of the drives) goes on from where it stands; what only the new
-one has begins as at rest where the axes are. A controller takes over what the one before it remembers, its integral in the command that it
-gives, so that what friction and loads ask for is not lost; what is left of a difference in the commands is handed over, see
+All components are compiled before the run. At the sample of the change the schedule is laid out anew. Every node that both loops have (the
+plants above all, with the delays of the drives) keeps its state; a node that only the new loop has starts at rest. A controller takes over
+the states of the one before it, its integral as the same command. The rest of the difference in the commands is handed over, see
 `contourlab.loop.supervision`.
 """
 
@@ -84,23 +83,17 @@ def prepared(
     Raises
     ------
     ParameterError
-        If two come at the same sample, or a controller wants to look ahead where the first one did not, or has other links than that.
+        If two come at the same sample, or a controller looks ahead or has links and the first one does not.
     """
     found: list[Prepared] = []
     for change in sorted(changes, key=lambda one: one.time):
         sample = change.sample(machine.servo_period)
         if found and found[-1].sample == sample:
             raise ParameterError("changes", f"two at {change.time:g} s", "one for each sample")
-        other = [
-            name
-            for name in machine.axis_names
-            if name in change.controller.axes and _link(change.controller, name) != _link(controller, name)
-        ]
-        if other:
+        for name in machine.axis_names:
             # What is on its way in a link could not be taken over.
-            raise ParameterError(
-                "changes", f"another link of axis {other[0]} at {change.time:g} s", "with the link of the first controller"
-            )
+            if name in change.controller.axes and change.controller.axes[name].link != controller.axes[name].link:
+                raise ParameterError("changes", f"another link of axis {name} at {change.time:g} s", "with the link of the first one")
         if sample < reference.n_sample:
             first = reference.block(0, 1).position[0]
             loop = build(machine, change.controller, reference.path, first, handover_time=change.handover_time, **given)
@@ -109,14 +102,10 @@ def prepared(
     return found
 
 
-def _link(controller: Controller, axis: str) -> Any:
-    return controller.axes[axis].link
-
-
 def taken_over(
     due: Prepared, machine: Machine, reference: Reference, given: Mapping[str, Any], running: Group, compiled: bool
 ) -> tuple[Loop, Group]:
-    """Return loop and memory of a controller that takes over from what is running."""
+    """Return loop and memory of a controller that takes over from the running one."""
     places = np.array([running.signals[running.schedule.row(f"{name}.plant.position"), 0] for name in machine.axis_names])
     progress = float(reference.block(due.sample, due.sample + 1).arc_length[0])
     loop = build(machine, due.change.controller, reference.path, places, progress, handover_time=due.change.handover_time, **given)
@@ -133,14 +122,10 @@ def taken_over(
             rows = sum(port.rows for port in node.step.outputs)
             to, off = loop.schedule.first_row[i], running.schedule.first_row[j]
             group.signals[to : to + rows] = running.signals[off : off + rows]
-        if _is_controller(node) and not _same(before, node):
+        if node.step.name.startswith("controller/") and not _same(before, node):
             _carry(before, running.state[j], node, group.state[i], _accepted(running, node.name))
     group.tick = running.tick
     return loop, group
-
-
-def _is_controller(node: Node) -> bool:
-    return node.step.name.startswith("controller/")
 
 
 def _same(before: Node, node: Node) -> bool:
@@ -155,7 +140,7 @@ def _accepted(running: Group, node: str) -> float:
 
 
 def _carry(before: Node, old: NDArray[np.float64], node: Node, new: NDArray[np.float64], accepted: float) -> None:
-    """Lay into a controller's states what another one remembers under the same names; its integral so that it gives the same command."""
+    """Copy the states that two controllers share by name; scale the integral to give the same command."""
     rows = {port.name: row for row, port in enumerate(before.step.states) if not port.size}
     for row, port in enumerate(node.step.states):
         if port.name == "last_command":

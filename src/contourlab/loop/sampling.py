@@ -19,9 +19,8 @@ def sample_compiled(reference: Reference, start: int, stop: int, rows: Array) ->
     assert reference.profile is not None  # recorded positions are not sampled
     path, n = reference.path, stop - start
     progress, speed, acceleration = rows[-2], rows[-1], np.empty(n)
-    along_spans(
-        _spans(reference.profile, reference.servo_period, start, stop), reference.servo_period, start, progress, speed, acceleration
-    )
+    spans = _spans(reference.profile, reference.servo_period, start, stop)
+    along_spans(spans, reference.servo_period, start, progress, speed, acceleration)
     curve, offset = _in_reach(path, progress)
     # A joint belongs to the curve that begins there; before the first and after the last one the end curves go on.
     border = np.concatenate([[0], np.searchsorted(progress, offset[1:], side="left"), [n]])

@@ -2,18 +2,15 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
-from contourlab.components.sensor.ideal import IdealSensor
-from contourlab.components.velocity.true import TrueVelocity
+from contourlab.components.ideal import IdealSensor, TrueVelocity
 from contourlab.engine.schedule import Late, Node
 from contourlab.engine.step import Port, Step
 from contourlab.errors import ParameterError
+from contourlab.loop.builder import Builder
 from contourlab.loop.machine import SIDES, Axis
 from contourlab.primitives import select
-
-if TYPE_CHECKING:
-    from contourlab.loop.template import Builder
 
 
 class Sensing:
@@ -32,15 +29,15 @@ class Sensing:
 
     def __init__(self, builder: Builder, axis: Axis, at: float) -> None:
         self.builder, self.axis, self.name, self.at = builder, axis, axis.name, at
-        self.mine = builder.controller.axes[axis.name]
+        self.parts = builder.controller.axes[axis.name]
         self._velocities: dict[str, str] = {}
         self._add_sensors()
         prefix = f"controller.axes.{self.name}"
-        if self.mine.predictor is not None:
+        if self.parts.predictor is not None:
             wires = {"position": self.measured, "applied": builder.accepted(self.name)}
-            builder.add(f"{self.name}.predictor", self.mine.predictor, f"{prefix}.predictor", wires, at)
+            builder.add(f"{self.name}.predictor", self.parts.predictor, f"{prefix}.predictor", wires, at)
         # Worked out ahead of all that may ask for it.
-        self.velocity_on(self.mine.velocity_feedback)
+        self.velocity_on(self.parts.velocity_feedback)
 
     def _add_sensors(self) -> None:
         for side, slot in zip(SIDES, ("sensor", "motor_sensor"), strict=True):
@@ -48,12 +45,8 @@ class Sensing:
             if not isinstance(sensor, IdealSensor):
                 signal = self._signal(side, "position")
                 noisy = self.builder.noisy(sensor, self.name, slot)
-                start = self.at if slot == "sensor" else self.motor_start()
+                start = self.at if slot == "sensor" else self.builder.motor_start(self.name)
                 self.builder.add(f"{self.name}.{slot}", noisy, f"axes.{self.name}.{slot}", {"position": Late(signal)}, start)
-
-    def motor_start(self) -> float:
-        """Return where the motor stands at first [m]."""
-        return float(self.axis.plant.at_rest(self.at)[1].get("motor_position", self.at))
 
     def _signal(self, side: str, what: str) -> str:
         return f"{self.name}.plant.{'motor_' if side == 'motor' and self.axis.plant.two_sided else ''}{what}"
@@ -66,33 +59,33 @@ class Sensing:
 
     def velocity_on(self, side: str) -> Any:
         """Return the wire of the velocity on a side, worked out from the position measured there."""
-        if isinstance(self.mine.velocity, TrueVelocity):
+        if isinstance(self.parts.velocity, TrueVelocity):
             return Late(self._signal(side, "velocity"))
         if not self.axis.plant.two_sided:
-            side = self.mine.velocity_feedback
+            side = self.parts.velocity_feedback
         if side not in self._velocities:
-            predicted = self.mine.predictor is not None and side == self.mine.velocity_feedback
-            node = f"{self.name}.velocity" if side == self.mine.velocity_feedback else f"{self.name}.{side}_velocity"
+            predicted = self.parts.predictor is not None and side == self.parts.velocity_feedback
+            node = f"{self.name}.velocity" if side == self.parts.velocity_feedback else f"{self.name}.{side}_velocity"
             wires = {"position": self.position if predicted else self.position_on(side)}
-            start = self.motor_start() if side == "motor" else self.at
-            self.builder.add(node, self.mine.velocity, f"controller.axes.{self.name}.velocity", wires, start)
+            start = self.builder.motor_start(self.name) if side == "motor" else self.at
+            self.builder.add(node, self.parts.velocity, f"controller.axes.{self.name}.velocity", wires, start)
             self._velocities[side] = f"{node}.velocity"
         return self._velocities[side]
 
     @property
     def measured(self) -> Any:
         """Wire of the position that the position loop is closed over."""
-        return self.position_on(self.mine.feedback)
+        return self.position_on(self.parts.feedback)
 
     @property
     def position(self) -> Any:
         """Wire of the position that the controller sees: measured, or predicted."""
-        return self.measured if self.mine.predictor is None else f"{self.name}.predictor.position"
+        return self.measured if self.parts.predictor is None else f"{self.name}.predictor.position"
 
     @property
     def velocity(self) -> Any:
         """Wire of the velocity that the controller sees."""
-        return self.velocity_on(self.mine.velocity_feedback)
+        return self.velocity_on(self.parts.velocity_feedback)
 
     def both_sides(self, port: str) -> Any:
         """Return the wire of ``motor_position``, ``load_velocity`` and the like.
@@ -100,7 +93,7 @@ class Sensing:
         An axis whose loop is closed on the motor's side, and that has a gap observer, knows its load by what that makes of it.
         """
         side, _, what = port.partition("_")
-        if side == "load" and self.mine.gap_observer is not None and self.mine.feedback == "motor":
+        if side == "load" and self.parts.gap_observer is not None and self.parts.feedback == "motor":
             return f"{self.name}.gap_observer.{port}"
         return self.position_on(side) if what == "position" else self.velocity_on(side)
 
@@ -112,7 +105,7 @@ class Sensing:
         ParameterError
             If a part wants to know the state of the gap and nothing observes it.
         """
-        if self.mine.gap_observer is None:
+        if self.parts.gap_observer is None:
             if port == "gap_estimate":
                 return 0.0
             raise ParameterError(f"controller.axes.{self.name}.gap_observer", '"none"', "given, as the supervisor asks for what it sees")

@@ -1,10 +1,9 @@
-"""Several controllers for one axis: the supervisor says which is active, and the command is handed over without a bump.
+"""Several controllers for one axis: a supervisor chooses the active one, and commands are handed over without a bump.
 
-All of them run all the time, on the same measurements. What a controller is told to have been accepted is to the active one what the drive
-took of its own command, whatever was added to it at the hand-over; to one that is not active it is the command that was carried out, as if
-the drive did not obey, so that its integral is led there. For that an integral has to be led back, so that a controller whose `anti_windup`
-is "hold" is run with "back-calculation" beside others. What is left of a difference at a switch is taken over as an offset that decays with
-the supervisor's `handover_time`.
+All controllers run all the time, on the same measurements. Each gets an accepted command. For the active one it is what the drive took of
+its own command, less the hand-over offset. For the others it is the command that was carried out, so that their integrals follow it. This
+needs back-calculation: a controller with `anti_windup` "hold" runs with "back-calculation" here. The difference that is left at a switch
+becomes an offset, which decays with the supervisor's `handover_time`.
 """
 
 from __future__ import annotations
@@ -15,12 +14,12 @@ from typing import Any
 import numpy as np
 
 from contourlab.components.contract import Component
-from contourlab.engine.step import Port, Step
+from contourlab.engine.step import Port, Step, ports
 from contourlab.primitives import select
 
 
 def conditioned(part: Component) -> Component:
-    """Return a controller fit to run beside others: an integral that is only held would not follow what is carried out."""
+    """Return a controller that can run beside others: one with back-calculation, as a held integral would not follow."""
     if "anti_windup" not in part.parameters or part.values()["anti_windup"] != "hold":
         return part
     if "back-calculation" not in part.parameters["anti_windup"].choices:
@@ -44,20 +43,20 @@ def _hand_over(par: Any, x: Any, inp: Any, clock: Any) -> Any:
         wanted = select(inp.active == float(i), inp.commands[i], wanted)
         left = select(x.active == float(i), inp.commands[i] + x.offset, left)
     offset = select(inp.active == x.active, x.offset, par.blended * (left - wanted))
-    # A supervisor that gives no number is to end the run, not to leave the axis without a command.
+    # A supervisor that gives no number must end the run, not leave the axis without a command.
     return (inp.active, par.kept * offset), (wanted + offset + 0.0 * inp.active, inp.active, offset)
 
 
-def _tell(par: Any, x: Any, inp: Any, clock: Any) -> Any:
+def _accept(par: Any, x: Any, inp: Any, clock: Any) -> Any:
     return (), (inp.accepted - select(inp.active == inp.number, inp.offset, 0.0),)
 
 
-TOLD = Step("told", _tell, (), (), "", (), tuple(map(Port, ("accepted", "active", "offset", "number"))), (Port("accepted"),))
-"""What a controller of a number is told to have been accepted of its command."""
+ACCEPTED = Step("told", _accept, (), (), "", (), ports("accepted", "active", "offset", "number"), ports("accepted"))
+"""What was accepted of the command of a controller with this number."""
 
 
 def handover_parameters(handover_time: Any, dt: float) -> dict[str, Any]:
-    """Return the parameters of the step for a time constant [s]; with zero there is no offset: the command jumps."""
+    """Return the parameters of the step for a time constant [s]; with zero the command jumps."""
     time = np.asarray(handover_time, dtype=float)
     blended = np.where(time > 0.0, 1.0, 0.0)
     return {"kept": np.exp(-dt / np.where(time > 0.0, time, np.inf)) * blended, "blended": blended}

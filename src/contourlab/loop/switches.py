@@ -1,7 +1,7 @@
-"""Every switch from one controller of an axis to another: when, where, and why.
+"""Every switch from one controller of an axis to another: when, where and why.
 
-What a run records (``active_controller`` and ``switch_reason``) and what its supervisors call things, put together. Nothing is kept of the
-samples in between, so that a run of any length can be followed block by block.
+Made from the signals ``active_controller`` and ``switch_reason`` and from the names of controllers and reasons. It keeps no samples: a run
+of any length can be followed block by block.
 """
 
 from __future__ import annotations
@@ -23,12 +23,12 @@ Array = NDArray[np.float64]
 Index = NDArray[np.int64]
 RECORDED = ("active_controller", "switch_reason")
 """Signals that say what supervisors did."""
-_MOST = 1 << 15  # numbers of controllers and reasons are told apart below this
+_MOST = 1 << 15  # numbers of controllers and reasons are below this
 
 
 @dataclass(frozen=True, slots=True)
 class SwitchKind:
-    """What switches have in common: axis, names of the two controllers, reason in words."""
+    """A kind of switch: axis, names of the two controllers, reason."""
 
     axis: str
     before: str
@@ -85,8 +85,8 @@ class Switches:
 
     def of(self, axis: str) -> Index:
         """Return the numbers of the switches of one axis."""
-        mine = np.array([kind.axis == axis for kind in self.kinds], dtype=bool)
-        return np.flatnonzero(mine[self.kind]) if len(self.kinds) else np.zeros(0, dtype=np.int64)
+        chosen = np.array([kind.axis == axis for kind in self.kinds], dtype=bool)
+        return np.flatnonzero(chosen[self.kind]) if len(self.kinds) else np.zeros(0, dtype=np.int64)
 
 
 def switches_of(
@@ -168,13 +168,15 @@ class SwitchLog:
         some = [name for name in result.axes if any(one.axes[name].supervisor is not None for one in self._controllers)]
         return list(result.axes) if self.changes else some
 
-    def _stretches(self, result: Result, axis: str) -> list[tuple[int, int, _Words, str]]:
+    def _stretches(self, result: Result, axis: str) -> list[tuple[int, int, _Labels, str]]:
         """Return the parts of a block in which one controller holds: samples of the block, names, and why it took over."""
-        edges = [(0, _Words(self.controller.axes[axis], ""), "")]
+        edges = [(0, _Labels(self.controller.axes[axis], ""), "")]
         for change in sorted(self.changes, key=lambda one: one.time):
             sample = change.sample(self.servo_period)
             label = Path(change.file).stem or f"from {change.time:g} s"
-            edges.append((sample, _Words(change.controller.axes[axis], label), f"the controller of {change.file or 'a change'} takes over"))
+            edges.append(
+                (sample, _Labels(change.controller.axes[axis], label), f"the controller of {change.file or 'a change'} takes over")
+            )
         ends = [sample for sample, _, _ in edges[1:]] + [result.start + result.n_sample]
         found = []
         for (begin, names, why), end in zip(edges, ends, strict=True):
@@ -184,10 +186,10 @@ class SwitchLog:
         return found
 
     def _stretch(
-        self, result: Result, axis: str, span: tuple[int, int], words: tuple[_Words, str], held: Counter[str], kinds: dict[SwitchKind, int]
+        self, result: Result, axis: str, span: tuple[int, int], label: tuple[_Labels, str], held: Counter[str], kinds: dict[SwitchKind, int]
     ) -> tuple[Index, Index, str]:
         """Return samples and kinds of the switches within a stretch, and what was active before it."""
-        (start, stop), (names, why) = span, words
+        (start, stop), (names, why) = span, label
         number, reason = _numbers(result, axis, start, stop)
         times = np.bincount(number)
         held.update({names.controller(int(n)): int(times[n]) for n in np.flatnonzero(times)})
@@ -211,8 +213,8 @@ class SwitchLog:
         return sample, kind_of, before
 
 
-class _Words:
-    """What the controllers of an axis, and the reasons of its supervisor, are called."""
+class _Labels:
+    """Names of the controllers of an axis and of its supervisor's reasons."""
 
     def __init__(self, parts: AxisController, label: str) -> None:
         self.names, self.label = tuple(parts.controllers), label

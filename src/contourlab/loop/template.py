@@ -17,7 +17,7 @@ signals are recorded here, and then
 5. the **disturbance** and the reaction of axes mounted on top act on the **plant**, which moves to the next tick with its command held.
 
 Ideal parts have no node: their wires lead to what they would have passed on. Where the controller of an axis is divided between base and
-axis, what crosses goes through the nodes of a link: see `contourlab.loop.crossing`.
+axis, what crosses goes through the nodes of a link: see `contourlab.loop.link_insertion`.
 """
 
 from __future__ import annotations
@@ -35,21 +35,18 @@ from contourlab.engine.step import Port
 from contourlab.errors import ParameterError
 from contourlab.geometry import Path
 from contourlab.geometry.view import PathView, view_of
-from contourlab.loop.crossing import add_taken, compensated_in_axis, controlled_from_base, cross, subtract_node, taken_wire
+from contourlab.loop.builder import Builder, Overrides, Signals
 from contourlab.loop.feeding import AHEAD, LEARNED_COMMAND, LEARNED_REFERENCE, SOURCE_LINE
+from contourlab.loop.link_insertion import add_taken, insert_links, subtract_node
 from contourlab.loop.machine import Controller, Machine
-from contourlab.loop.mixing import sum_step
-from contourlab.loop.mounting import add_plants
-from contourlab.loop.recorded import recorded
+from contourlab.loop.plant_nodes import add_plants
 from contourlab.loop.sensing import Sensing
-from contourlab.loop.supervision import TOLD, conditioned, handover_parameters, handover_step
-from contourlab.loop.tool import stream_of
+from contourlab.loop.signal_map import signal_map
+from contourlab.loop.sum_nodes import sum_step
+from contourlab.loop.supervision import ACCEPTED, conditioned, handover_parameters, handover_step
 from contourlab.loop.watch import watch_node
 
 Array = NDArray[np.float64]
-Overrides = Mapping[str, Array]
-Signals = Mapping[str, tuple[str, ...]]
-"""Where the signals of a result stand: name -> one for each axis, or one for the machine."""
 
 
 @dataclass(frozen=True)
@@ -63,95 +60,12 @@ class Loop:
 EXTERNALS = ("reference", "reference_velocity", "reference_acceleration")
 
 
-class Builder:
-    """Collects the nodes of a machine under its controller, in the order of a tick; arguments as of `build`."""
+class _Slots(Builder):
+    """Fills the slots of the loop, one method for each part of a tick."""
 
-    def __init__(
-        self,
-        machine: Machine,
-        controller: Controller,
-        path: Path,
-        start: Array,
-        progress: float,
-        overrides: Overrides,
-        seed: int,
-        trial: int,
-        fed: frozenset[str],
-        velocity: Array | None = None,
-        handover_time: float | None = None,
-    ) -> None:
-        missing = [name for name in machine.axis_names if name not in controller.axes]
-        if missing:
-            raise ParameterError("controller.axes", ", ".join(controller.axes) or "none", f"given for axis {missing[0]} too")
-        if path.n_axis != len(machine.axes):
-            raise ParameterError(
-                "path",
-                f"{path.n_axis} coordinates",
-                f"one for each axis of {machine.name}: {', '.join(machine.axis_names)}",
-            )
-        units = [axis.plant.command_unit for axis in machine.axes]
-        coupling = controller.coupling
-        if len(set(units)) > 1 and coupling is not None and any(port.name == "correction" for port in coupling.outputs):
-            raise ParameterError(
-                "controller.coupling",
-                f'"{coupling.kind}"',
-                f"one that acts on the reference, as the axes of {machine.name} take commands in {', '.join(units)}",
-            )
-        self.machine, self.controller, self.path = machine, controller, path
-        self.start, self.progress, self.overrides = start, progress, overrides
-        self.handover_time = handover_time
-        self.speed = np.zeros(len(machine.axes)) if velocity is None else velocity
-        self.seed, self.trial, self.fed = seed, trial, fed
-        self.period = machine.servo_period
-        self.nodes: list[Node] = []
-        self.names = machine.axis_names
+    def __post_init__(self) -> None:
+        super().__post_init__()
         self.sensing: dict[str, Sensing] = {}
-        # Where commands come down a link: the signal of what has arrived.
-        self.arrived: dict[str, str] = {}
-
-    # --- helpers -----------------------------------------------------------------------------------------------------------------
-
-    def changed(self, prefix: str) -> dict[str, Array]:
-        """Return the overrides of one component: parameter -> values over the variants."""
-        head = prefix + "."
-        return {name[len(head) :]: values for name, values in self.overrides.items() if name.startswith(head)}
-
-    def add(self, name: str, part: Component, prefix: str, wires: Mapping[str, Any], at: float = 0.0) -> None:
-        """Add the node of a component of one axis."""
-        self.nodes.append(self.node(name, part, prefix, wires, at))
-
-    def node(self, name: str, part: Component, prefix: str, wires: Mapping[str, Any], at: float = 0.0) -> Node:
-        """Return the node of a component of one axis."""
-        initial, start = part.at_rest(at)
-        changed = self.changed(prefix)
-        step, values = part.make_step(len(self.names)), part.block(self.period, changed)
-        return Node(name, step, wires, values, part.table_values(), initial, start, self.ring_length(part, changed))
-
-    def ring_length(self, part: Component, changed: Mapping[str, Array]) -> int:
-        """Return how much of its past a component keeps, so that it is enough for every variant."""
-        lengths = [part.ring_length(self.period)]
-        for name, values in changed.items() if part.ring else ():
-            lengths += [part.replace(**{name: float(extreme)}).ring_length(self.period) for extreme in (values.min(), values.max())]
-        if part.ring and len(changed) > 1:  # two that make it longer may come together
-            lengths.append(part.replace(**{name: float(values.max()) for name, values in changed.items()}).ring_length(self.period))
-        return max(lengths)
-
-    # --- slots -------------------------------------------------------------------------------------------------------------------
-
-    def accepted(self, axis: str) -> Any:
-        """Return the wire of the last command that was taken, as the controller of an axis knows it."""
-        return taken_wire(axis) if controlled_from_base(self.controller.axes[axis].link) else self.drive_accepted(axis)
-
-    def drive_accepted(self, axis: str) -> Late:
-        """Return the wire of the last command that the drive took, behind its limit and ahead of its delay."""
-        late = any(port.name == "accepted" for port in self.machine.axis(axis).drive.outputs)
-        return Late(f"{axis}.drive.{'accepted' if late else 'applied'}")
-
-    def noisy(self, part: Any, axis: str, slot: str) -> Any:
-        """Return a component with the noise of this axis, seed and trial, if it makes any."""
-        if not part.parameters.get("stream") or part.stream:
-            return part
-        return part.replace(stream=stream_of(self.seed, axis, slot, *((self.trial,) if self.trial else ())))
 
     def sense(self) -> None:
         for axis, at in zip(self.machine.axes, self.start, strict=True):
@@ -175,40 +89,26 @@ class Builder:
             offered["accepted"] = tuple(self.accepted(name) for name in self.names)
             self.add("coupling", coupling, "controller.coupling", {port.name: offered[port.name] for port in coupling.inputs})
 
-    def coupled(self, output: str) -> bool:
-        """Tell whether the coupling gives this."""
-        coupling = self.controller.coupling
-        return coupling is not None and any(port.name == output for port in coupling.outputs)
-
-    def command(self, axis: str) -> str:
-        """Return the signal of the command that goes to an axis' drive, ahead of any link."""
-        return f"{axis}.compensated.command" if compensated_in_axis(self, axis) else self.wanted(axis)
-
-    def wanted(self, axis: str) -> str:
-        """Return the signal of the command that an axis' controller gives."""
-        handed = self.controller.axes[axis].supervisor is not None or self.handover_time is not None
-        return f"{axis}.{'handover' if handed else 'controller'}.command"
-
     def control(self) -> None:
         for j, (axis, at) in enumerate(zip(self.machine.axes, self.start, strict=True)):
-            name, mine, prefix = axis.name, self.controller.axes[axis.name], f"controller.axes.{axis.name}"
+            name, parts, prefix = axis.name, self.controller.axes[axis.name], f"controller.axes.{axis.name}"
             applied, seen = Late(f"{name}.drive.applied"), self.sensing[name]
-            if mine.observer is not None:
+            if parts.observer is not None:
                 # A predicted velocity is that of the commands ahead of their delay.
-                wires = {"velocity": seen.velocity, "applied": applied if mine.predictor is None else self.accepted(name)}
-                self.add(f"{name}.observer", mine.observer, f"{prefix}.observer", wires)
+                wires = {"velocity": seen.velocity, "applied": applied if parts.predictor is None else self.accepted(name)}
+                self.add(f"{name}.observer", parts.observer, f"{prefix}.observer", wires)
             offered: dict[str, Any] = {signal: f"in.{signal}[{j}]" for signal in EXTERNALS}
             offered |= {AHEAD: f"in.{AHEAD}[{j}]", "arc_length": "in.arc_length", "applied": applied, "accepted": self.accepted(name)}
             offered[SOURCE_LINE] = f"in.{SOURCE_LINE}[{j}]"
-            if mine.gap_observer is not None and not axis.plant.two_sided:
+            if parts.gap_observer is not None and not axis.plant.two_sided:
                 bound = "left out: this axis' drive is rigid, and has no gap"
-                raise ParameterError(f"controller.axes.{name}.gap_observer", repr(mine.gap_observer.kind), bound)
+                raise ParameterError(f"controller.axes.{name}.gap_observer", repr(parts.gap_observer.kind), bound)
             for slot in ("gap_observer", "feedforward", "compensation"):
-                part = getattr(mine, slot)
+                part = getattr(parts, slot)
                 if part is not None:
                     self.add(f"{name}.{slot}", part, f"{prefix}.{slot}", self.wires_of(part, name, offered), float(at))
-            here = compensated_in_axis(self, name)
-            subtracted = mine.observer is not None and not here
+            here = self.compensated_in_axis(name)
+            subtracted = parts.observer is not None and not here
             offered |= {
                 "reference": self.followed(name, j),
                 "position": seen.position,
@@ -236,35 +136,35 @@ class Builder:
 
     def decide(self, name: str, at: float, offered: Mapping[str, Any]) -> None:
         """Add the controllers of an axis and, where there are several, their supervisor and the hand-over."""
-        mine, prefix = self.controller.axes[name], f"controller.axes.{name}"
-        if mine.supervisor is not None:
-            self.add(f"{name}.supervisor", mine.supervisor, f"{prefix}.supervisor", self.wires_of(mine.supervisor, name, offered), at)
+        parts, prefix = self.controller.axes[name], f"controller.axes.{name}"
+        if parts.supervisor is not None:
+            self.add(f"{name}.supervisor", parts.supervisor, f"{prefix}.supervisor", self.wires_of(parts.supervisor, name, offered), at)
         handed = self.wanted(name) == f"{name}.handover.command"
-        for number, (label, part) in enumerate(mine.controllers.items()):
+        for number, (label, part) in enumerate(parts.controllers.items()):
             node, key = (f"{name}.other_{label}", f"others.{label}") if number else (f"{name}.controller", "controller")
             if handed:
-                offered = {**offered, "accepted": self.told(name, node, number)}
-            made = conditioned(part) if mine.others else part
+                offered = {**offered, "accepted": self.accepted_of(name, node, number)}
+            made = conditioned(part) if parts.others else part
             self.add(node, made, f"{prefix}.{key}", self.wires_of(made, name, offered), at)
         if handed:
             self.hand_over(name)
 
-    def told(self, name: str, node: str, number: int) -> str:
-        """Add what tells a controller how much of its command was accepted; return the wire."""
+    def accepted_of(self, name: str, node: str, number: int) -> str:
+        """Add the node that gives a controller the accepted part of its command; return its wire."""
         late: dict[str, Any] = {port: Late(f"{name}.handover.{port}") for port in ("active", "offset")}
-        self.nodes.append(Node(f"{node}_told", TOLD, {**late, "accepted": self.accepted(name), "number": float(number)}))
+        self.nodes.append(Node(f"{node}_told", ACCEPTED, {**late, "accepted": self.accepted(name), "number": float(number)}))
         return f"{node}_told.accepted"
 
     def hand_over(self, name: str) -> None:
         """Add the node that passes on the command of the active controller."""
-        mine = self.controller.axes[name]
-        commands = (f"{name}.controller.command", *(f"{name}.other_{label}.command" for label, _ in mine.others))
+        parts = self.controller.axes[name]
+        commands = (f"{name}.controller.command", *(f"{name}.other_{label}.command" for label, _ in parts.others))
         active: Any = 0.0
         time: Any = self.handover_time
-        if mine.supervisor is not None:
+        if parts.supervisor is not None:
             active = f"{name}.supervisor.active"
             changed = self.changed(f"controller.axes.{name}.supervisor")
-            time = changed.get("handover_time", mine.supervisor.values()["handover_time"])
+            time = changed.get("handover_time", parts.supervisor.values()["handover_time"])
         wires = {"commands": commands, "active": active, "accepted": self.accepted(name)}
         # One that takes over from another loop finds a controller active that is none of its own.
         before = {} if self.handover_time is None else {"active": -1.0}
@@ -286,18 +186,15 @@ class Builder:
         if LEARNED_COMMAND in self.fed:
             terms.append(f"in.{LEARNED_COMMAND}[{j}]")
         for label, controller in self.controller.axes[name].controllers.items() if terms else ():
-            if not any(port.name == "feedforward" for port in controller.inputs):
-                raise ParameterError(
-                    f"controller.axes.{name}.{label}",
-                    f'"{controller.kind}"',
-                    "one with a port feedforward: cross-coupling, learning, feedforward and compensation add to its command",
-                )
+            if not controller.takes("feedforward"):
+                bound = "one with a port feedforward: cross-coupling, learning, feedforward and compensation use it"
+                raise ParameterError(f"controller.axes.{name}.{label}", f'"{controller.kind}"', bound)
         return self.sum_of(f"{name}.added", terms) if terms else 0.0
 
     def fed_forward(self, name: str, output: str) -> list[str]:
-        mine = self.controller.axes[name]
-        parts = {"feedforward": mine.feedforward, "compensation": mine.compensation}
-        return [f"{name}.{slot}.{output}" for slot, part in parts.items() if part is not None and _gives(part, output)]
+        axis = self.controller.axes[name]
+        sources = {"feedforward": axis.feedforward, "compensation": axis.compensation}
+        return [f"{name}.{slot}.{output}" for slot, part in sources.items() if part is not None and part.gives(output)]
 
     def sum_of(self, node: str, terms: list[str]) -> str:
         """Return the wire of a sum; of a single term it is that term's own."""
@@ -305,10 +202,6 @@ class Builder:
             return terms[0]
         self.nodes.append(Node(node, sum_step(len(terms)), {"terms": tuple(terms)}))
         return f"{node}.total"
-
-
-def _gives(part: Component, output: str) -> bool:
-    return any(port.name == output for port in part.outputs)
 
 
 def build(
@@ -343,7 +236,7 @@ def build(
     view : PathView, optional
         Another view of the path than the default.
     extra : tuple of Node, or of what makes one
-        Nodes that run at the end of the controllers, before the record point: the judge of a batch. What makes one is told `Signals`.
+        Nodes that run at the end of the controllers, before the record point: the judge of a batch. A callable takes `Signals`.
     seed, trial : int
         Of all noise: each trial has its own.
     fed : tuple of str
@@ -353,12 +246,12 @@ def build(
     handover_time : float [s], optional
         The controller takes over at the first tick from another one: the jump of each command decays with this time constant.
     """
-    builder = Builder(machine, controller, path, start, progress, overrides or {}, seed, trial, frozenset(fed), velocity, handover_time)
+    builder = _Slots(machine, controller, path, start, progress, overrides or {}, seed, trial, frozenset(fed), velocity, handover_time)
     builder.sense()
     builder.contour(view)
     builder.control()
-    cross(builder)
-    signals = recorded(builder)
+    insert_links(builder)
+    signals = signal_map(builder, builder.sensing)
     builder.nodes += (node if isinstance(node, Node) else node(signals) for node in extra)
     builder.nodes.append(watch_node(machine, tuple(map(builder.command, machine.axis_names))))
     record_point = len(builder.nodes)

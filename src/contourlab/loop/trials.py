@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 
 from contourlab.components.contract import Component
 from contourlab.components.drive.saturation import Saturation
-from contourlab.components.sensor.ideal import IdealSensor
+from contourlab.components.ideal import IdealSensor
 from contourlab.engine.runner import Group, make_group
 from contourlab.engine.schedule import Late, Schedule
 from contourlab.feed import Reference
@@ -210,10 +210,9 @@ class Trials:
             if self._estimate_of(name) in self._column:
                 estimate[:, j] = rows[self._column[self._estimate_of(name)]]
         if not status.ok:
-            unknown = np.full(len(position), np.nan)
-            return Trial(
-                status, position, measured, position, command, np.zeros_like(command), estimate, None, unknown, np.nan, np.nan, np.nan
-            )
+            nan, no_excess = np.nan, np.zeros_like(command)
+            unknown = np.full(len(position), nan)
+            return Trial(status, position, measured, position, command, no_excess, estimate, None, unknown, nan, nan, nan)
         excess = _excess(command, self._limit)
         velocity = signal(self._signals["axis_velocity"]) if self._signals["axis_velocity"][0] in self._column else position
         began = time.perf_counter()
@@ -251,10 +250,10 @@ def _excess(command: Array, limit: Array) -> Array:
     return np.where(held, np.copysign(np.maximum(beyond, np.finfo(float).tiny), command), 0.0)
 
 
-def _undisturbed(mine: AxisController) -> AxisController:
+def _undisturbed(parts: AxisController) -> AxisController:
     """Return an axis' controller without what answers to errors besides its own law."""
     bare: dict[str, Any] = dict.fromkeys(("observer", "predictor", "gap_observer", "compensation", "supervisor", "link"))
-    return replace(mine, controller=mine.controller.linear(), others=(), **bare)
+    return replace(parts, controller=parts.controller.linear(), others=(), **bare)
 
 
 def _followed(wire: Any, names: tuple[str, ...]) -> Any:

@@ -1,5 +1,5 @@
-"""Native: machine code for the rooms above.
+"""Machine code for the rooms above.
 
-`store` keeps machine code on disk under a key made of its sources; `door` compiles a plain function through it. Numba is imported where
-one of the two is imported, never by this package itself: a room that wants a kernel asks for it when it needs it.
+`store` keeps machine code on disk, keyed on its sources. `compile` compiles a plain function through it. Only these two import Numba, so
+that a room that needs a kernel imports them late.
 """

@@ -1,9 +1,9 @@
-"""Rows of a reproduction: what a paper or a log gives, what we get, and whether the two agree."""
+"""Rows of a reproduction: a figure of a paper or a log, ours, and whether they agree."""
 
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import asdict, dataclass
 from typing import Any
 
@@ -14,37 +14,34 @@ KINDS = {
     MEASURED: ("measured", "beside measured ones agree"),
     ASKED: ("asked for", "that are asked for are reached"),
 }
-"""Sources of a figure that ours is held against: what it is called above its column, and in the tally."""
+"""Sources of the figure that ours is compared with: head of its column, and words of the tally."""
 AGREES, DIFFERS, FAILS = "agrees", "differs", "fails"
-Stage = Callable[[str], object]
-"""Told in words what a reproduction is busy with."""
 Part = tuple[str, Callable[[], Iterable["Row"]]]
-"""A part of a reproduction: what it is busy with, and its rows."""
+"""Part of a reproduction: its name and what computes its rows."""
 
 
 @dataclass(frozen=True, slots=True)
 class Row:
-    """A figure from elsewhere beside ours.
+    """A figure from elsewhere and ours.
 
     Attributes
     ----------
     name, case : str
         What is compared, and for which axis or configuration.
     paper : float or None
-        The figure that ours is held against: the paper's, or as `source` says; None where there is none.
+        The figure from elsewhere; `source` says from where.
     here : float
         Ours, in the same unit.
     unit : str
     tolerance : float or None
-        Largest difference that counts as agreement, in the same unit; None where there is nothing to compare.
+        Largest difference that counts as agreement, in the same unit; None if nothing is compared.
     note : str
-        How it is read; where it differs, why.
+        How to read the row; if it differs, why.
     source : str
-        "printed" where the paper's figure stands in the paper; "derived" where it follows from the paper's equations and numbers;
-        "measured" where it is of a log; "asked" where it is the least that has to be reached; "ours" where there is none.
+        "printed" in the paper, "derived" from the paper's equations and numbers, "measured" in a log, "asked" for as a minimum, or "ours"
+        alone.
     verdict : str
-        "agrees"; "differs" where it does not and the note says why; "fails" where it does not and nothing explains it; empty where there
-        is nothing to compare.
+        "agrees"; "differs" for a reason given in the note; "fails" without a reason; empty if nothing is compared.
     """
 
     name: str
@@ -58,12 +55,12 @@ class Row:
     verdict: str
 
     def as_dict(self) -> dict[str, Any]:
-        """Return the row fit for JSON, with the key ``pass``: true, false for a row that fails, null where agreement is not claimed."""
-        found = asdict(self)
-        found["pass"] = {AGREES: True, FAILS: False}.get(self.verdict)
-        found["here"] = self.here if math.isfinite(self.here) else None
+        """Return the row for JSON, with the key ``pass``: true, false for a row that fails, null if agreement is not claimed."""
+        values = asdict(self)
+        values["pass"] = {AGREES: True, FAILS: False}.get(self.verdict)
+        values["here"] = self.here if math.isfinite(self.here) else None
         order = ("name", "case", "paper", "here", "unit", "tolerance", "pass", "note", "source", "verdict")
-        return {key: found[key] for key in order}
+        return {key: values[key] for key in order}
 
 
 def printed(
@@ -77,76 +74,60 @@ def printed(
     *,
     reason: str = "",
     at_least: bool = False,
+    source: str = PRINTED,
 ) -> Row:
-    """Return a row whose figure stands in the paper.
+    """Return a row that compares our figure with one that is printed in the paper.
 
     Parameters
     ----------
-    name, case, paper, here, unit, tolerance, note
-        As of `Row`.
+    name, case, paper, here, unit, tolerance, note, source
+        See `Row`.
     reason : str
-        Why it differs, if it does; without one a difference is a failure.
+        Why the figures differ; without a reason a difference is a failure.
     at_least : bool
         The paper's figure is a lower limit.
     """
-    return _compared(PRINTED, name, case, paper, here, unit, tolerance, note, reason, at_least)
+    within = abs(here - paper) <= tolerance and not (at_least and here < paper)
+    verdict = AGREES if within else DIFFERS if reason else FAILS
+    note = reason if verdict == DIFFERS else note
+    return Row(name, case, float(paper), float(here), unit, float(tolerance), note, source, verdict)
 
 
 def derived(name: str, case: str, paper: float, here: float, unit: str, tolerance: float, note: str = "", *, reason: str = "") -> Row:
     """Return a row whose figure follows from the paper's equations; arguments as of `printed`."""
-    return _compared(DERIVED, name, case, paper, here, unit, tolerance, note, reason, False)
+    return printed(name, case, paper, here, unit, tolerance, note, reason=reason, source=DERIVED)
 
 
-def measured(
-    name: str, case: str, there: float, here: float, unit: str, tolerance: float | None, note: str = "", *, reason: str = ""
-) -> Row:
-    """Return a row whose figure was measured; without a tolerance the two stand side by side only. Arguments as of `printed`."""
+def measured(name: str, case: str, there: float, here: float, unit: str, tolerance: float | None, note: str = "") -> Row:
+    """Return a row whose figure was measured; without a tolerance nothing is compared."""
     if tolerance is None:
         return Row(name, case, float(there), float(here), unit, None, note, MEASURED, "")
-    return _compared(MEASURED, name, case, there, here, unit, tolerance, note, reason, False)
+    return printed(name, case, there, here, unit, tolerance, note, source=MEASURED)
 
 
 def asked(name: str, case: str, least: float, here: float, unit: str, most: float, note: str = "") -> Row:
-    """Return a row whose figure is the least that has to be reached; `most` is the largest that there can be."""
-    return _compared(ASKED, name, case, least, here, unit, most - least, note, "", True)
+    """Return a row whose figure must reach at least `least`; `most` is the largest possible value."""
+    return printed(name, case, least, here, unit, most - least, note, at_least=True, source=ASKED)
 
 
 def ours(name: str, case: str, here: float, unit: str, note: str = "") -> Row:
-    """Return a row for which there is no figure elsewhere."""
+    """Return a row without a figure from elsewhere."""
     return Row(name, case, None, float(here), unit, None, note, OURS, "")
 
 
-def _compared(
-    source: str, name: str, case: str, paper: float, here: float, unit: str, tolerance: float, note: str, reason: str, at_least: bool
-) -> Row:
-    within = abs(here - paper) <= tolerance and not (at_least and here < paper)
-    verdict = AGREES if within else DIFFERS if reason else FAILS
-    told = reason if verdict == DIFFERS else note
-    return Row(name, case, float(paper), float(here), unit, float(tolerance), told, source, verdict)
-
-
 def tally(rows: Iterable[Mapping[str, Any]]) -> str:
-    """Return in words how many figures agree, one kind of source after another; kinds that there are none of are left out."""
+    """Return in words how many figures agree, by kind of source."""
     known = [(row["source"], row["verdict"]) for row in rows]
     parts = []
-    for source, (_, words) in KINDS.items():
+    for source, (_, agreement) in KINDS.items():
         verdicts = [verdict for its, verdict in known if its == source and verdict]
         if not verdicts:
             continue
-        said = [f"{verdicts.count(AGREES)} of {len(verdicts)} figures {words}"]
+        counts = [f"{verdicts.count(AGREES)} of {len(verdicts)} figures {agreement}"]
         if DIFFERS in verdicts:
-            said.append(f"{verdicts.count(DIFFERS)} differ for the reason beside them")
+            counts.append(f"{verdicts.count(DIFFERS)} differ for the reason beside them")
         if FAILS in verdicts:
-            said.append(f"{verdicts.count(FAILS)} fail without one" if source in (PRINTED, DERIVED) else f"{verdicts.count(FAILS)} do not")
-        parts.append(", ".join(said))
+            counts.append(f"{verdicts.count(FAILS)} {'fail without one' if source in (PRINTED, DERIVED) else 'do not'}")
+        parts.append(", ".join(counts))
     alone = f"{sum(source == OURS for source, _ in known)} are ours alone."
     return f"{'; '.join(parts)}. {alone}" if parts else alone
-
-
-def in_parts(parts: Iterable[Part], stage: Stage | None = None) -> Iterator[dict[str, Any]]:
-    """Yield the rows of all parts fit for JSON; `stage` is told what each is busy with."""
-    for words, rows_of in parts:
-        if stage is not None:
-            stage(words)
-        for row in rows_of():
-            yield row.as_dict()

@@ -1,40 +1,67 @@
-"""What each axis did, against its limits, and how its loop answers each frequency."""
+"""Axes in pictures: planned feed, signals against their limits, backlash, and frequency response."""
 
 from __future__ import annotations
 
 from dataclasses import replace
-from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from contourlab.figures import number, shown_unit
+from contourlab.figures import figure, number, shown_unit
 from contourlab.report.charts import Chart, Curve, Level, Panel
-from contourlab.report.data import AxisBounds, ReportData
-from contourlab.report.decimate import keep_extremes
-from contourlab.report.read import axis_column, has, reach, times
-from contourlab.report.style import REFERENCE, scheme_style
+from contourlab.report.data import ReportData, SchemeReport
+from contourlab.report.run_data import AxisBounds, FeedRun
+from contourlab.report.samples import axis_column, keep_extremes, largest_magnitude, times
+from contourlab.report.style import LIMIT, REFERENCE, scheme_style
+from contourlab.result import Result
 
 Array = NDArray[np.float64]
-OFF_SCALE = 4.0  # a peak this many times beyond the limit is told, not drawn, or it would flatten all else
-DEEPEST = 120.0  # dB below the largest: what is deeper is rounding
-FAR = 0.08  # curves below this part of the limit are drawn without it, or they would be flat
+UM = 1e6
+OFF_SCALE = 4.0
+"""Peaks this many times beyond the limit are outside the picture, or they would flatten the rest."""
+FAR = 0.08
+"""Curves below this share of the limit are drawn without it, or they would be flat."""
+DEEPEST = 120.0
+"""Drawn range of magnitude [dB]; what is deeper is rounding."""
+FEED_COLOURS = ("#8a949e", "#0072b2", "#009e73", "#d55e00", "#cc79a7", "#e69f00", "#56b4e9")
+FEED_POINTS = 10_000
+FINER = 4
+"""A loop gets this many times the points of a curve over time, since it repeats."""
+
+
+def feed_charts(run: FeedRun | None) -> tuple[Chart, ...]:
+    """Return the planned feed over arc length, coloured by what limits it; nothing without limits."""
+    if run is None:
+        return ()
+    kept = keep_extremes(run.feedrate, FEED_POINTS)
+    x, feed, programmed, binding = run.arc_length[kept] * 1e3, run.feedrate[kept] * 6e4, run.programmed[kept] * 6e4, run.binding[kept]
+    top = float(feed.max())
+    asked = np.where(programmed <= 1.5 * top, programmed, np.nan)
+    curves = [Curve(x, asked, "programmed", REFERENCE, "dot")] if np.isfinite(asked).any() else []
+    for code, name in enumerate(run.names):
+        held = binding == code
+        if not held.any():
+            continue
+        # A segment extends to the start of the next, so that the line has no gaps.
+        drawn = held | np.append(False, held[:-1])
+        curves.append(Curve(x, np.where(drawn, feed, np.nan), name, FEED_COLOURS[code % len(FEED_COLOURS)], "solid", 2.2))
+    panel = Panel("arc length [mm]", "feedrate [mm/min]", tuple(curves))
+    shares = ", ".join(f"{name} {number(100.0 * part)} %" for name, part in run.shares().items() if part >= 5e-4)
+    caption = (
+        f"Planned speed along the path; the colour says what holds it. By time: {shares}. Cycle time {figure(float(run.time[-1]), 's')}."
+        ' "Step of curvature": where a line meets an arc the acceleration steps, at a speed that keeps the step within the axes\' limits;'
+        ' no jerk limit can hold there short of a stop. "Planner\'s distance": no limit is nearly used up, before or behind a slower place.'
+    )
+    return (Chart("feed", "Feed along the path", caption, (panel,)),)
 
 
 def axis_charts(data: ReportData, points: int) -> tuple[Chart, ...]:
-    """Return one chart per axis: tracking error, velocity, acceleration, jerk, command.
-
-    Parameters
-    ----------
-    data : ReportData
-    points : int
-        Most points of a curve.
-    """
+    """Return one chart per axis: tracking error, velocity, acceleration, jerk, command; curves have at most `points` points."""
     return tuple(_axis_chart(data, axis, name, points) for axis, name in enumerate(data.axes))
 
 
 def _axis_chart(data: ReportData, axis: int, name: str, points: int) -> Chart:
-    """Return the chart of one axis; a signal that no scheme holds has no panel."""
+    """Return the chart of one axis, without panels of signals that no scheme has."""
     panels = (
         _runs(data, axis, points, "tracking_error", "tracking error", 1e6, "um"),
         _velocity(data, axis, points),
@@ -43,14 +70,14 @@ def _axis_chart(data: ReportData, axis: int, name: str, points: int) -> Chart:
         _command(data, axis, points),
     )
     drawn = tuple(panel for panel in panels if panel is not None)
-    told = [text for panel in drawn if (text := _off_scale(panel))]
+    peaks = [text for panel in drawn if (text := _off_scale(panel))]
     bounded = ["Dashed lines are the limits."] if any(panel.levels for panel in drawn) else []
     planned = ["Acceleration and jerk are those of the reference."] if _reference_of(data, "reference_acceleration") is not None else []
-    caption = " ".join([*bounded, *planned, *told])
+    caption = " ".join([*bounded, *planned, *peaks])
     return Chart(f"axis-{axis}", f"Axis {name}", caption, drawn)
 
 
-def _curve(result: Any, values: Array, points: int, factor: float, look: tuple[str, str, str]) -> Curve:
+def _curve(result: Result, values: Array, points: int, factor: float, look: tuple[str, str, str]) -> Curve:
     """Return a thinned curve over time; `look` is name, colour and dash."""
     kept = keep_extremes(values, points)
     return Curve(times(result, kept), values[kept] * factor, *look)
@@ -61,43 +88,43 @@ def _runs(data: ReportData, axis: int, points: int, signal: str, label: str, fac
     curves = tuple(
         _curve(scheme.result, axis_column(scheme.result, signal, axis), points, factor, (scheme.name, *style))
         for index, scheme in enumerate(data.schemes)
-        if has(scheme.result, signal)
+        if signal in scheme.result
         for style in (scheme_style(index, len(data.schemes)),)
     )
     return Panel("time [s]", f"{label} [{unit}]", curves) if curves else None
 
 
 def _limited(panel: Panel, bounds: AxisBounds | None, name: str, axis: int, factor: float, unit: str) -> Panel:
-    """Return the panel with its two limit lines and a range that flattens neither them nor the curves."""
+    """Return the panel with its two limits and a range that flattens neither them nor the curves."""
     limit = bounds.of(name, axis) * factor if bounds is not None else float("inf")
     if not np.isfinite(limit):
         return panel
     text = f"limit ±{number(limit, 6)} {unit}"
-    top = max(reach(curve.y) for curve in panel.curves)
+    top = max(largest_magnitude(curve.y) for curve in panel.curves)
     far = 0.0 < top < FAR * limit
     edge = 1.25 * (top if far else limit if top > OFF_SCALE * limit else max(limit, top))
     return replace(panel, levels=(Level(limit, text), Level(-limit, "")), y_range=(-edge, edge), far=far)
 
 
 def _off_scale(panel: Panel) -> str:
-    """Say which peak lies outside a panel, if any."""
-    if panel.y_range is None or max(reach(curve.y) for curve in panel.curves) <= panel.y_range[1]:
+    """Describe the peak outside a panel, if any."""
+    if panel.y_range is None or max(largest_magnitude(curve.y) for curve in panel.curves) <= panel.y_range[1]:
         return ""
     what, _, unit = panel.y_label.partition(" [")
-    worst = max(panel.curves, key=lambda curve: reach(curve.y))
+    worst = max(panel.curves, key=lambda curve: largest_magnitude(curve.y))
     at = int(np.nanargmax(np.abs(worst.y)))
     peak = f"{number(float(worst.y[at]))} {unit.rstrip(']')}"
     return f"{what.capitalize()} peaks at {peak} at {number(float(worst.x[at]), 4)} s, outside the picture."
 
 
 def _bounds(data: ReportData) -> AxisBounds | None:
-    """Return the limits that the schemes share: those of the first that has any."""
+    """Return the limits of the first scheme that has any."""
     return next((scheme.bounds for scheme in data.schemes if scheme.bounds is not None), None)
 
 
-def _reference_of(data: ReportData, signal: str) -> Any:
-    """Return the first result that holds a signal of the reference; the schemes follow one reference."""
-    return next((scheme.result for scheme in data.schemes if has(scheme.result, signal)), None)
+def _reference_of(data: ReportData, signal: str) -> Result | None:
+    """Return the first result with a signal of the common reference."""
+    return next((scheme.result for scheme in data.schemes if signal in scheme.result), None)
 
 
 def _velocity(data: ReportData, axis: int, points: int) -> Panel | None:
@@ -113,7 +140,7 @@ def _velocity(data: ReportData, axis: int, points: int) -> Panel | None:
 
 
 def _planned(data: ReportData, axis: int, points: int, name: str) -> Panel | None:
-    """Return acceleration or jerk of the reference; jerk is its difference over a servo period."""
+    """Return acceleration or jerk (difference over a servo period) of the reference."""
     source = _reference_of(data, "reference_acceleration")
     if source is None:
         return None
@@ -128,7 +155,7 @@ def _planned(data: ReportData, axis: int, points: int, name: str) -> Panel | Non
 
 
 def _command(data: ReportData, axis: int, points: int) -> Panel | None:
-    """Return the command of every scheme against saturation."""
+    """Return the command of every scheme and its saturation."""
     source = _reference_of(data, "command")
     if source is None:
         return None
@@ -138,7 +165,7 @@ def _command(data: ReportData, axis: int, points: int) -> Panel | None:
 
 
 def bode_charts(data: ReportData, points: int) -> tuple[Chart, ...]:
-    """Return the frequency response of the closed loop of each axis that any scheme has one for."""
+    """Return the frequency response of the closed loop of each axis that has one."""
     charts = []
     for index, axis in enumerate(data.axes):
         with_axis = [(i, scheme) for i, scheme in enumerate(data.schemes) if axis in scheme.bode]
@@ -154,8 +181,8 @@ def bode_charts(data: ReportData, points: int) -> tuple[Chart, ...]:
             gains.append(Curve(answer.frequency[kept], gain[kept], *look))
             phases.append(Curve(answer.frequency[kept], phase[kept], *look))
             figures = ", ".join(f"{name} {value}" for name, value in answer.notes.items())
-            said = ", ".join(text for text in (answer.meant, figures) if text)
-            notes += [f"{scheme.name}: {said}."] * bool(said)
+            note = ", ".join(text for text in (answer.meant, figures) if text)
+            notes += [f"{scheme.name}: {note}."] * bool(note)
         magnitude = Panel("frequency [Hz]", "magnitude [dB]", tuple(gains), (Level(-3.0, "−3 dB"),), log_x=True, y_range=_decibels(gains))
         phase_panel = Panel("frequency [Hz]", "phase [deg]", tuple(phases), log_x=True)
         caption = " ".join(["Reference to position, closed loop.", *notes])
@@ -164,8 +191,55 @@ def bode_charts(data: ReportData, points: int) -> tuple[Chart, ...]:
 
 
 def _decibels(gains: list[Curve]) -> tuple[float, float] | None:
-    """Return the range of magnitudes that is drawn where a zero at the Nyquist frequency would leave nothing of the rest to be seen."""
+    """Return the drawn range of magnitude if a zero at the Nyquist frequency would compress the rest."""
     values = np.concatenate([gain.y[np.isfinite(gain.y)] for gain in gains])
     if not values.size or np.ptp(values) <= DEEPEST:
         return None
     return float(values.max()) - DEEPEST, float(values.max()) + 0.05 * DEEPEST
+
+
+def hysteresis_charts(data: ReportData, points: int) -> tuple[Chart, ...]:
+    """Return motor less load over the load's position, a chart for each axis with both and a panel for each scheme."""
+    return tuple(chart for i, axis in enumerate(data.axes) if (chart := _hysteresis(data, i, axis, points)) is not None)
+
+
+def _hysteresis(data: ReportData, axis: int, name: str, points: int) -> Chart | None:
+    shown = [(i, scheme) for i, scheme in enumerate(data.schemes) if name in scheme.gaps and "motor_position" in scheme.result]
+    if not shown:
+        return None
+    panels, notes = [], []
+    for i, scheme in shown:
+        x, y = _loop(scheme.result, axis, FINER * points)
+        panels.append((Curve(x, y, scheme.name, *scheme_style(i, len(data.schemes)), 1.0), *_flanks(scheme, name, x)))
+        notes.append(_note(scheme, name, x, y))
+    edge = 1.15 * max(largest_magnitude(curve.y) for curves in panels for curve in curves) or 1.0
+    drawn = tuple(Panel("load position [mm]", "motor − load [um]", curves, y_range=(-edge, edge)) for curves in panels)
+    caption = f"Between the dashed flanks the motor turns without the load; beyond, the shaft is wound up. {' '.join(notes)}"
+    return Chart(f"backlash-{axis}", f"Axis {name}: motor less load over the load's position", caption, drawn, loops=True)
+
+
+def _loop(result: Result, axis: int, points: int) -> tuple[Array, Array]:
+    """Return load position [mm] and motor less load [um], thinned."""
+    load = axis_column(result, "axis_position", axis)
+    apart = axis_column(result, "motor_position", axis) - load
+    kept = keep_extremes(np.column_stack([load, apart]), points)
+    return load[kept] * 1e3, apart[kept] * UM
+
+
+def _flanks(scheme: SchemeReport, axis: str, x: Array) -> tuple[Curve, Curve]:
+    """Return the two flanks of the gap [um] over the used travel."""
+    place, width = scheme.gaps[axis]
+    low, high = float(np.nanmin(x)), float(np.nanmax(x))
+    inside = place[(place * 1e3 > low) & (place * 1e3 < high)] * 1e3
+    at = np.concatenate([[low], inside, [high]])
+    half = 0.5 * np.interp(at * 1e-3, place, width) * UM
+    return Curve(at, half, "flanks of the gap", LIMIT, "dash"), Curve(at, -half, "flanks of the gap", LIMIT, "dash")
+
+
+def _note(scheme: SchemeReport, axis: str, x: Array, y: Array) -> str:
+    """Describe the width of the gap and the largest wind-up."""
+    place, width = scheme.gaps[axis]
+    wide, narrow = float(width.max()) * UM, float(width.min()) * UM
+    gap = f"{number(wide, 6)} um" if wide == narrow else f"{number(narrow, 6)} um to {number(wide, 6)} um"
+    twist = np.abs(y) - 0.5 * np.interp(x * 1e-3, place, width) * UM
+    return f"{scheme.name}: free travel {gap}, wind-up at most {number(max(float(np.nanmax(twist)), 0.0))} um."

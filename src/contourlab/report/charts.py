@@ -1,11 +1,15 @@
-"""Pictures before they are drawn: what plotly and matplotlib are both told."""
+"""Charts as data, before plotly or matplotlib draws them."""
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
+
+from contourlab.report.style import round_down, scheme_style
 
 Array = NDArray[np.float64]
 
@@ -18,13 +22,12 @@ class Curve:
     ----------
     x, y : ndarray (n,)
     name : str
-        In the legend; curves of one name share an entry and are switched together.
+        In the legend; curves with the same name share an entry.
     colour : str
-    dash : str
-        ``"solid"``, ``"dash"`` or ``"dot"``.
+    dash : {"solid", "dash", "dot"}
     width : float [px]
     half : ndarray (n,), optional
-        Half the height of the bar at each point: points are drawn then, without a line between them.
+        Half the height of the error bar at each point; draws points without a line.
     """
 
     x: Array
@@ -46,7 +49,7 @@ class Level:
 
 @dataclass(frozen=True)
 class Tick:
-    """A mark on the x axis at `x`, told when pointed at."""
+    """A mark on the x axis; its label shows when pointed at."""
 
     x: float
     label: str
@@ -63,20 +66,20 @@ class Panel:
         With unit.
     curves : tuple of Curve
     levels : tuple of Level
-    band : (low, high) or None
-        Drawn as a shaded band: the tolerance.
+    band : (low, high), optional
+        Shaded band: the tolerance.
     band_label : str
-    span : (low, high) or None
-        Of x, drawn as a shaded span: what a fit was made to.
+    span : (low, high), optional
+        Shaded span of x: the window of a fit.
     span_label : str
     ticks : tuple of Tick
     log_x, log_y : bool
-    y_range : (low, high) or None
-        None lets the drawing choose.
+    y_range : (low, high), optional
+        None lets the renderer choose.
     far : bool
         Whether the levels are so far from the curves that the range leaves them out.
     y_ticks : tuple of (value, text)
-        In place of numbers on the y axis.
+        Texts instead of numbers on the y axis.
     """
 
     x_label: str
@@ -97,16 +100,16 @@ class Panel:
 
 @dataclass(frozen=True, eq=False)
 class Chart:
-    """Panels under one another with one x axis.
+    """Panels above one another with a common x axis.
 
     Parameters
     ----------
     key, title, caption : str
     panels : tuple of Panel
     panel_height : int [px]
-        Of each; 0 for the usual one.
+        0 for the default.
     loops : bool
-        Whether curves go back and forth: values are told by the nearest point, and the ends are kept clear of the frame.
+        Whether curves go back and forth along x.
     """
 
     key: str
@@ -117,9 +120,25 @@ class Chart:
     loops: bool = False
 
 
+def traces_chart(
+    key: str,
+    title: str,
+    labels: tuple[str, str],
+    traces: Mapping[str, tuple[Array, Array]],
+    *,
+    caption: str = "",
+    level: float | None = 0.0,
+    **panel: Any,
+) -> Chart:
+    """Return curves (x, y) by name in one panel, in the units of its labels; `panel` are parameters of `Panel`."""
+    curves = tuple(Curve(x, y, name, *scheme_style(i, len(traces))) for i, (name, (x, y)) in enumerate(traces.items()))
+    levels = () if level is None else (Level(level, ""),)
+    return Chart(key, title, caption, (Panel(*labels, curves, levels, **panel),))
+
+
 @dataclass(frozen=True, eq=False)
 class PolarChart:
-    """Radial deviation round a circle; the nominal circle is where the deviation is 0.
+    """Radial deviation around a circle; the nominal circle is where the deviation is 0.
 
     Parameters
     ----------
@@ -131,7 +150,7 @@ class PolarChart:
         Deviation at the centre and at the rim.
     radius : float [m]
     marks : tuple of Curve
-        Points to mark, as curves: reversal spikes.
+        Marked points: reversal spikes.
     """
 
     key: str
@@ -144,22 +163,30 @@ class PolarChart:
     marks: tuple[Curve, ...] = ()
 
     def rings(self) -> list[tuple[float, str]]:
-        """Return each ring [um] with its text; every second one is numbered, those in the middle are not."""
+        """Return each ring [um] with its text; every second one has a number, those in the middle have none."""
         count = round(self.reach[1] / self.division)
         texts = {k: f"{k * self.division:+g}" for k in range(-count, count - 1) if k % 2 == 0}
         texts |= {0: "0", count: f"{self.reach[1]:+g} um"}
         return [(k * self.division, texts.get(k, "")) for k in range(-2 * count, count + 1)]
 
 
+def ring_spacing(largest: float) -> tuple[float, float]:
+    """Return ring spacing and rim [um] such that deviations up to `largest` fill the outer part of a polar chart."""
+    if largest <= 0.0:
+        return 1.0, 3.0
+    division = round_down(largest / 2.0)
+    return division, division * float(np.ceil(1.05 * largest / division))
+
+
 @dataclass(frozen=True, eq=False)
 class Magnified:
-    """One run drawn beside the path: ``foot + magnification * error``.
+    """One run beside the path: ``foot + magnification * error``.
 
     Parameters
     ----------
     foot : ndarray (n, 2) [mm]
     error : ndarray (n, 2) [um]
-        From the foot point on the path to where the machine was.
+        From the foot point on the path to the machine.
     name, colour, dash : str
     """
 
@@ -176,7 +203,7 @@ class Magnified:
 
 @dataclass(frozen=True, eq=False)
 class PathChart:
-    """The path, seen along one axis, with the errors of the runs magnified.
+    """The path, seen along one axis, with the magnified errors of the runs.
 
     Parameters
     ----------
@@ -188,11 +215,11 @@ class PathChart:
         Planned and programmed path [mm].
     runs : tuple of Magnified
     tolerance : tuple of Magnified
-        The edges of the tolerance, if there is one.
+        Edges of the tolerance.
     worst : tuple of Magnified
-        Each of one point: the worst error of a run.
+        One point each: the worst error of a run.
     magnification : float
-        To begin with.
+        Initial value.
     """
 
     key: str
@@ -205,3 +232,75 @@ class PathChart:
     tolerance: tuple[Magnified, ...]
     worst: tuple[Magnified, ...]
     magnification: float
+
+
+@dataclass(frozen=True, eq=False)
+class Tile:
+    """One of several small pictures, with its own x axis.
+
+    Parameters
+    ----------
+    title, x_label : str
+    curves : tuple of Curve
+    marks : tuple of (x, y, colour)
+        Rings: minima of curves.
+    here : tuple of (x, colour)
+        Vertical lines: present values.
+    shaded : tuple of (low, high)
+        Spans of x in which runs fail.
+    log_x : bool
+    """
+
+    title: str
+    x_label: str
+    curves: tuple[Curve, ...]
+    marks: tuple[tuple[float, float, str], ...] = ()
+    here: tuple[tuple[float, str], ...] = ()
+    shaded: tuple[tuple[float, float], ...] = ()
+    log_x: bool = False
+
+
+@dataclass(frozen=True, eq=False)
+class Multiples:
+    """Small pictures side by side with a common logarithmic y axis."""
+
+    key: str
+    title: str
+    caption: str
+    y_label: str
+    tiles: tuple[Tile, ...]
+
+
+@dataclass(frozen=True, eq=False)
+class Series:
+    """Bars of one colour: values (n,) and half the widths of their intervals (n,)."""
+
+    name: str
+    values: Array
+    intervals: Array
+    colour: str
+
+
+@dataclass(frozen=True, eq=False)
+class Bars:
+    """Horizontal bars beside their names, from top to bottom."""
+
+    key: str
+    title: str
+    caption: str
+    x_label: str
+    names: tuple[str, ...]
+    series: tuple[Series, ...]
+
+
+@dataclass(frozen=True, eq=False)
+class Matrix:
+    """A matrix (n, n) in colours, red above 0 and blue below; NaN is blank, doubtful values get a question mark."""
+
+    key: str
+    title: str
+    caption: str
+    label: str
+    names: tuple[str, ...]
+    values: Array
+    doubtful: NDArray[np.bool_]

@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
 from contourlab.figures import NONE, figure, listing, number
 from contourlab.report.data import ReportData, SchemeReport
-from contourlab.report.figures import Figure, figures_of
 from contourlab.report.style import scheme_style
+
+UM = 1e6
 
 
 @dataclass(frozen=True)
@@ -160,3 +161,58 @@ def _note(data: ReportData) -> str:
     stopped = [scheme for scheme in data.schemes if not scheme.result.status.ok]
     notes += [f"{scheme.name} did not finish: {scheme.result.status.reason}. Its figures cover the part that ran." for scheme in stopped]
     return " ".join(notes)
+
+
+@dataclass(frozen=True)
+class Figure:
+    """One number of one run: SI value, and how to print it.
+
+    Parameters
+    ----------
+    label : str
+    value : float
+        SI.
+    factor : float
+        From SI to `unit`.
+    unit : str
+    strong : bool
+        Whether the tolerance applies to it.
+    lower_is_better : bool
+    """
+
+    label: str
+    value: float
+    factor: float
+    unit: str
+    strong: bool = False
+    lower_is_better: bool = True
+
+
+def figures_of(data: ReportData, scheme: SchemeReport) -> dict[str, Figure]:
+    """Return the figures of a run in the order of print, by label; part error and contour error appear once if they are the same."""
+    return {figure.label: figure for figure in _figures(data, scheme)}
+
+
+def _figures(data: ReportData, scheme: SchemeReport) -> Iterator[Figure]:
+    metrics, blended = scheme.metrics, data.is_blended
+    if blended:
+        yield Figure("part error, largest", metrics.part_error.max, UM, "um", strong=True)
+        yield Figure("part error, rms", metrics.part_error.rms, UM, "um")
+        yield Figure("planning deviation, largest", metrics.planning_deviation.max, UM, "um")
+    error = metrics.contour_error
+    yield Figure("contour error, largest", error.max, UM, "um", strong=not blended)
+    yield Figure("contour error, rms", error.rms, UM, "um")
+    yield Figure("contour error, mean", error.mean, UM, "um")
+    yield Figure("contour error, 95th percentile", error.p95, UM, "um")
+    if len(data.axes) == 2:  # in space the error has no side
+        yield Figure("contour error, signed mean", error.signed_mean, UM, "um", lower_is_better=False)
+    yield Figure("contour error, integral", error.integral, UM, "um s")
+    for axis, tracking in zip(data.axes, metrics.tracking_error, strict=True):
+        yield Figure(f"tracking error {axis}, rms", tracking.rms, UM, "um")
+    for axis, part in zip(data.axes, metrics.saturation, strict=True):
+        yield Figure(f"drive {axis} saturated", part, 100.0, "% of time")
+    yield Figure("feedrate, mean", metrics.feedrate_mean, 6e4, "mm/min", lower_is_better=False)
+    yield Figure("feedrate, ripple", metrics.feedrate_ripple, 100.0, "%")
+    yield Figure("cycle time", metrics.cycle_time, 1.0, "s")
+    if scheme.tick is not None:
+        yield Figure("servo tick, machine included", scheme.tick, 1e9, "ns", lower_is_better=False)

@@ -1,4 +1,4 @@
-"""One HTML file that holds everything: it opens without a network and asks for nothing from outside."""
+"""The report as one self-contained HTML file."""
 
 from __future__ import annotations
 
@@ -11,31 +11,29 @@ from pathlib import Path
 from typing import Any
 
 from contourlab.figures import figure, number
-from contourlab.report.axis_pictures import axis_charts, bode_charts
+from contourlab.report.axis_pictures import FINER, axis_charts, bode_charts, feed_charts, hysteresis_charts
+from contourlab.report.charts import Chart, PathChart, PolarChart
 from contourlab.report.comparison import compare
-from contourlab.report.data import ReportData, SchemeReport
-from contourlab.report.decimate import share
-from contourlab.report.error_pictures import circle_tables, error_charts, polar_charts
-from contourlab.report.feed_picture import feed_charts
-from contourlab.report.hysteresis_picture import FINER, hysteresis_charts
-from contourlab.report.limit_table import limit_tables
+from contourlab.report.data import ReportData
+from contourlab.report.error_pictures import error_charts, polar_charts
+from contourlab.report.learning_pictures import trial_charts
+from contourlab.report.page_tables import circle_tables, limit_tables, origin_tables, reversal_table
 from contourlab.report.path_picture import path_charts
-from contourlab.report.plotly_view import Figure, line_figure, path_figure, polar_figure
-from contourlab.report.reversal_table import reversal_table
-from contourlab.report.style import scheme_style
+from contourlab.report.plotly_view import figure_of
+from contourlab.report.samples import share
 from contourlab.report.switching import strip_charts, switch_tables
-from contourlab.report.tables import interval_rows, origin_tables
-from contourlab.report.trials import trial_charts
 from contourlab.result.atomic import write_text_atomic
 
 MOST_POINTS = 4000
 """Most points of a curve: two for every pixel of a wide screen."""
 
 TOTAL_POINTS = 400_000
-"""Most points of all curves of a report together, which bounds the file at about 4.8 MB + 400 000 x 11 bytes."""
+"""Most points of all curves together; bounds the file to about 4.8 MB + 400 000 x 11 bytes."""
 
-MOST_TEXT = 500_000  # characters of a scenario or program printed in full
-CONTEXT = 12  # lines of the program shown on each side of the worst place
+MOST_TEXT = 500_000
+"""Longest scenario or program in full [characters]."""
+CONTEXT = 12
+"""Lines of a long program on each side of the worst place."""
 TEMPLATES = Path(__file__).parent / "templates"
 
 
@@ -46,7 +44,7 @@ def write_html(data: ReportData, file: str | Path) -> Path:
     ----------
     data : ReportData
     file : str or Path
-        Replaced as a whole or not at all.
+        Replaced completely or not at all.
 
     Returns
     -------
@@ -62,7 +60,7 @@ def write_html(data: ReportData, file: str | Path) -> Path:
 
     Notes
     -----
-    Linear in the number of samples; the size of the file does not depend on it, see `MOST_POINTS` and `TOTAL_POINTS`.
+    Time is linear in the number of samples; `MOST_POINTS` and `TOTAL_POINTS` bound the size of the file.
     """
     target = Path(file)
     write_text_atomic(target, render_html(data))
@@ -84,8 +82,7 @@ def render_html(data: ReportData) -> str:
             limit_tables=limit_tables(data),
             reversals=reversal_table(data),
             switch_tables=switch_tables(data),
-            trust={"tables": origin_tables(data), "rows": interval_rows(data)},
-            verdicts=[_verdict(scheme, index, len(data.schemes)) for index, scheme in enumerate(data.schemes)],
+            origins=origin_tables(data),
             program=_program(data),
             scenario=_clipped(data.provenance.scenario),
             facts=_facts(data, points),
@@ -98,11 +95,11 @@ def render_html(data: ReportData) -> str:
 
 
 def _points(data: ReportData) -> int:
-    """Return the points each curve may have: the total is shared among all curves that may be drawn."""
+    """Return the points of each curve: all possible curves share the total."""
     n_scheme, n_axis = len(data.schemes), len(data.axes)
     n_view = 3 if n_axis > 2 else 1
     n_circle = sum(len(scheme.circles) for scheme in data.schemes)
-    # A magnified run takes as much room as three plain curves.
+    # A magnified run counts as three curves.
     n_loop = FINER * sum(len(scheme.gaps) for scheme in data.schemes)
     n_curve = n_scheme * (2 + 4 * n_axis + 3 * n_view) + n_circle + 4 * n_axis + 8 * n_view + n_loop
     return max(16, share(TOTAL_POINTS, n_curve, MOST_POINTS))
@@ -110,64 +107,34 @@ def _points(data: ReportData) -> int:
 
 def _figures(data: ReportData, points: int) -> dict[str, list[dict[str, Any]]]:
     """Return the figures by section."""
-    return {
-        "path": [_entry(chart, path_figure(chart), view=chart.view) for chart in path_charts(data, points)],
-        "circles": [_entry(chart, polar_figure(chart)) for chart in polar_charts(data, points)],
-        "errors": [_entry(chart, line_figure(chart)) for chart in error_charts(data, points)],
-        "axes": [_entry(chart, line_figure(chart)) for chart in (*feed_charts(data.feed), *axis_charts(data, points))],
-        "backlash": [_entry(chart, line_figure(chart)) for chart in hysteresis_charts(data, points)],
-        "switches": [_entry(chart, line_figure(chart)) for chart in strip_charts(data)],
-        "trials": [_entry(chart, line_figure(chart)) for chart in trial_charts(data)],
-        "bode": [_entry(chart, line_figure(chart)) for chart in bode_charts(data, points)],
+    charts: dict[str, Iterable[Chart | PolarChart | PathChart]] = {
+        "path": path_charts(data, points),
+        "circles": polar_charts(data, points),
+        "errors": error_charts(data, points),
+        "axes": (*feed_charts(data.feed), *axis_charts(data, points)),
+        "backlash": hysteresis_charts(data, points),
+        "switches": strip_charts(data),
+        "trials": trial_charts(data),
+        "bode": bode_charts(data, points),
     }
+    return {section: [_entry(chart) for chart in members] for section, members in charts.items()}
 
 
-def _entry(chart: Any, spec: Figure, view: str = "") -> dict[str, Any]:
-    """Return what the template needs of a figure."""
-    text = {"id": chart.key, "title": chart.title, "caption": chart.caption, "view": view}
+def _entry(chart: Chart | PolarChart | PathChart) -> dict[str, Any]:
+    """Return a figure for the template."""
+    spec = figure_of(chart)
+    text = {"id": chart.key, "title": chart.title, "caption": chart.caption, "view": getattr(chart, "view", "")}
     return {**text, "spec": spec, "height": spec["layout"]["height"]}
 
 
 def _inert(value: Any) -> str:
-    """Return JSON that can stand in a script element: no text in it can end the element or start another."""
+    """Return JSON for a script element: no text in it can end the element or start another."""
     text = json.dumps(value, allow_nan=False, separators=(",", ":"), ensure_ascii=True)
     return text.replace("&", "\\u0026").replace("<", "\\u003c").replace(">", "\\u003e")
 
 
-def _verdict(scheme: SchemeReport, index: int, count: int) -> dict[str, Any] | None:
-    """Return a verdict in print form; None where there is none."""
-    verdict = scheme.verdict
-    if verdict is None:
-        return None
-    worst = verdict.worst
-    axes = scheme.result.axes
-    place = ", ".join(f"{axis} {number(p * 1e3, 6)} mm" for axis, p in zip(axes, worst.position, strict=False))
-    return {
-        "name": scheme.name,
-        "colour": scheme_style(index, count)[0],
-        "passed": bool(verdict.passed),
-        "tolerance": figure(verdict.tolerance, "um", 6),
-        "value": figure(worst.value, "um"),
-        "line": worst.line,
-        "text": worst.text,
-        "place": place,
-        "time": figure(worst.time, "s", 5),
-        "sample": worst.sample,
-        "causes": [
-            {
-                "name": cause.name,
-                # A nanometre more or less is no finding.
-                "value": figure(round(cause.contribution, 9), "um"),
-                "percent": f"{100.0 * cause.share:.0f} %",
-                "width": f"{min(max(100.0 * cause.share, 0.0), 100.0):.1f}",
-            }
-            for cause in verdict.causes
-        ],
-    }
-
-
 def _program(data: ReportData) -> dict[str, Any] | None:
-    """Return the part program with its worst lines marked; of a very long one the surroundings of those."""
+    """Return the part program with its worst lines marked; of a very long one only their surroundings."""
     lines = list(data.program)
     if not lines:
         return None
@@ -189,7 +156,7 @@ def _around(worst: set[int], count: int) -> list[int]:
 
 
 def _clipped(text: str) -> dict[str, Any]:
-    """Return a text, or its beginning and its digest where it is too long to print."""
+    """Return a text, or the beginning and digest of a long one."""
     if len(text) <= MOST_TEXT:
         return {"text": text, "note": ""}
     digest = hashlib.sha256(text.encode("utf-8", "replace")).hexdigest()
@@ -198,7 +165,7 @@ def _clipped(text: str) -> dict[str, Any]:
 
 
 def _facts(data: ReportData, points: int) -> list[tuple[str, str]]:
-    """Return what belongs under the title and at the end of the page."""
+    """Return the facts at the end of the page."""
     first, source = data.schemes[0].result, data.provenance
     samples = max(int(scheme.result.n_sample) for scheme in data.schemes)
     period = float(first.servo_period)
@@ -224,7 +191,7 @@ def _file(name: str) -> str:
 
 @cache
 def _plotly() -> str:
-    """Return plotly.js; it must not hold what would end its script element."""
+    """Return plotly.js, unable to end its script element."""
     from plotly.offline import get_plotlyjs
 
     return str(get_plotlyjs()).replace("</script", "<\\/script")
@@ -232,15 +199,17 @@ def _plotly() -> str:
 
 @cache
 def _digest(script: str) -> str:
-    """Return the hash by which the page allows its own scripts and no other."""
+    """Return the hash with which the page allows its own scripts only."""
     return "sha256-" + base64.b64encode(hashlib.sha256(script.encode()).digest()).decode("ascii")
 
 
 @cache
 def _template() -> Any:
-    """Return the page's template; whatever is put into it is escaped unless marked safe."""
+    """Return the page's template, which escapes all text unless marked safe."""
     from jinja2 import Environment, FileSystemLoader, StrictUndefined
 
     loader = FileSystemLoader(TEMPLATES)
     options: dict[str, Any] = {"undefined": StrictUndefined, "trim_blocks": True, "lstrip_blocks": True}
-    return Environment(loader=loader, autoescape=True, **options).get_template("report.html.j2")
+    environment = Environment(loader=loader, autoescape=True, **options)
+    environment.filters |= {"number": number, "figure": figure}
+    return environment.get_template("report.html.j2")

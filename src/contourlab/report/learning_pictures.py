@@ -1,24 +1,71 @@
-"""What learning does to each frequency, before the first trial; and what a whole trial does at most."""
+"""Learning in pictures: the error of each trial, and the factor of a trial at each frequency."""
 
 from __future__ import annotations
 
 from collections.abc import Mapping
 
 import numpy as np
+from numpy.typing import NDArray
 
 from contourlab.analysis.learning.learning_analysis import LearningAnalysis
+from contourlab.figures import figure
 from contourlab.report.charts import Chart, Curve, Level, Panel, Tick
+from contourlab.report.data import ReportData
+from contourlab.report.run_data import TrialCourse
 from contourlab.report.style import scheme_style
+
+Array = NDArray[np.float64]
+
+
+def trial_charts(data: ReportData) -> tuple[Chart, ...]:
+    """Return the errors of each trial, with schemes that do not learn as levels, and the predictions; nothing if none learns."""
+    learning = [(i, scheme) for i, scheme in enumerate(data.schemes) if scheme.trials is not None]
+    if not learning:
+        return ()
+    last = max(len(scheme.trials.contour_rms) for _, scheme in learning if scheme.trials) - 1
+    contour, tracking, ends = [], [], []
+    for i, scheme in enumerate(data.schemes):
+        colour, dash = scheme_style(i, len(data.schemes))
+        course = scheme.trials
+        if course is None:
+            level = np.full(2, scheme.metrics.contour_error.rms * 1e6)
+            contour.append(Curve(np.array([0.0, max(last, 1)]), level, scheme.name, colour, "dot"))
+            continue
+        trial = np.arange(len(course.contour_rms), dtype=float)
+        contour.append(Curve(trial, _drawn(course.contour_rms), scheme.name, colour, dash))
+        whole = np.sqrt(np.square(course.tracking_rms).sum(axis=1))
+        tracking.append(Curve(trial, _drawn(whole), scheme.name, colour, dash))
+        first, best = course.contour_rms[0], course.contour_rms[course.best]
+        ends.append(f"{scheme.name}: {figure(first, 'um')} to {figure(best, 'um')}; {course.in_words}")
+    panels = (
+        Panel("trial", "contour rms [um]", tuple(contour), log_y=True),
+        Panel("trial", "tracking rms [um]", tuple(tracking), log_y=True),
+    )
+    caption = f"Errors of each trial; trial 0 has learned nothing. {'. '.join(ends)}. Schemes that do not learn are drawn dotted."
+    foretold = {scheme.name: scheme.foretold for scheme in data.schemes if scheme.foretold is not None}
+    return (Chart("trials", "Error of each trial", caption, panels), *(learning_charts(foretold) if foretold else ()))
+
+
+def trial_rows(course: TrialCourse) -> list[tuple[int, float, float]]:
+    """Return trial, contour rms [m] and tracking rms [m] of some trials: the first ones, some between, the best, the last.
+
+    >>> [row[0] for row in trial_rows(TrialCourse(np.ones(31), np.ones((31, 2)), 17, "converged"))]
+    [0, 1, 2, 3, 4, 5, 10, 15, 17, 20, 25, 30]
+    """
+    last = len(course.contour_rms) - 1
+    step = max(5, -(-last // 10))
+    shown = sorted({*range(min(last, 5) + 1), *range(0, last + 1, step), course.best, last})
+    whole = np.sqrt(np.square(course.tracking_rms).sum(axis=1))
+    return [(i, float(course.contour_rms[i]), float(whole[i])) for i in shown]
+
+
+def _drawn(rms: Array) -> Array:
+    """Return an error in um for a logarithmic axis: nan instead of 0."""
+    return np.asarray(np.where(rms > 0.0, rms * 1e6, np.nan))
 
 
 def learning_charts(analyses: Mapping[str, LearningAnalysis]) -> tuple[Chart, ...]:
-    """Return the factor of a trial over frequency, and a closer view of where it exceeds 1.
-
-    Parameters
-    ----------
-    analyses : mapping of str to LearningAnalysis
-        By the names of the schemes; the first zero of each average is marked.
-    """
+    """Return the factor of a trial over frequency, and where it exceeds 1; `analyses` by scheme."""
     count = len(analyses)
     curves, excess, ticks, notes = [], [], [], []
     for i, (name, found) in enumerate(analyses.items()):
@@ -37,13 +84,7 @@ def learning_charts(analyses: Mapping[str, LearningAnalysis]) -> tuple[Chart, ..
 
 
 def singular_value_chart(values: Mapping[str, np.ndarray]) -> Chart:
-    """Return the singular values of the operator from trial to trial, in falling order.
-
-    Parameters
-    ----------
-    values : mapping of str to ndarray (n,)
-        By the names of the schemes; all of a short trial, or the largest of a long one.
-    """
+    """Return the singular values (n,) of the operator from trial to trial in descending order, by scheme."""
     count = len(values)
     curves = tuple(
         Curve(np.arange(1.0, len(found) + 1.0), np.sort(np.asarray(found, dtype=float))[::-1], name, *scheme_style(i, count))

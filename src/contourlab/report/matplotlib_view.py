@@ -1,68 +1,65 @@
-"""Charts drawn by matplotlib, for papers and slides; neither pyplot nor a window is used."""
+"""Charts drawn by matplotlib, for papers and slides, without pyplot or a window."""
 
 from __future__ import annotations
 
+from collections.abc import Callable
+from pathlib import Path
+from textwrap import fill
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from contourlab.figures import number
-from contourlab.report.charts import Chart, Magnified, Panel, PathChart, PolarChart
-from contourlab.report.style import BAND, GRID, INK, LIMIT, MUTED
+from contourlab.report.charts import Bars, Chart, Magnified, Matrix, Multiples, Panel, PathChart, PolarChart, Tile
+from contourlab.report.style import BAND, INK, LIMIT, MUTED
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
-LOOKS: dict[str, Any] = {
-    "font.family": "sans-serif",
-    "font.sans-serif": ["DejaVu Sans"],
-    "font.size": 8.5,
-    "axes.edgecolor": "#8a949e",
-    "axes.labelcolor": INK,
-    "axes.linewidth": 0.7,
-    "axes.grid": True,
-    "axes.axisbelow": True,
-    "axes.spines.top": False,
-    "axes.spines.right": False,
-    "axes.titlesize": 9.5,
-    "axes.titleweight": "bold",
-    "axes.titlelocation": "left",
-    "grid.color": GRID,
-    "grid.linewidth": 0.6,
-    "xtick.color": MUTED,
-    "ytick.color": MUTED,
-    "text.color": INK,
-    "legend.frameon": False,
-    "legend.fontsize": 8,
-    "savefig.dpi": 200,
-    "svg.hashsalt": "contourlab",
-    "svg.fonttype": "none",
-    "pdf.fonttype": 42,
-}
-WIDTH = 7.2  # inches: two columns of a journal
+LOOKS = Path(__file__).parent / "templates" / "print.mplstyle"
+WIDTH = 7.2
+"""Width of two columns of a journal [in]."""
+TILES = 3
+"""Tiles in a row."""
+NUMBERED = 16
+"""A larger matrix has no numbers in its cells."""
+SMALLEST, LETTERS = 3.4, 38
+"""Least height of a matrix [in], and letters that fit beside it."""
 _DASH = {"solid": "-", "dash": "--", "dot": ":"}
 
 
+def drawing(chart: Chart | PolarChart | PathChart | Multiples | Bars | Matrix) -> Figure:
+    """Draw a chart."""
+    draw: dict[type, Callable[[Any], Figure]] = {
+        Chart: _line_drawing,
+        PolarChart: _polar_drawing,
+        PathChart: _path_drawing,
+        Multiples: _multiples_drawing,
+        Bars: _bars_drawing,
+        Matrix: _matrix_drawing,
+    }
+    return draw[type(chart)](chart)
+
+
 def _figure(height: float) -> Figure:
-    """Return an empty figure."""
     from matplotlib.figure import Figure
 
     return Figure(figsize=(WIDTH, height), layout="constrained")
 
 
-def curve_look(curve: Any) -> dict[str, Any]:
+def _curve_look(curve: Any) -> dict[str, Any]:
     """Return colour and dash of a line."""
     return {"color": curve.colour, "linestyle": _DASH[curve.dash], "linewidth": 0.75 * getattr(curve, "width", 1.4)}
 
 
-def plain(text: str) -> str:
-    """Return text that matplotlib prints as it is: ``$`` begins a formula, a leading ``_`` hides a legend entry."""
+def _plain(text: str) -> str:
+    """Escape text for matplotlib: ``$`` begins a formula, a leading ``_`` hides a legend entry."""
     text = text.replace("$", "\\$")
     return f" {text}" if text.startswith("_") else text
 
 
-def line_drawing(chart: Chart) -> Figure:
+def _line_drawing(chart: Chart) -> Figure:
     """Return panels under one another with one x axis."""
     count = len(chart.panels)
     figure = _figure(0.9 + chart.panel_height / 130.0 * count if chart.panel_height else 2.9 if count == 1 else 0.7 + 1.45 * count)
@@ -71,15 +68,21 @@ def line_drawing(chart: Chart) -> Figure:
         _panel(place, panel)
         if chart.loops:
             place.margins(x=0.015)
-    axes[0].set_title(plain(chart.title), pad=6)
+    axes[0].set_title(_plain(chart.title), pad=6)
     axes[-1].set_xlabel(chart.panels[-1].x_label)
     figure.align_ylabels(list(axes))
+    _legend(figure, 3)
+    return figure
+
+
+def _legend(figure: Figure, columns: int) -> None:
+    """Add a legend with one entry for each name of all panels."""
     entries: dict[str, Any] = {}
-    for place in axes:
+    for place in figure.axes:
         for handle, name in zip(*place.get_legend_handles_labels(), strict=True):
             entries.setdefault(name, handle)
-    figure.legend(list(entries.values()), list(entries), loc="outside lower left", ncols=min(len(entries), 3))
-    return figure
+    if entries:
+        figure.legend(list(entries.values()), list(entries), loc="outside lower left", ncols=min(len(entries), columns))
 
 
 def _panel(place: Axes, panel: Panel) -> None:
@@ -87,21 +90,22 @@ def _panel(place: Axes, panel: Panel) -> None:
     for curve in panel.curves:
         if curve.half is not None:
             look: dict[str, Any] = {"color": curve.colour, "markersize": 3.2, "elinewidth": 1.0}
-            place.errorbar(curve.x, curve.y, curve.half, fmt="o", label=plain(curve.name), **look)
+            place.errorbar(curve.x, curve.y, curve.half, fmt="o", label=_plain(curve.name), **look)
             continue
-        # Bars end where they end; a line's own caps would reach beyond.
-        place.plot(curve.x, curve.y, label=plain(curve.name), solid_capstyle="butt" if panel.y_ticks else "projecting", **curve_look(curve))
+        # Projecting caps would lengthen bars.
+        cap = "butt" if panel.y_ticks else "projecting"
+        place.plot(curve.x, curve.y, label=_plain(curve.name), solid_capstyle=cap, **_curve_look(curve))
     if panel.log_x:
         place.set_xscale("log")
         if _decades(panel) < 2.0:
-            plain_numbers(place.xaxis)
+            _plain_numbers(place.xaxis)
     else:
         place.margins(x=0.03 if any(curve.half is not None for curve in panel.curves) else 0.0)
     if panel.log_y:
-        logarithmic(place)
-    place.set_ylabel(plain(panel.y_label))
+        _logarithmic(place)
+    place.set_ylabel(_plain(panel.y_label))
     if panel.y_ticks:
-        place.set_yticks([value for value, _ in panel.y_ticks], [plain(text) for _, text in panel.y_ticks])
+        place.set_yticks([value for value, _ in panel.y_ticks], [_plain(text) for _, text in panel.y_ticks])
     texts = []
     if panel.y_range is not None:
         place.set_ylim(*panel.y_range)
@@ -126,14 +130,14 @@ def _panel(place: Axes, panel: Panel) -> None:
     _ticks(place, panel)
 
 
-def logarithmic(place: Axes) -> None:
-    """Give a panel a logarithmic y axis with numbers as people write them."""
+def _logarithmic(place: Axes) -> None:
+    """Give a panel a logarithmic y axis with plain numbers."""
     place.set_yscale("log")
-    plain_numbers(place.yaxis)
+    _plain_numbers(place.yaxis)
 
 
-def plain_numbers(axis: Any) -> None:
-    """Give a logarithmic axis numbers as people write them."""
+def _plain_numbers(axis: Any) -> None:
+    """Give a logarithmic axis plain numbers."""
     from matplotlib.ticker import LogLocator, NullFormatter, StrMethodFormatter
 
     axis.set_major_locator(LogLocator(subs=(1.0, 2.0, 5.0)))
@@ -142,7 +146,7 @@ def plain_numbers(axis: Any) -> None:
 
 
 def _decades(panel: Panel) -> float:
-    """Return over how many decades of x the curves go."""
+    """Return how many decades of x the curves span."""
     x = np.concatenate([curve.x for curve in panel.curves])
     x = x[np.isfinite(x) & (x > 0.0)]
     return float(np.log10(x.max() / x.min())) if x.size else 0.0
@@ -158,13 +162,13 @@ def _ticks(place: Axes, panel: Panel) -> None:
             place.plot(x, np.full(len(x), 0.03), transform=transform, clip_on=False, label=kind, **style)
 
 
-def polar_drawing(chart: PolarChart) -> Figure:
+def _polar_drawing(chart: PolarChart) -> Figure:
     """Return a ball-bar plot: the ring at 0 is the nominal circle."""
     figure = _figure(5.4)
     place: Any = figure.add_subplot(projection="polar")
     place.spines["polar"].set_visible(True)
     for curve in chart.curves:
-        place.plot(np.radians(curve.x), curve.y, label=plain(curve.name), **curve_look(curve))
+        place.plot(np.radians(curve.x), curve.y, label=_plain(curve.name), **_curve_look(curve))
     for mark in chart.marks:
         place.plot(np.radians(mark.x), mark.y, "o", markersize=5, markerfacecolor="none", color=mark.colour)
     round_ = np.linspace(0.0, 2.0 * np.pi, 361)
@@ -173,30 +177,30 @@ def polar_drawing(chart: PolarChart) -> Figure:
     place.set_rlim(low, high)
     rings, texts = zip(*chart.rings()[1:], strict=True)
     place.set_rgrids(list(rings), list(texts), angle=67.5, size=7)
-    place.set_title(plain(chart.title), pad=14)
+    place.set_title(_plain(chart.title), pad=14)
     place.annotate(f"one ring {number(chart.division, 6)} um", (0, 0), xycoords="axes fraction", size=7.5, color=MUTED)
     figure.legend(loc="outside lower left", ncols=2)
     return figure
 
 
-def path_drawing(chart: PathChart) -> Figure:
+def _path_drawing(chart: PathChart) -> Figure:
     """Return the path with magnified errors; the magnification is in the title."""
     figure = _figure(5.6)
     place = figure.add_subplot()
     for line in chart.lines:
-        place.plot(line.x, line.y, label=plain(line.name), **curve_look(line))
+        place.plot(line.x, line.y, label=_plain(line.name), **_curve_look(line))
     named: set[str] = set()
     for run in (*chart.tolerance, *chart.runs):
         points = run.drawn(chart.magnification)
-        label = "_nolegend_" if run.name in named else plain(run.name)
+        label = "_nolegend_" if run.name in named else _plain(run.name)
         named.add(run.name)
-        place.plot(points[:, 0], points[:, 1], label=label, **curve_look(run))
+        place.plot(points[:, 0], points[:, 1], label=label, **_curve_look(run))
     for worst in chart.worst:
         _ring(place, worst, chart.magnification)
     place.set_aspect("equal", adjustable="datalim")
-    place.set_xlabel(plain(chart.labels[0]))
-    place.set_ylabel(plain(chart.labels[1]))
-    place.set_title(f"{plain(chart.title)}, {plain(chart.view)}: errors × {number(chart.magnification, 6)}")
+    place.set_xlabel(_plain(chart.labels[0]))
+    place.set_ylabel(_plain(chart.labels[1]))
+    place.set_title(f"{_plain(chart.title)}, {_plain(chart.view)}: errors × {number(chart.magnification, 6)}")
     figure.legend(loc="outside lower left", ncols=2)
     return figure
 
@@ -205,4 +209,83 @@ def _ring(place: Axes, worst: Magnified, magnification: float) -> None:
     """Draw a ring round the worst error of a run."""
     style: dict[str, Any] = {"marker": "o", "markersize": 9, "markerfacecolor": "none", "linestyle": "none"}
     x, y = worst.drawn(magnification).T
-    place.plot(x, y, color=worst.colour, markeredgewidth=1.4, label=plain(worst.name), **style)
+    place.plot(x, y, color=worst.colour, markeredgewidth=1.4, label=_plain(worst.name), **style)
+
+
+def _multiples_drawing(chart: Multiples) -> Figure:
+    """Return small pictures side by side, all with one y axis."""
+    columns = min(TILES, len(chart.tiles))
+    rows = -(-len(chart.tiles) // columns)
+    figure = _figure(0.9 + 1.75 * rows)
+    axes = figure.subplots(rows, columns, sharey=True, squeeze=False)
+    for place, tile in zip(axes.ravel(), chart.tiles, strict=False):
+        _tile(place, tile)
+    for place in axes.ravel()[len(chart.tiles) :]:
+        place.set_visible(False)
+    _logarithmic(axes[0, 0])
+    figure.suptitle(_plain(chart.title), fontsize=9.5, fontweight="bold", x=0.01, ha="left")
+    figure.supylabel(_plain(chart.y_label), fontsize=8.5)
+    _legend(figure, 5)
+    return figure
+
+
+def _tile(place: Axes, tile: Tile) -> None:
+    for low, high in tile.shaded:
+        place.axvspan(low, high, color=LIMIT, alpha=0.18, linewidth=0, label="runs fail")
+    for x, colour in tile.here:
+        place.axvline(x, color=colour, linewidth=0.8, linestyle=":", label="present value")
+    for curve in tile.curves:
+        place.plot(curve.x, curve.y, label=_plain(curve.name), **_curve_look(curve))
+    for x, y, colour in tile.marks:
+        ring: dict[str, Any] = {"marker": "o", "markersize": 4.5, "markerfacecolor": "none", "linestyle": "none", "color": colour}
+        place.plot([x], [y], label="minimum", **ring)
+    if tile.log_x:
+        place.set_xscale("log")
+        _plain_numbers(place.xaxis)
+    place.margins(x=0.02)
+    place.tick_params(labelsize=7)
+    place.set_title(_plain(tile.title), fontsize=8, fontweight="normal")
+    place.set_xlabel(_plain(tile.x_label), fontsize=7)
+
+
+def _bars_drawing(chart: Bars) -> Figure:
+    """Return bars beside their names, with their intervals."""
+    n, m = len(chart.names), len(chart.series)
+    figure = _figure(1.2 + 0.28 * n)
+    place = figure.add_subplot()
+    height = 0.8 / m
+    for i, series in enumerate(chart.series):
+        at = np.arange(n) - 0.4 + height * (i + 0.5)
+        style: dict[str, Any] = {"error_kw": {"ecolor": INK, "elinewidth": 0.8}, "capsize": 2}
+        place.barh(at, series.values, height=0.92 * height, xerr=series.intervals, color=series.colour, label=_plain(series.name), **style)
+    place.set_yticks(np.arange(n), [_plain(name) for name in chart.names])
+    place.invert_yaxis()
+    place.axvline(0.0, color=MUTED, linewidth=0.8)
+    place.grid(visible=False, axis="y")
+    place.set_xlabel(_plain(chart.x_label))
+    place.set_title(_plain(chart.title), pad=6)
+    figure.legend(loc="outside lower left", ncols=m)
+    return figure
+
+
+def _matrix_drawing(chart: Matrix) -> Figure:
+    """Return a matrix in colours, with numbers if there is room."""
+    n = len(chart.names)
+    figure = _figure(max(SMALLEST, 1.6 + 0.36 * n))
+    place = figure.add_subplot()
+    # Outliers would leave the other cells without colour.
+    top = float(np.nanpercentile(np.abs(chart.values), 95.0)) if np.isfinite(chart.values).any() else 1.0
+    image = place.imshow(chart.values, cmap="RdBu_r", vmin=-(top or 1.0), vmax=top or 1.0, aspect="auto")
+    place.set_xticks(np.arange(n), [_plain(name) for name in chart.names], rotation=60, ha="right", rotation_mode="anchor")
+    place.set_yticks(np.arange(n), [_plain(name) for name in chart.names])
+    place.grid(visible=False)
+    for (row, column), value in np.ndenumerate(chart.values):
+        text = f"{value:.2g}" if n <= NUMBERED else ""
+        text += "?" if chart.doubtful[row, column] else ""
+        if np.isfinite(value) and text:
+            dark = abs(value) > 0.6 * top
+            place.text(column, row, text, ha="center", va="center", size=6, color="white" if dark else INK)
+    bar = figure.colorbar(image, ax=place, extend="both")
+    bar.set_label(_plain(fill(chart.label, LETTERS)))
+    place.set_title(_plain(chart.title), pad=6)
+    return figure

@@ -8,27 +8,20 @@ import numpy as np
 from numpy.typing import NDArray
 
 from contourlab.figures import figure, number
+from contourlab.geometry import Path
 from contourlab.report.charts import Curve, Magnified, PathChart
 from contourlab.report.data import ReportData, SchemeReport
-from contourlab.report.decimate import keep_extremes
-from contourlab.report.read import reach, signal
-from contourlab.report.shapes import DrawnPath
+from contourlab.report.samples import keep_extremes, largest_magnitude, signal
 from contourlab.report.style import BAND, INK, REFERENCE, magnification, scheme_style
 
 Array = NDArray[np.float64]
 MM, UM = 1e3, 1e6
-FLAT = 1e-3  # an extent below this part of the largest shows nothing: no view across it
+FLAT = 1e-3
+"""An axis with an extent below this share of the largest gets no view."""
 
 
 def path_charts(data: ReportData, points: int) -> tuple[PathChart, ...]:
-    """Return one chart per view of the path: XY, and XZ and YZ where it has a height; none of a single axis, which has no shape.
-
-    Parameters
-    ----------
-    data : ReportData
-    points : int
-        Most points of a run, and of the path.
-    """
+    """Return one chart per view of the path: XY, in space also XZ and YZ; none for a single axis. At most `points` points per run."""
     if len(data.axes) == 1:
         return ()
     s = _places(data.asked, points)
@@ -36,37 +29,37 @@ def path_charts(data: ReportData, points: int) -> tuple[PathChart, ...]:
     runs = [_run(data, scheme, points) for scheme in data.schemes]
     views = _views(asked)
     size = float(np.max(np.ptp(asked, axis=0)))
-    calm = [reach(error) for (_, error), scheme in zip(runs, data.schemes, strict=True) if scheme.result.status.ok]
+    calm = [largest_magnitude(error) for (_, error), scheme in zip(runs, data.schemes, strict=True) if scheme.result.status.ok]
     scale = magnification(size, max(calm, default=0.0))
     return tuple(_chart(data, pair, s, asked, runs, scale, i) for i, pair in enumerate(views))
 
 
 def _views(planned: Array) -> list[tuple[int, int]]:
-    """Return the pairs of axes to look at; a flat path has one view."""
+    """Return the pairs of axes to show; a flat path has one view."""
     extent = np.ptp(planned, axis=0)
     pairs = list(combinations(range(extent.size), 2))
     good = [pair for pair in pairs if min(extent[list(pair)]) > FLAT * max(extent)]
-    # A straight line along one axis has no extent across it: look at it in the first plane that holds it.
+    # A straight line along one axis appears in the first plane that contains it.
     return good or [next((pair for pair in pairs if int(np.argmax(extent)) in pair), (0, 0))]
 
 
-def _places(path: DrawnPath, points: int) -> Array:
-    """Return arc lengths to draw a path at: evenly spread, each corner from both of its sides."""
+def _places(path: Path, points: int) -> Array:
+    """Return arc lengths for drawing a path: evenly spread, and both sides of each corner."""
     even = np.linspace(0.0, path.length, points)
     corners = np.asarray(path.corners, dtype=np.float64).ravel()
-    joints = np.asarray(path.breaks, dtype=np.float64).ravel()
-    if joints.size > points:  # a program of many short moves: drawn by its most outlying joints
-        joints = joints[keep_extremes(path.position(joints), max(points, 8 * path.n_axis))]
+    junctions = np.asarray(path.breaks, dtype=np.float64).ravel()
+    if junctions.size > points:  # many short moves: draw the outermost junctions
+        junctions = junctions[keep_extremes(path.position(junctions), max(points, 8 * path.n_axis))]
         corners = corners[:0]
     hair = 1e-9 * path.length
-    s = np.unique(np.concatenate([even, joints, corners - hair, corners + hair]))
+    s = np.unique(np.concatenate([even, junctions, corners - hair, corners + hair]))
     return np.asarray(s[(s >= 0.0) & (s <= path.length)], dtype=np.float64)
 
 
 def _run(data: ReportData, scheme: SchemeReport, points: int) -> tuple[Array, Array]:
-    """Return foot points and errors (n, n_axis) [m] of the samples that show a run's extremes, where its figures count.
+    """Return foot points and errors (n, n_axis) [m] of the extremes of a run, in the window of its figures.
 
-    Many laps at once would leave too few points for each, and the lines between them would cut its corners.
+    Many laps would leave too few points for each, and lines between them would cut corners.
     """
     result = scheme.result
     start, stop = scheme.metrics.window
@@ -114,7 +107,7 @@ def _chart(
 
 
 def _caption(data: ReportData) -> str:
-    """Say how the errors are drawn, and which part of the run."""
+    """Describe how the errors are drawn, and which part of the run."""
     first = data.schemes[0]
     start, stop = (f"{number(sample * first.result.servo_period, 4)} s" for sample in first.metrics.window)
     how = "Each run is drawn at its foot point on the path plus its error, enlarged; the path itself is to scale."
@@ -127,12 +120,12 @@ def _outline(points: Array, name: str, colour: str, dash: str) -> Curve:
 
 
 def _tolerance(data: ReportData, asked: Array, s: Array, columns: list[int], scale: float) -> tuple[Magnified, ...]:
-    """Return the edges of the tolerance beside a plane path, unless they would lie far off it."""
+    """Return the edges of the tolerance of a plane path, unless they are far from it."""
     if data.tolerance is None or min(columns) == max(columns):
         return ()
     size = float(np.max(np.ptp(asked, axis=0)))
     off_plane = np.delete(asked, columns, axis=1)
-    if data.tolerance * scale > 0.3 * size or (off_plane.size and reach(np.ptp(off_plane, axis=0)) > FLAT * size):
+    if data.tolerance * scale > 0.3 * size or (off_plane.size and largest_magnitude(np.ptp(off_plane, axis=0)) > FLAT * size):
         return ()
     tangent = data.asked.tangent(s)[:, columns]
     normal = np.column_stack([-tangent[:, 1], tangent[:, 0]]) * data.tolerance * UM

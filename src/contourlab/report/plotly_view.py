@@ -15,13 +15,13 @@ from contourlab.report.style import BAND, FONT, GRID, INK, LIMIT, MUTED, round_d
 Figure = dict[str, Any]
 Array = NDArray[np.float64]
 
-# float32 rounds to 2^-24 of the value: up to 64 spreads off zero that is 2^-18 of the spread, far below a pixel.
 SINGLE = 64.0
+"""float32 rounds to 2^-24 of the value: up to 64 spreads from zero, to 2^-18 of the spread, far below a pixel."""
 HEIGHT, GAP, TOP, BOTTOM = 190, 26, 50, 56
 
 
 def packed(values: Array) -> dict[str, str]:
-    """Pack numbers as plotly.js reads them; float32 where that is fine enough for a picture.
+    """Pack numbers for plotly.js, as float32 if that is precise enough for a picture.
 
     >>> packed(np.array([1.0, 2.0]))
     {'dtype': 'f4', 'bdata': 'AACAPwAAAEA='}
@@ -32,7 +32,7 @@ def packed(values: Array) -> dict[str, str]:
 
 
 def _fits_single(values: Array) -> bool:
-    """Tell whether rounding to float32 is invisible, even when zoomed in a hundred times."""
+    """Whether rounding to float32 is invisible, even at a hundredfold zoom."""
     good = values[np.isfinite(values)]
     if good.size == 0:
         return True
@@ -75,7 +75,7 @@ def _layout(height: int, **more: Any) -> Figure:
 
 
 def _plain(text: str) -> str:
-    """Return text that plotly.js prints as it is: it takes tags for layout and would make links."""
+    """Escape text for plotly.js, which interprets tags and links."""
     return text.replace("&", "&amp;").replace("<", "&lt;").replace(">", "&gt;")
 
 
@@ -88,10 +88,17 @@ def _line(curve: Curve | Magnified, **more: Any) -> Figure:
 
 
 TICKS = (("reversal", "triangle-up"), ("corner", "diamond"), ("first zero", "circle"))
-"""Kinds of marks on the x axis, and how they are drawn."""
+"""Symbols of marks on the x axis."""
 
 
-def line_figure(chart: Chart) -> Figure:
+def figure_of(chart: Chart | PolarChart | PathChart) -> Figure:
+    """Return a chart as a figure of plotly.js."""
+    if isinstance(chart, PathChart):
+        return _path_figure(chart)
+    return _polar_figure(chart) if isinstance(chart, PolarChart) else _line_figure(chart)
+
+
+def _line_figure(chart: Chart) -> Figure:
     """Return panels under one another; they zoom together along x."""
     count = len(chart.panels)
     one_high = chart.panel_height or (330 if count == 1 else HEIGHT)
@@ -125,7 +132,7 @@ def line_figure(chart: Chart) -> Figure:
 
 
 def _decades(panel: Panel) -> list[float]:
-    """Return 1, 2 and 5 of every decade that the curves reach, and those beside: plotly would leave out the decade itself."""
+    """Return 1, 2 and 5 of the decades around the curves; plotly would leave out the decade itself."""
     values = np.concatenate([curve.y for curve in panel.curves] or [np.ones(1)])
     values = values[np.isfinite(values) & (values > 0.0)]
     low, high = (float(values.min()), float(values.max())) if values.size else (1.0, 1.0)
@@ -133,7 +140,7 @@ def _decades(panel: Panel) -> list[float]:
 
 
 def _x_span(chart: Chart) -> list[float]:
-    """Return where the curves begin and end: room is left only beside those that go back and forth."""
+    """Return the range of the curves, with margins beside loops and error bars."""
     curves = [curve.x for panel in chart.panels for curve in panel.curves if curve.x.size]
     low, high = min(float(np.nanmin(x)) for x in curves), max(float(np.nanmax(x)) for x in curves)
     points = any(curve.half is not None for panel in chart.panels for curve in panel.curves)
@@ -150,7 +157,7 @@ def _panel_curves(panel: Panel, tail: str, seen: set[str]) -> list[Figure]:
         if curve.half is not None:
             trace |= {"mode": "markers", "marker": {"color": curve.colour, "size": 6}, "error_y": {"array": packed(curve.half), "width": 0}}
         trace |= {"showlegend": curve.name not in seen, "hovertemplate": f"%{{y:.4g}} {_plain(unit)}"}
-        if panel.y_ticks:  # the height of a bar says nothing
+        if panel.y_ticks:  # the height of a bar means nothing
             trace["hovertemplate"] = f"%{{x:.6g}}<extra>{_plain(curve.name)}</extra>"
         seen.add(curve.name)
         traces.append(trace)
@@ -190,7 +197,7 @@ def _span(panel: Panel) -> tuple[float, float]:
 
 
 def _decorate(layout: Figure, panel: Panel, tail: str) -> None:
-    """Add the tolerance band, the span and the limit lines of a panel; their text stands above it, clear of the curves."""
+    """Add tolerance band, span and limits of a panel, with texts above it."""
     x, y = f"x{tail} domain", f"y{tail}"
     span = {"type": "rect", "xref": x, "x0": 0, "x1": 1, "yref": y, "layer": "below"}
     if panel.band is not None:
@@ -224,7 +231,7 @@ def _note(text: str, colour: str, tail: str) -> Figure:
     return {"text": text, "showarrow": False, "font": font, **place, "xanchor": "right", "yanchor": "bottom"}
 
 
-def polar_figure(chart: PolarChart) -> Figure:
+def _polar_figure(chart: PolarChart) -> Figure:
     """Return a ball-bar plot: the ring at 0 is the nominal circle."""
     data: list[Figure] = [
         {**_line(curve), "type": "scatterpolar", "r": packed(curve.y), "theta": packed(curve.x)} for curve in chart.curves
@@ -234,8 +241,8 @@ def polar_figure(chart: PolarChart) -> Figure:
     for mark in chart.marks:
         points = {"r": packed(mark.y), "theta": packed(mark.x), "name": _plain(mark.name), "legendgroup": _plain(mark.name)}
         ring = {"symbol": "circle-open", "size": 9, "color": mark.colour, "line": {"width": 1.6}}
-        told = "reversal spike, %{r:.3g} um at %{theta:.1f}°"
-        data.append({"type": "scatterpolar", "mode": "markers", "marker": ring, **points, "hovertemplate": told, "showlegend": False})
+        hover = "reversal spike, %{r:.3g} um at %{theta:.1f}°"
+        data.append({"type": "scatterpolar", "mode": "markers", "marker": ring, **points, "hovertemplate": hover, "showlegend": False})
     nominal = {"color": INK, "width": 1.1}
     round_ = {"type": "scatterpolar", "mode": "lines", "name": "nominal", "line": nominal, "hoverinfo": "skip"}
     data.append({**round_, "theta": list(range(0, 361, 3)), "r": [0] * 121})
@@ -252,13 +259,13 @@ def polar_figure(chart: PolarChart) -> Figure:
     return {"data": data, "layout": layout}
 
 
-def path_figure(chart: PathChart) -> Figure:
-    """Return the path; the page itself adds the errors to the foot points, as the reader sets the magnification.
+def _path_figure(chart: PathChart) -> Figure:
+    """Return the path; the page adds the errors to the foot points with the magnification that the reader sets.
 
     Notes
     -----
-    Besides `data` and `layout` the figure has ``magnify``: the magnification to begin with, and for every magnified
-    trace its number, foot points [mm] and errors [um] as packed columns.
+    The figure also has ``magnify``: the initial magnification, and for every magnified trace its index, foot points [mm] and errors [um] as
+    packed columns.
     """
     moved = (*chart.tolerance, *chart.runs)
     data = [_line(line, x=packed(line.x), y=packed(line.y), hoverinfo="skip") for line in chart.lines]
@@ -296,11 +303,11 @@ def _path_height(chart: PathChart) -> int:
 
 
 def _columns(run: Magnified) -> Figure:
-    """Return foot points [mm] and errors [um] as the page wants them."""
+    """Return foot points [mm] and errors [um] for the page."""
     return {key: [packed(part[:, 0]), packed(part[:, 1])] for key, part in (("foot", run.foot), ("error", run.error))}
 
 
 def _bar(chart: PathChart) -> float:
-    """Return a round length on the drawing [mm], about an eighth of its width, to tell what it is worth in error."""
+    """Return a round length on the drawing [mm], about an eighth of its width, for the scale of errors."""
     extent = max(float(np.ptp(chart.lines[0].x)), float(np.ptp(chart.lines[0].y)))
     return round_down(extent / 8.0) if extent > 0.0 else 1.0

@@ -1,4 +1,4 @@
-"""Which controller was active when, and why it was switched: lines of text, tables, and a strip over time and along the path."""
+"""Switches between controllers: lines of text, tables, and strips over time and along the path."""
 
 from __future__ import annotations
 
@@ -12,14 +12,16 @@ from contourlab.figures import figure
 from contourlab.loop.switches import Switches, SwitchKind
 from contourlab.report.charts import Chart, Curve, Panel
 from contourlab.report.data import ReportData, SchemeReport
-from contourlab.report.read import has, signal
+from contourlab.report.samples import signal
 from contourlab.report.style import REFERENCE, scheme_style
 
 Array = NDArray[np.float64]
 LISTED = 100
-"""Switches that a report lists one by one."""
-KINDS = 6  # of an axis' switches told in a line of text
-NARROWEST = 1.0 / 1500.0  # part of the picture's width: less would not be seen
+"""Switches that a report lists."""
+KINDS = 6
+"""Kinds of switches in a line of text."""
+NARROWEST = 1.0 / 1500.0
+"""Least visible share of the picture's width."""
 LANE, BAR = 0.2, 6.0
 
 
@@ -32,7 +34,7 @@ class SwitchTable:
     name : str
     count : int
     rows : tuple
-        Axis, change, reason, how often, share of the time for which the new controller was active, first time, its line.
+        Axis, change, reason, number, share of time of the new controller, first time, its line.
     listed : tuple
         The first `LISTED` of them: time, sample, axis, change, reason, arc length, line.
     """
@@ -44,21 +46,21 @@ class SwitchTable:
 
     @property
     def left_out(self) -> int:
-        """How many are not listed."""
+        """Number of switches that are not listed."""
         return self.count - len(self.listed)
 
 
 def switch_lines(data: ReportData) -> list[str]:
-    """Return one line for each axis that has several controllers, in ASCII: how often each took over, and why."""
-    found = []
+    """Return an ASCII line for each axis with several controllers: number of switches and reasons."""
+    lines = []
     for scheme in data.schemes:
         if scheme.switches is None:
             continue
         counts = scheme.switches.counts()
         for axis in scheme.switches.axes:
-            mine = {kind: count for kind, count in counts.items() if kind.axis == axis}
-            found.append(f"{scheme.name}: {axis}: {_in_words(mine, scheme.switches.first[axis])}")
-    return found
+            own = {kind: count for kind, count in counts.items() if kind.axis == axis}
+            lines.append(f"{scheme.name}: {axis}: {_in_words(own, scheme.switches.first[axis])}")
+    return lines
 
 
 def _in_words(counts: dict[SwitchKind, int], first: str) -> str:
@@ -103,31 +105,31 @@ def _table(name: str, switches: Switches) -> SwitchTable:
 
 
 def _moment(switches: Switches, i: int) -> tuple[str, str, str]:
-    """Return time, arc length and line of a switch in print; empty where they are not known."""
+    """Return time, arc length and line of a switch in print; empty if unknown."""
     along, line = float(switches.arc_length[i]), int(switches.line[i])
     place = figure(along, "mm", 6) if np.isfinite(along) else ""
     return figure(float(switches.time[i]), "s", 6), place, str(line) if line else ""
 
 
 def strip_charts(data: ReportData) -> tuple[Chart, ...]:
-    """Return the active controllers of every scheme that has several: over time, and along the path."""
+    """Return the active controllers of every scheme with a supervisor, over time and along the path."""
     led = [scheme for scheme in data.schemes if scheme.switches is not None]
     if not led:
         return ()
     names = list(dict.fromkeys(name for scheme in led for name in _names(scheme)))
     looks = {name: _colour(i, len(names)) for i, name in enumerate(names)}
     height = 46 + max(40 * len(scheme.switches.axes) for scheme in led if scheme.switches is not None)
-    how = "Stretches too short to be seen are drawn a little longer than they are."
+    how = "Segments too short to be visible are drawn longer."
     over_time = tuple(_panel(scheme, looks, "time [s]") for scheme in led)
     charts = [Chart("active-time", "Active controller over time", how, over_time, panel_height=height)]
-    if all(has(scheme.result, "arc_length") for scheme in led):
+    if all("arc_length" in scheme.result for scheme in led):
         along = tuple(_panel(scheme, looks, "arc length [mm]") for scheme in led)
         charts.append(Chart("active-arc", "Active controller along the path", how, along, panel_height=height))
     return tuple(charts)
 
 
 def _names(scheme: SchemeReport) -> list[str]:
-    """Return the names of the controllers of a scheme, that which was first active before the others."""
+    """Return the names of a scheme's controllers, beginning with the one that was active first."""
     assert scheme.switches is not None
     held = [name for axis in scheme.switches.axes for name in scheme.switches.active[axis]]
     return list(dict.fromkeys([*scheme.switches.first.values(), *held, *(kind.after for kind in scheme.switches.kinds)]))
@@ -138,7 +140,7 @@ def _colour(index: int, count: int) -> str:
 
 
 def _panel(scheme: SchemeReport, looks: dict[str, str], label: str) -> Panel:
-    """Return the strip of one scheme: a row for each axis, in it a lane for each controller."""
+    """Return the strip of one scheme: a row for each axis with a lane for each controller."""
     switches, result = scheme.switches, scheme.result
     assert switches is not None
     if label.startswith("time"):
@@ -150,10 +152,10 @@ def _panel(scheme: SchemeReport, looks: dict[str, str], label: str) -> Panel:
     lane_of = np.array([lanes.index(kind.after) for kind in switches.kinds], dtype=np.int64)
     curves = []
     for row, axis in enumerate(switches.axes):
-        mine = switches.of(axis)
-        after = lane_of[switches.kind[mine]]
+        own = switches.of(axis)
+        after = lane_of[switches.kind[own]]
         active = np.append(lanes.index(switches.first[axis]), after)
-        edges = np.concatenate([[ends[0]], at[mine], [ends[1]]])
+        edges = np.concatenate([[ends[0]], at[own], [ends[1]]])
         for lane, name in enumerate(lanes):
             x = _bars(edges[:-1][active == lane], edges[1:][active == lane], NARROWEST * (ends[1] - ends[0]))
             height = -float(row) + LANE * (lane - 0.5 * (len(lanes) - 1))
@@ -165,7 +167,7 @@ def _panel(scheme: SchemeReport, looks: dict[str, str], label: str) -> Panel:
 
 
 def _bars(starts: Array, ends: Array, narrowest: float) -> Array:
-    """Return bars as a broken line: start, end, nan, start ...; those that would not be told apart are one."""
+    """Return bars as a line with gaps: start, end, nan, start ...; indistinguishable bars are merged."""
     if not starts.size:
         return starts
     ends = np.maximum.accumulate(np.maximum(ends, starts + narrowest))

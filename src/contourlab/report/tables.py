@@ -1,15 +1,12 @@
-"""The tables of a report: for the terminal, for Markdown, for the page."""
+"""The tables of a report in the terminal and in Markdown."""
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
-from contourlab.figures import NONE, number
+from contourlab.figures import number
 from contourlab.report.comparison import compare
 from contourlab.report.data import ReportData
+from contourlab.report.learning_pictures import trial_rows
 from contourlab.report.table import Column, Table, paragraphs
-from contourlab.report.trials import trial_rows
-from contourlab.report.trust import Number
 
 
 def comparison_text(data: ReportData, width: int | None = None) -> str:
@@ -49,49 +46,6 @@ def trials_text(data: ReportData) -> str:
                 table.add(str(trial), number(contour * 1e6, 4), number(tracking * 1e6, 4), "best" if trial == scheme.trials.best else "")
             tables.append(table.text())
     return "\n\n".join(tables)
-
-
-@dataclass(frozen=True)
-class OriginTable:
-    """Numbers of one scheme: all of them for the first, those that differ from the schemes before for the others."""
-
-    title: str
-    rows: tuple[Number, ...]
-    not_stated: tuple[str, ...]
-
-
-def origin_tables(data: ReportData) -> tuple[OriginTable, ...]:
-    """Return the sources of the numbers, for the page; empty where nobody asked for an interval."""
-    tables: list[OriginTable] = []
-    seen: set[Number] = set()
-    blank: set[str] = set()
-    for scheme in data.schemes:
-        if scheme.trust is None or scheme.trust.interval is None:
-            continue
-        rows = tuple(number for number in scheme.trust.provenance if number not in seen)
-        names = tuple(name for name in scheme.trust.not_stated if name not in blank)
-        seen |= set(rows)
-        blank |= set(names)
-        if rows or names:
-            title = f"{scheme.name}: what differs from the schemes before" if tables else "Stated numbers"
-            tables.append(OriginTable(title, rows, names))
-    return tuple(tables)
-
-
-def interval_rows(data: ReportData) -> tuple[tuple[str, ...], ...]:
-    """Return for each scheme with an interval: name, then run, median and interval of rms and maximum [um], failed, beyond, main."""
-    rows = []
-    for scheme in data.schemes:
-        interval, error = scheme.trust.interval if scheme.trust else None, scheme.metrics.contour_error
-        if interval is None or interval.rms is None or interval.max is None:
-            continue
-        cells: list[str] = []
-        for value, spread in ((error.rms, interval.rms), (error.max, interval.max)):
-            median, low, high = (number(1e6 * figure) for figure in (spread.median, spread.low, spread.high))
-            cells += [number(1e6 * value), median, f"{low} to {high}"]
-        beyond = NONE if interval.beyond_tolerance is None else f"{interval.beyond_tolerance} of {interval.samples}"
-        rows.append((scheme.name, *cells, f"{interval.failed} of {interval.samples}", beyond, interval.main or "none stands out"))
-    return tuple(rows)
 
 
 def _escaped(text: str) -> str:

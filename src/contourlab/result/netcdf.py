@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import contextlib
+import io
+import os
 from collections.abc import Mapping
 from pathlib import Path
 from types import TracebackType
@@ -12,21 +14,61 @@ import numpy as np
 
 from contourlab.errors import OutputError, ResultError
 from contourlab.result.atomic import replacing
-from contourlab.result.signals import Result, Signal, Status
-from contourlab.result.spool import Spool
+from contourlab.result.signals import Signal, Status
+
+
+class Spool(io.FileIO):
+    """Binary file that takes every write, and remembers the first one that failed.
+
+    HDF5 cannot close a file once a write has failed, on a full disk say: it goes on holding it and takes the interpreter down at its end.
+    What comes after a failure is held in memory until the file is closed, since HDF5 reads its own structures back; on the disk the file is
+    of no use any more.
+    """
+
+    def __init__(self, file: Path, mode: str) -> None:
+        super().__init__(file, mode)
+        self.failure: OSError | None = None
+        self._held: list[tuple[int, bytes]] = []
+
+    def write(self, data: Any) -> int:
+        view, start, done = memoryview(data).cast("B"), self.tell(), 0
+        try:
+            # The system may take a part only, up to where the disk is full.
+            while self.failure is None and done < len(view):
+                done += super().write(view[done:])
+        except OSError as error:
+            self.failure = error
+        if self.failure is not None:
+            self._held.append((start + done, bytes(view[done:])))
+            self.seek(start + len(view))
+        return len(view)
+
+    def readinto(self, buffer: Any) -> int:
+        view, start = memoryview(buffer).cast("B"), self.tell()
+        read = super().readinto(view)
+        view[read:] = bytes(len(view) - read)
+        for at, data in self._held:
+            low, high = max(at, start), min(at + len(data), start + len(view))
+            if low < high:
+                view[low - start : high - start] = data[low - at : high - at]
+        self.seek(start + len(view))
+        return len(view)
+
+    def truncate(self, size: int | None = None) -> int:
+        try:
+            return super().truncate(size)
+        except OSError as error:
+            self.failure = self.failure or error
+            return size if size is not None else os.fstat(self.fileno()).st_size
+
+    def check(self) -> None:
+        """Raise the failure, if there was one."""
+        if self.failure is not None:
+            raise self.failure
+
 
 _CHUNK = 1 << 14
-_FIXED = (
-    "format",
-    "scheme",
-    "axes",
-    "servo_period",
-    "start",
-    "status_ok",
-    "status_sample",
-    "status_axis",
-    "status_reason",
-)
+_FIXED = ("format", "scheme", "axes", "servo_period", "start", "status_ok", "status_sample", "status_axis", "status_reason")
 
 
 class ResultWriter:
@@ -44,6 +86,7 @@ class ResultWriter:
     Examples
     --------
     >>> import tempfile, numpy as np
+    >>> from contourlab.result import Result
     >>> folder = tempfile.TemporaryDirectory()
     >>> result = Result("base", ("x",), 1e-3, {"position": Signal(np.zeros((4, 1)), ("sample", "axis"), "m")})
     >>> with ResultWriter(f"{folder.name}/run.nc", result.header(), result.axes) as writer:
@@ -122,12 +165,7 @@ class ResultWriter:
 
     def finish(self, status: Status) -> None:
         """Note how the run ended."""
-        self.header |= {
-            "status_ok": int(status.ok),
-            "status_sample": status.sample,
-            "status_axis": status.axis,
-            "status_reason": status.reason,
-        }
+        self.header |= status.header()
 
     def __exit__(self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None) -> None:
         if kind is not None:
@@ -145,9 +183,8 @@ class ResultWriter:
         try:
             self._data.attrs[name] = int(value) if isinstance(value, bool) else value
         except (TypeError, ValueError) as error:
-            raise ResultError(
-                f"{name.removeprefix('attribute_')} = {value!r}: text or a number of 64 bits can be kept in a file"
-            ) from error
+            known = name.removeprefix("attribute_")
+            raise ResultError(f"{known} = {value!r}: a file holds text and numbers of 64 bits only") from error
 
 
 def _text_type() -> Any:
@@ -156,8 +193,8 @@ def _text_type() -> Any:
     return h5py.string_dtype("utf-8")
 
 
-def read_result(file: str | Path) -> Result:
-    """Read a result; see `Result.load`."""
+def read_netcdf(file: str | Path) -> dict[str, Any]:
+    """Return the arguments of a `Result` from its file; see `Result.load`."""
     import h5netcdf
     import h5py
 
@@ -173,7 +210,7 @@ def read_result(file: str | Path) -> Result:
                     for name, v in data.variables.items()
                     if name not in ("axis", "time")
                 }
-        return _assembled(header, axes, signals)
+        return _arguments(header, axes, signals)
     except (OSError, KeyError, RuntimeError, TypeError, ValueError) as error:
         raise ResultError(f"{file}: cannot be read as a result: {error}") from error
 
@@ -186,15 +223,17 @@ def _check_header(file: str | Path, header: Mapping[str, Any]) -> None:
         raise ResultError(f"{file}: cannot be read as a result: {missing[0]} is missing")
 
 
-def _assembled(header: Mapping[str, Any], axes: tuple[str, ...], signals: Mapping[str, Signal]) -> Result:
-    status = Status(
-        bool(header["status_ok"]),
-        int(header["status_sample"]),
-        str(header["status_axis"]),
-        str(header["status_reason"]),
-    )
-    attributes = {name.removeprefix("attribute_"): value for name, value in header.items() if name not in _FIXED}
-    return Result(str(header["scheme"]), axes, float(header["servo_period"]), signals, status, attributes, int(header["start"]))
+def _arguments(header: Mapping[str, Any], axes: tuple[str, ...], signals: Mapping[str, Signal]) -> dict[str, Any]:
+    ending = (int(header["status_sample"]), str(header["status_axis"]), str(header["status_reason"]))
+    return {
+        "scheme": str(header["scheme"]),
+        "axes": axes,
+        "servo_period": float(header["servo_period"]),
+        "signals": signals,
+        "status": Status(bool(header["status_ok"]), *ending),
+        "attributes": {name.removeprefix("attribute_"): value for name, value in header.items() if name not in _FIXED},
+        "start": int(header["start"]),
+    }
 
 
 def _plain(value: Any) -> Any:

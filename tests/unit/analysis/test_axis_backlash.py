@@ -12,9 +12,8 @@ import contourlab as cl
 from contourlab.analysis.backlash.lure import axis_backlash_loop
 from contourlab.analysis.backlash.periodic_orbit import find_orbits
 from contourlab.components.controller.cascade import Cascade
-from contourlab.components.controller.contact_zone_2 import ContactZone2
-from contourlab.components.controller.gap_zone_2 import GapZone2
-from contourlab.components.drive.delayed_saturation import DelayedSaturation
+from contourlab.components.controller.zone_law import ContactZone2, GapZone2
+from contourlab.components.drive.saturation import DelayedSaturation
 from contourlab.components.observer.disturbance_observer import DisturbanceObserver
 from contourlab.components.plant.two_inertia import TwoInertia
 from contourlab.components.supervisor.performance import Performance

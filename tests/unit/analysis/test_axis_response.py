@@ -15,14 +15,14 @@ from contourlab.analysis.linear.margins import margins
 from contourlab.analysis.linear.sampled_loop import AxisResponse
 from contourlab.components.contract import Component, LinearModel
 from contourlab.components.controller.position import PositionController
-from contourlab.components.drive.delayed_saturation import DelayedSaturation
+from contourlab.components.drive.saturation import DelayedSaturation
+from contourlab.components.ideal import TrueVelocity
 from contourlab.components.observer.disturbance_observer import DisturbanceObserver
 from contourlab.components.plant.ball_screw import BallScrew
 from contourlab.components.plant.mass_damper import MassDamper
+from contourlab.components.plant.plant import SingleMass
 from contourlab.components.plant.rigid_axis import RigidAxis
-from contourlab.components.plant.single_mass import SingleMass
 from contourlab.components.velocity.filtered_difference import FilteredDifference
-from contourlab.components.velocity.true import TrueVelocity
 from contourlab.errors import ComponentError, ParameterError
 from contourlab.loop.machine import Axis, AxisController
 from contourlab.papers.ghaffari.axis_response import axis_response

@@ -14,9 +14,8 @@ from contourlab.analysis.linear.margins import hull_modulus
 from contourlab.analysis.linear.trial_map import TrialMap, normal_frames
 from contourlab.components.coupling.cross_coupled import CrossCoupled
 from contourlab.components.coupling.cross_coupled_filter import CrossCoupledFilter
-from contourlab.components.coupling.modified_error import ModifiedError
-from contourlab.components.coupling.modified_reference import ModifiedReference
-from contourlab.components.estimator.tangent import Tangent
+from contourlab.components.coupling.modified_reference import ModifiedError, ModifiedReference
+from contourlab.components.estimator.local import Tangent
 from contourlab.errors import ComponentError
 from contourlab.feed import uniform
 from contourlab.geometry import Line, Path, contour

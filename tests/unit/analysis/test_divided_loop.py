@@ -14,7 +14,7 @@ import contourlab as cl
 from contourlab.analysis.linear.divided_loop import LinkTiming, divided_loop, timing_of
 from contourlab.analysis.linear.margins import delay_margin
 from contourlab.analysis.linear.sampled_loop import sampled_loop
-from contourlab.components.link.ideal import IdealLink
+from contourlab.components.ideal import IdealLink
 from contourlab.components.link.network import Network
 from contourlab.components.registry import component
 from contourlab.errors import ComponentError, ParameterError

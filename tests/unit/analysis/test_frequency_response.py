@@ -29,7 +29,7 @@ from contourlab.analysis.identification.frequency_response import (
     swept_response,
 )
 from contourlab.analysis.identification.sine_response import sine_point, sine_responses, sine_stretch
-from contourlab.components.drive.delayed_saturation import DelayedSaturation
+from contourlab.components.drive.saturation import DelayedSaturation
 from contourlab.components.plant.mass_damper import MassDamper
 from contourlab.components.plant.two_inertia import TwoInertia
 from contourlab.errors import ParameterError

@@ -22,12 +22,9 @@ from contourlab.analysis.learning.learning_frequency import averaging, frequency
 from contourlab.analysis.learning.learning_lifted import TrialOperator, lifted_learning
 from contourlab.analysis.linear.coupled_loop import coupled_loop
 from contourlab.components.coupling.cross_coupled import CrossCoupled
-from contourlab.components.learning.cross_coupled import CrossCoupledLearning
+from contourlab.components.learning.error_law import CrossCoupledLearning, PType, ZeroPhase
 from contourlab.components.learning.law import LearningLaw, TrialRecord
-from contourlab.components.learning.norm_optimal import NormOptimal
-from contourlab.components.learning.p_type import PType
-from contourlab.components.learning.plant_inversion import PlantInversion
-from contourlab.components.learning.zero_phase import ZeroPhase
+from contourlab.components.learning.least_squares import NormOptimal, PlantInversion
 from contourlab.errors import ComponentError
 from contourlab.feed import uniform
 from contourlab.geometry import contour

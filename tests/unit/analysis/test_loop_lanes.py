@@ -10,7 +10,7 @@ import pytest
 
 from contourlab.analysis.linear.loop_lanes import lane_loops, margin_factors, unstable_by
 from contourlab.analysis.linear.sampled_loop import sampled_loop
-from contourlab.components.drive.delayed_saturation import DelayedSaturation
+from contourlab.components.drive.saturation import DelayedSaturation
 from contourlab.design import Space
 from contourlab.design.bounds import Bounds
 from contourlab.features.swap.guard import Guard

@@ -17,10 +17,9 @@ from contourlab.analysis.linear.margins import margins
 from contourlab.analysis.linear.sampled_loop import sampled_loop
 from contourlab.analysis.linear.tick_map import spectral_radius
 from contourlab.components.contract import Component, param
-from contourlab.components.disturbance.sine import SineLoad
-from contourlab.components.drive.delayed_saturation import DelayedSaturation
-from contourlab.components.drive.saturation import Saturation
-from contourlab.components.friction.coulomb import Coulomb
+from contourlab.components.disturbance.loads import SineLoad
+from contourlab.components.drive.saturation import DelayedSaturation, Saturation
+from contourlab.components.friction.laws import Coulomb
 from contourlab.components.plant.mass_damper import MassDamper
 from contourlab.components.plant.rigid_axis import RigidAxis
 from contourlab.components.sensor.encoder import Encoder

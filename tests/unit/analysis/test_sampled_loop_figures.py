@@ -13,10 +13,9 @@ from one_axis import W_V, T, axis, controller, observer
 import contourlab as cl
 from contourlab.analysis.linear.sampled_loop import SampledLoop, sampled_loop
 from contourlab.components.controller.position import PositionController
-from contourlab.components.disturbance.sine import SineLoad
-from contourlab.components.drive.delayed_saturation import DelayedSaturation
-from contourlab.components.drive.saturation import Saturation
-from contourlab.components.friction.coulomb import Coulomb
+from contourlab.components.disturbance.loads import SineLoad
+from contourlab.components.drive.saturation import DelayedSaturation, Saturation
+from contourlab.components.friction.laws import Coulomb
 from contourlab.components.plant.mass_damper import MassDamper
 from contourlab.components.plant.rigid_axis import RigidAxis
 from contourlab.components.sensor.encoder import Encoder

@@ -10,8 +10,7 @@ from axis_bench import driven
 from numpy.typing import NDArray
 
 from contourlab.analysis.identification.stiction import breakaways
-from contourlab.components.friction.coulomb import Coulomb
-from contourlab.components.friction.lugre import LuGre
+from contourlab.components.friction.laws import Coulomb, LuGre
 from contourlab.components.plant.mass_damper import MassDamper
 from contourlab.components.sensor.encoder import Encoder
 from contourlab.errors import ParameterError

@@ -11,12 +11,11 @@ from scipy.signal import cont2discrete
 from contourlab.analysis.linear.tick_map import spectral_radius, tick_map, tick_matrix
 from contourlab.components.contract import Component
 from contourlab.components.controller.position import PositionController
-from contourlab.components.drive.delayed_saturation import DelayedSaturation
-from contourlab.components.drive.saturation import Saturation
+from contourlab.components.drive.saturation import DelayedSaturation, Saturation
+from contourlab.components.ideal import TrueVelocity
 from contourlab.components.observer.disturbance_observer import DisturbanceObserver
 from contourlab.components.plant.rigid_axis import RigidAxis
 from contourlab.components.velocity.filtered_difference import FilteredDifference
-from contourlab.components.velocity.true import TrueVelocity
 from contourlab.engine.schedule import Late, Node, Schedule
 from contourlab.engine.step import Port, Step
 from contourlab.errors import ComponentError

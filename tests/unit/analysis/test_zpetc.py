@@ -18,13 +18,12 @@ from contourlab.components.controller.lead_lag import LeadLag
 from contourlab.components.controller.pid import PID
 from contourlab.components.controller.position import PositionController
 from contourlab.components.controller.state_feedback import StateFeedback
-from contourlab.components.drive.delayed_saturation import DelayedSaturation
-from contourlab.components.drive.saturation import Saturation
+from contourlab.components.drive.saturation import DelayedSaturation, Saturation
+from contourlab.components.ideal import TrueVelocity
 from contourlab.components.observer.disturbance_observer import DisturbanceObserver
+from contourlab.components.plant.lagged_mass import SecondOrderIntegrator
 from contourlab.components.plant.rigid_axis import RigidAxis
-from contourlab.components.plant.second_order_integrator import SecondOrderIntegrator
 from contourlab.components.velocity.filtered_difference import FilteredDifference
-from contourlab.components.velocity.true import TrueVelocity
 from contourlab.errors import ComponentError, ParameterError
 
 T = 1e-3

@@ -11,7 +11,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from contourlab.components.compensation.adaptive_backlash_inverse import AdaptiveBacklashInverse
+from contourlab.components.compensation.backlash_inverse import AdaptiveBacklashInverse
 from contourlab.engine.step import record
 from contourlab.errors import ParameterError
 from contourlab.primitives import Clock

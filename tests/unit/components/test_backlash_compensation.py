@@ -14,8 +14,7 @@ from numpy.typing import NDArray
 
 from contourlab.components.compensation.backlash_inverse import BacklashInverse
 from contourlab.components.compensation.backlash_offset import BacklashOffset
-from contourlab.components.compensation.cnc_backlash import CncBacklash
-from contourlab.components.compensation.quadrant_pulses import QuadrantPulses
+from contourlab.components.compensation.quadrant_pulses import CncBacklash, QuadrantPulses
 from contourlab.errors import ParameterError
 
 Array = NDArray[np.float64]

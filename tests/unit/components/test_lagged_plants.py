@@ -14,12 +14,10 @@ from hypothesis import strategies as st
 from numpy.typing import NDArray
 
 from contourlab.components.controller.position import PositionController
-from contourlab.components.friction.coulomb import Coulomb
-from contourlab.components.friction.smooth_coulomb import SmoothCoulomb
+from contourlab.components.friction.laws import Coulomb, SmoothCoulomb
 from contourlab.components.plant.ball_screw import BallScrew
-from contourlab.components.plant.linear_motor import LinearMotor
+from contourlab.components.plant.lagged_mass import LinearMotor, SecondOrderIntegrator
 from contourlab.components.plant.rigid_axis import RigidAxis
-from contourlab.components.plant.second_order_integrator import SecondOrderIntegrator
 from contourlab.errors import ParameterError
 from contourlab.geometry import Line, Path
 from contourlab.loop import Axis, AxisController, Controller, Machine
@@ -146,7 +144,7 @@ def test_a_lag_beyond_what_a_step_follows_names_substeps() -> None:
 
 def test_a_steep_friction_names_substeps_on_a_lagged_plant_too() -> None:
     steep = SmoothCoulomb(coulomb=10.0, breakaway=10.0, smoothing_velocity=1e-4)
-    with pytest.raises(ParameterError, match="substeps = 1: must be at least 20 for a smooth-coulomb"):
+    with pytest.raises(ParameterError, match="substeps = 1: must be at least 20"):
         Machine("m", (Axis("x", MOTOR, friction=steep),), PERIOD)
 
 

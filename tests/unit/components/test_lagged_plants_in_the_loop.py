@@ -10,12 +10,9 @@ import pytest
 import contourlab as cl
 from contourlab.components.contract import Component
 from contourlab.components.controller.position import PositionController
-from contourlab.components.friction.coulomb import Coulomb
-from contourlab.components.friction.lugre import LuGre
-from contourlab.components.friction.none import NoFriction
+from contourlab.components.friction.laws import Coulomb, LuGre, NoFriction
 from contourlab.components.observer.disturbance_observer import DisturbanceObserver
-from contourlab.components.plant.linear_motor import LinearMotor
-from contourlab.components.plant.second_order_integrator import SecondOrderIntegrator
+from contourlab.components.plant.lagged_mass import LinearMotor, SecondOrderIntegrator
 from contourlab.feed import uniform
 from contourlab.loop import Axis, AxisController, Controller, Machine
 from contourlab.papers.ghaffari.axis_response import axis_response

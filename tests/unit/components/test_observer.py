@@ -11,7 +11,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from contourlab.components.contract import Component
-from contourlab.components.friction.none import NoFriction
+from contourlab.components.friction.laws import NoFriction
 from contourlab.components.mechanics.core import link
 from contourlab.engine.runner import make_group
 from contourlab.engine.schedule import Late, Node, Schedule

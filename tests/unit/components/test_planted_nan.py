@@ -14,17 +14,15 @@ import contourlab as cl
 from contourlab.components.contract import FAMILIES, Component
 from contourlab.components.controller.position import PositionController
 from contourlab.components.coupling.modified_reference import ModifiedReference
-from contourlab.components.disturbance.sine import SineLoad
+from contourlab.components.disturbance.loads import SineLoad
 from contourlab.components.drive.saturation import Saturation
 from contourlab.components.estimator.newton import Newton
-from contourlab.components.friction.coulomb import Coulomb
-from contourlab.components.friction.lugre import LuGre
-from contourlab.components.friction.smooth_coulomb import SmoothCoulomb
+from contourlab.components.friction.laws import Coulomb, LuGre, SmoothCoulomb
 from contourlab.components.link.network import Network
 from contourlab.components.observer.disturbance_observer import DisturbanceObserver
 from contourlab.components.plant.rigid_axis import RigidAxis
 from contourlab.components.sensor.encoder import Encoder
-from contourlab.components.supervisor.estimator_based import EstimatorBased
+from contourlab.components.supervisor.switching import EstimatorBased
 from contourlab.components.velocity.filtered_difference import FilteredDifference
 from contourlab.engine.step import Port, Step
 from contourlab.loop import Division

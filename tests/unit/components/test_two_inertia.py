@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from two_mass_rig import DRIVE, NONE, Drive, random_command
 
 import contourlab as cl
-from contourlab.components.friction.coulomb import Coulomb
+from contourlab.components.friction.laws import Coulomb
 from contourlab.components.plant.two_inertia import TwoInertia
 from contourlab.errors import ParameterError
 

@@ -7,7 +7,7 @@ from dataclasses import replace
 import numpy as np
 
 from contourlab.components.conformance import check_component
-from contourlab.components.velocity.two_tap_difference import TwoTapDifference
+from contourlab.components.velocity.filtered_difference import TwoTapDifference
 from contourlab.feed import uniform
 from contourlab.geometry import contour
 from contourlab.loop import simulate

@@ -10,7 +10,7 @@ import pytest
 from stages import PERIOD, control, make, stage
 
 import contourlab as cl
-from contourlab.components.link.ideal import IdealLink
+from contourlab.components.ideal import IdealLink
 from contourlab.components.link.network import Network
 from contourlab.components.registry import component
 from contourlab.errors import ParameterError

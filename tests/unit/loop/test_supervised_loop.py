@@ -10,14 +10,13 @@ import pytest
 
 import contourlab as cl
 from contourlab.components.controller.cascade import Cascade
-from contourlab.components.controller.contact_zone_3 import ContactZone3
-from contourlab.components.controller.gap_zone_3 import GapZone3
-from contourlab.components.friction.coulomb import Coulomb
+from contourlab.components.controller.zone_law import ContactZone3, GapZone3
+from contourlab.components.friction.laws import Coulomb
 from contourlab.components.plant.two_inertia import TwoInertia
 from contourlab.components.sensor.encoder import Encoder
-from contourlab.components.supervisor.estimator_based import EstimatorBased
 from contourlab.components.supervisor.performance import Performance
 from contourlab.components.supervisor.pre_routed import PreRouted
+from contourlab.components.supervisor.switching import EstimatorBased
 from contourlab.errors import ParameterError
 from contourlab.loop import Change
 

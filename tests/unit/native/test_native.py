@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from contourlab.errors import EngineError
-from contourlab.native.door import kernel
+from contourlab.native.compile import kernel
 
 SUM = "f8[:,:] f8[:] f8 i8[:]"
 

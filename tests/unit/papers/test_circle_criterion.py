@@ -1,4 +1,4 @@
-"""Circle and Popov criteria: against fine grids, closed forms, and motions."""
+"""Circle criterion: against fine grids, closed forms, and motions."""
 
 from __future__ import annotations
 
@@ -6,21 +6,21 @@ import math
 
 import numpy as np
 import pytest
-from backlash_loops import HALF_GAP, J_L, J_M, K_S, PAPER, SCHEME_II, SCHEME_III, drive
+from backlash_loops import HALF_GAP, K_S, PAPER, SCHEME_II, drive
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from contourlab.analysis.backlash.exact_simulation import simulate_exact
 from contourlab.analysis.backlash.lure import BacklashLoop
-from contourlab.papers.shahin.circle_criterion import circle_criterion, popov_criterion
+from contourlab.papers.shahin.circle_criterion import circle_criterion
 from contourlab.papers.shahin.two_inertia_loop import motor_pid, p_pi_cascade, two_inertia_loop
 
 W = np.logspace(-4, 7, 60_001)
 
 
-def least_on_a_grid(loop: BacklashLoop, q: float) -> float:
-    """Return the least of 1 + k Re (1 + j q w) G over a fine grid."""
-    return float((1.0 + loop.stiffness * ((1.0 + 1j * q * W) * loop.transfer(W)).real).min())
+def least_on_a_grid(loop: BacklashLoop) -> float:
+    """Return the least of 1 + k Re G over a fine grid."""
+    return float((1.0 + loop.stiffness * loop.transfer(W).real).min())
 
 
 @settings(max_examples=10, deadline=None)
@@ -32,7 +32,7 @@ def least_on_a_grid(loop: BacklashLoop, q: float) -> float:
 def test_least_value_agrees_with_a_grid(gains: tuple[float, float], load: float, integral: float) -> None:
     loop = two_inertia_loop(drive(load_damping=10.0**load), motor_pid(*gains, integral))
     circle = circle_criterion(loop)
-    on_grid = least_on_a_grid(loop, 0.0)
+    on_grid = least_on_a_grid(loop)
     # A grid can only miss the least; an infinite grid would find the limit at infinity, 1.
     assert circle.margin <= on_grid + 1e-9 * abs(on_grid)
     assert circle.margin == pytest.approx(on_grid, rel=1e-3, abs=2e-3)
@@ -44,19 +44,8 @@ def test_the_circle_criterion_wants_much_damping(damping: float, verdict: str) -
     loop = two_inertia_loop(drive(load_damping=damping), SCHEME_II)
     found = circle_criterion(loop)
     assert found.verdict == verdict
-    assert (least_on_a_grid(loop, 0.0) > 0.0) == (verdict == "stable")
+    assert (least_on_a_grid(loop) > 0.0) == (verdict == "stable")
     assert found.largest_stiffness == pytest.approx(K_S / (1.0 - found.margin))
-
-
-@pytest.mark.parametrize("feedback", [SCHEME_II, SCHEME_III])
-@pytest.mark.parametrize("damping", [1e-3, 1e-2, 0.5])
-def test_popov_needs_any_damping_of_the_load(feedback: object, damping: float) -> None:
-    """A controller on the motor side: q beyond J_l/c_l makes both halves of G positive real."""
-    loop = two_inertia_loop(drive(load_damping=damping), feedback)  # type: ignore[arg-type]
-    found = popov_criterion(loop)
-    assert found.verdict == "stable"
-    assert found.multiplier > 0.9 * J_L / damping
-    assert least_on_a_grid(loop, found.multiplier) > 0.9
 
 
 def test_it_finds_a_resonance_between_the_points_of_a_grid() -> None:
@@ -76,11 +65,11 @@ def test_it_finds_a_resonance_between_the_points_of_a_grid() -> None:
 
 
 def test_where_it_does_not_apply_it_says_so() -> None:
-    lossless = popov_criterion(two_inertia_loop(PAPER, SCHEME_II))
+    lossless = circle_criterion(two_inertia_loop(PAPER, SCHEME_II))
     assert (lossless.verdict, "double pole" in lossless.explanation) == ("undecided", True)
-    damped_shaft = popov_criterion(two_inertia_loop(drive(load_damping=0.1, shaft_damping=0.1), SCHEME_II))
+    damped_shaft = circle_criterion(two_inertia_loop(drive(load_damping=0.1, shaft_damping=0.1), SCHEME_II))
     assert "damped shaft" in damped_shaft.explanation
-    assert "not Hurwitz" in popov_criterion(two_inertia_loop(drive(load_damping=0.1), motor_pid(200.0, -1.0))).explanation
+    assert "not Hurwitz" in circle_criterion(two_inertia_loop(drive(load_damping=0.1), motor_pid(200.0, -1.0))).explanation
     assert math.isnan(lossless.margin)
 
 
@@ -90,13 +79,12 @@ def test_it_never_calls_a_loop_with_a_limit_cycle_stable() -> None:
     run = simulate_exact(loop, [0.0, 0.0, -3.0 * HALF_GAP, 0.0, 0.0], 3.0)
     assert np.ptp(run.difference(np.linspace(2.9, 3.0, 500))) > 2.0 * HALF_GAP
     assert circle_criterion(loop).verdict == "undecided"
-    assert popov_criterion(loop).verdict == "undecided"
 
 
 def test_a_stable_verdict_is_borne_out() -> None:
     """All motions of the loop end with the gap unloaded."""
-    loop = two_inertia_loop(drive(load_damping=0.3, load_inertia=0.5 * J_M), motor_pid(200.0, 2.0, 400.0))
-    assert popov_criterion(loop).verdict == "stable"
-    for start in np.vstack([np.eye(5), -3.0 * np.ones((1, 5))]):
-        run = simulate_exact(loop, 0.1 * start, 6.0)
-        assert run.torque(6.0)[0] == pytest.approx(0.0, abs=1e-3)
+    loop = two_inertia_loop(drive(load_damping=3.0), SCHEME_II)
+    assert circle_criterion(loop).verdict == "stable"
+    for start in np.vstack([np.eye(4), -3.0 * np.ones((1, 4))]):
+        run = simulate_exact(loop, 0.1 * start, 100.0)
+        assert run.torque(100.0)[0] == pytest.approx(0.0, abs=1e-3)

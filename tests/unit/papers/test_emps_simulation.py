@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 
 from contourlab.analysis.identification.filtered_motion import filtered_motion
 from contourlab.components.drive.saturation import Saturation
-from contourlab.components.friction.coulomb import Coulomb
+from contourlab.components.friction.laws import Coulomb
 from contourlab.components.mechanics.core import link
 from contourlab.components.plant.mass_damper import MassDamper
 from contourlab.engine.runner import make_group

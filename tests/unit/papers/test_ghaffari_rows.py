@@ -60,7 +60,7 @@ def test_figures_of_a_log_and_figures_asked_for_are_called_what_they_are(
     beside = measured("contour rms", "seen", 84.8, 84.6, "um", 1.0), measured("contour rms", "unseen", 84.8, 60.0, "um", None)
     rows = (*beside, asked("explained", "x", 80.0, 98.7, "%", 100.0), asked("explained", "y", 80.0, 79.9, "%", 100.0))
     assert [row.verdict for row in rows] == ["agrees", "", "agrees", "fails"]
-    monkeypatch.setattr(ghaffari, "reproduce", lambda stage: [row.as_dict() for row in rows])
+    monkeypatch.setattr(ghaffari, "PARTS", (("rows", lambda: rows),))
     assert main(["reproduce", "ghaffari"]) == 1
     lines = [" ".join(line.split()) for line in capsys.readouterr().out.splitlines()]
     assert "case measured here difference its source verdict" in lines
@@ -76,7 +76,7 @@ def test_figures_of_a_log_and_figures_asked_for_are_called_what_they_are(
 def test_only_a_failure_without_a_reason_changes_the_exit_code(
     rows: tuple[Row, ...], code: int, words: list[str], monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    monkeypatch.setattr(ghaffari, "reproduce", lambda stage: [row.as_dict() for row in rows])
+    monkeypatch.setattr(ghaffari, "PARTS", (("rows", lambda: rows),))
     assert main(["reproduce", "ghaffari", *words]) == code
     shown = capsys.readouterr().out
     if words:

@@ -8,16 +8,16 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from contourlab.papers.ghaffari.pictures import draw
 from contourlab.papers.ghaffari.runs import integral
 from contourlab.papers.ghaffari.sensitivity import MODEL, NAMES, axis_curves, sensitivity_rows
 from contourlab.papers.ghaffari.setup import TABLE_3, Reading
 from contourlab.papers.rows import Row
-from contourlab.papers.run import write_ghaffari
 
 
 @pytest.fixture(scope="module")
 def rows() -> Sequence[Row]:
-    return sensitivity_rows()
+    return list(sensitivity_rows())
 
 
 def test_minima_stand_beside_table_iii(rows: Sequence[Row]) -> None:
@@ -42,7 +42,7 @@ def test_curves_pass_through_table_iii() -> None:
     """At the table's own values a curve has the integral of Fig 9's run."""
     for number in (1, 2):
         curve = axis_curves(number)["a'"]
-        here = 1e6 * float(np.interp(curve.number.value, curve.values, curve.figures))
+        here = 1e6 * float(np.interp(curve.variable.value, curve.values, curve.figures))
         assert here == pytest.approx(integral(number, Reading(), TABLE_3), rel=0.02)
 
 
@@ -55,4 +55,4 @@ def test_gains_of_the_position_loop_matter_less_than_the_model(rows: Sequence[Ro
 
 
 def test_figures_are_drawn(tmp_path: Path) -> None:
-    assert [file.name for file in write_ghaffari(tmp_path, ("svg",))] == ["fig-6a.svg", "fig-6b.svg", "fig-7.svg"]
+    assert [file.name for file in draw(tmp_path, ("svg",))] == ["fig-6a.svg", "fig-6b.svg", "fig-7.svg"]

@@ -7,7 +7,7 @@ import synthetic
 
 from contourlab.feed import uniform
 from contourlab.geometry import contour
-from contourlab.report import ReportData
+from contourlab.report.data import ReportData
 
 
 @pytest.fixture(scope="session")

@@ -11,7 +11,7 @@ from hypothesis import strategies as st
 from hypothesis.extra.numpy import arrays
 
 from contourlab.errors import ParameterError
-from contourlab.report.decimate import keep_extremes, share
+from contourlab.report.samples import keep_extremes, share
 
 FINITE = st.floats(-1e6, 1e6)
 

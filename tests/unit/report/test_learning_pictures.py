@@ -12,13 +12,13 @@ from contourlab.analysis.learning.learning_analysis import learning_analysis
 from contourlab.analysis.linear.contour_transfer import contour_transfer
 from contourlab.components.controller.position import PositionController
 from contourlab.components.coupling.cross_coupled import CrossCoupled
-from contourlab.components.estimator.tangent import Tangent
-from contourlab.components.learning.zero_phase import ZeroPhase
+from contourlab.components.estimator.local import Tangent
+from contourlab.components.learning.error_law import ZeroPhase
 from contourlab.components.plant.rigid_axis import RigidAxis
 from contourlab.features.analyse.picture import contour_transfer_charts
 from contourlab.loop.machine import Axis, AxisController, Controller, Machine
 from contourlab.report.learning_pictures import learning_charts, singular_value_chart
-from contourlab.report.matplotlib_view import line_drawing
+from contourlab.report.matplotlib_view import drawing
 
 
 @pytest.fixture(scope="module")
@@ -40,7 +40,7 @@ def test_the_coupling_is_drawn_with_its_margin(coupled: Any) -> None:
     drawn = 20.0 * np.log10(np.abs(1.0 / (1.0 + transfer.loop_gain(first.x * 2.0 * np.pi, (1.0, 0.0)))))
     np.testing.assert_allclose(first.y, drawn, atol=1e-9)
     for chart in (nyquist, modulus, error):
-        line_drawing(chart).canvas.draw()  # type: ignore[attr-defined]
+        drawing(chart).canvas.draw()  # type: ignore[attr-defined]
 
 
 def test_learning_is_drawn_with_the_line_at_one_and_the_first_zero(coupled: Any) -> None:
@@ -51,7 +51,7 @@ def test_learning_is_drawn_with_the_line_at_one_and_the_first_zero(coupled: Any)
     grown = max(float(curve.y.max()) for curve in chart.panels[1].curves)
     assert grown == pytest.approx(100.0 * (max(a.worst_factor for a in found.values()) - 1.0), rel=0.02, abs=1e-3)
     assert all(text in chart.caption for a in found.values() for text in a.warnings)
-    line_drawing(chart).canvas.draw()  # type: ignore[attr-defined]
+    drawing(chart).canvas.draw()  # type: ignore[attr-defined]
 
 
 def test_singular_values_fall() -> None:

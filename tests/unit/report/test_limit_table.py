@@ -8,7 +8,8 @@ from dataclasses import replace
 
 from contourlab.feed import LimitReport
 from contourlab.feed.verify import Worst
-from contourlab.report import ReportData, render_html
+from contourlab.report.data import ReportData
+from contourlab.report.html import render_html
 
 TITLE = "Planned motion against the limits of the axes"
 REPORT = LimitReport(

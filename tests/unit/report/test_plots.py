@@ -8,10 +8,9 @@ import numpy as np
 import pytest
 
 from contourlab.errors import OutputError, ParameterError
-from contourlab.report import write_plots
 from contourlab.report.charts import Chart, Curve, Panel
-from contourlab.report.plotly_view import line_figure, packed
-from contourlab.report.plots import write_charts
+from contourlab.report.plotly_view import figure_of, packed
+from contourlab.report.plots import write_charts, write_plots
 
 MAGIC = {"png": b"\x89PNG\r\n", "svg": b"<?xml", "pdf": b"%PDF-"}
 
@@ -68,7 +67,7 @@ def test_points_with_bars_are_points(tmp_path):
     chart = Chart("seen", "Points", "", (Panel("x", "y", (points, Curve(x, y, "model", "#ff0000"))),))
     (file,) = write_charts([chart], tmp_path, ("svg",))
     assert file.read_text().count("<use ") >= 3
-    dots, line = line_figure(chart)["data"]
+    dots, line = figure_of(chart)["data"]
     assert dots["mode"] == "markers" and dots["error_y"]["array"] == packed(np.full(3, 0.5)) and line["mode"] == "lines"
-    low, high = line_figure(chart)["layout"]["xaxis"]["range"]
+    low, high = figure_of(chart)["layout"]["xaxis"]["range"]
     assert low < 1.0 and high > 4.0

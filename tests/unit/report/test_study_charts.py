@@ -7,21 +7,23 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from contourlab.features.sensitivity.pictures import DrawnCurve, curves_chart, indices_chart, interactions_chart
-from contourlab.report.matplotlib_view import line_drawing
-from contourlab.report.plotly_view import line_figure
+from contourlab.design import Number
+from contourlab.features.sensitivity.curves import Curve, Interval, Minimum
+from contourlab.features.sensitivity.pictures import curve_tile, indices_chart, interactions_chart
+from contourlab.report.charts import Multiples, traces_chart
+from contourlab.report.matplotlib_view import drawing
+from contourlab.report.plotly_view import figure_of
 from contourlab.report.plots import write_charts
-from contourlab.report.reproduction_pictures import traces_chart
-from contourlab.report.study_view import bars_drawing, matrix_drawing, multiples_drawing
 
 X = np.geomspace(1.0, 4.0, 9)
 Y = np.where(X > 3.0, np.nan, 1.0 + (X - 2.0) ** 2)
-CURVE = DrawnCurve("x.gain", "1/s", X, Y, 2.5, (2.0, 1.0), ((3.1, 4.0),), True)
+NUMBER = Number("controller.axes.x.controller.gain", 2.5, 1.0, 4.0, "1/s", "1/s")
+CURVE = curve_tile(Curve(NUMBER, X, 1e-6 * Y, Minimum(2.0, 1e-6, 0.1, ""), None, (Interval(3.1, 4.0, False, True),)))
 NAMES = ("a", "b_", "$c")
 
 
 def test_small_multiples_share_one_scale_and_shade_what_fails() -> None:
-    figure = multiples_drawing(curves_chart("curves", "error [um]", [CURVE] * 4))
+    figure = drawing(Multiples("curves", "curves", "", "error [um]", (CURVE,) * 4))
     places = [place for place in figure.axes if place.get_visible()]
     assert len(places) == 4 and len({place.get_ylim() for place in places}) == 1
     assert places[0].get_xscale() == "log" and places[0].get_yscale() == "log"
@@ -32,7 +34,7 @@ def test_small_multiples_share_one_scale_and_shade_what_fails() -> None:
 
 def test_bars_are_in_the_order_of_the_last_series_with_their_intervals() -> None:
     first, total, half = np.array([0.1, 0.2, 0.0]), np.array([0.3, 0.9, 0.5]), np.array([0.01, 0.02, 0.03])
-    figure = bars_drawing(indices_chart("sobol", "indices", "share", NAMES, [("first", first, half), ("total", total, half)]))
+    figure = drawing(indices_chart("sobol", "indices", "share", NAMES, [("first", first, half), ("total", total, half)]))
     place = figure.axes[0]
     assert [text.get_text() for text in place.get_yticklabels()] == ["b_", "\\$c", "a"]
     assert [bar.get_width() for bar in place.patches] == [0.2, 0.0, 0.1, 0.9, 0.5, 0.3]  # type: ignore[attr-defined]
@@ -41,29 +43,29 @@ def test_bars_are_in_the_order_of_the_last_series_with_their_intervals() -> None
 def test_a_matrix_leaves_its_diagonal_and_what_is_unknown_blank() -> None:
     values = np.array([[9.0, 2.0, np.nan], [2.0, 9.0, -1.0], [np.nan, -1.0, 9.0]])
     sure = np.zeros((3, 3), dtype=bool)
-    figure = matrix_drawing(interactions_chart("interactions", NAMES, values, sure))
+    figure = drawing(interactions_chart("interactions", NAMES, values, sure))
     texts = sorted(text.get_text() for text in figure.axes[0].texts)
     assert texts == ["-1", "-1", "2", "2"] and values[0, 0] == 9.0
-    assert matrix_drawing(interactions_chart("nothing", NAMES, np.full((3, 3), np.nan), sure)).axes
+    assert drawing(interactions_chart("nothing", NAMES, np.full((3, 3), np.nan), sure)).axes
     chart = interactions_chart("interactions", NAMES, values, np.abs(values) == 1.0)
-    assert sorted(text.get_text() for text in matrix_drawing(chart).axes[0].texts) == ["-1?", "-1?", "2", "2"]
+    assert sorted(text.get_text() for text in drawing(chart).axes[0].texts) == ["-1?", "-1?", "2", "2"]
     assert "? half off with half the step" in chart.label
 
 
 def test_a_span_of_x_is_shaded_and_named_in_print_and_on_the_page() -> None:
     trace = {"error": (np.linspace(0.0, 4.0, 9), np.linspace(-1.0, 1.0, 9))}
     chart = traces_chart("t", "t", ("time [s]", "error [um]"), trace, span=(1.0, 2.0), span_label="fitted")
-    place = line_drawing(chart).axes[0]
+    place = drawing(chart).axes[0]
     shaded = place.patches[0].get_extents().transformed(place.transData.inverted())  # type: ignore[attr-defined]
     assert (shaded.x0, shaded.x1) == (pytest.approx(1.0), pytest.approx(2.0)) and place.get_xlim() == (0.0, 4.0)
     assert "fitted" in {text.get_text() for text in place.texts}
-    layout = line_figure(chart)["layout"]
+    layout = figure_of(chart)["layout"]
     assert [(shape["x0"], shape["x1"]) for shape in layout["shapes"] if shape["type"] == "rect"] == [(1.0, 2.0)]
     assert "fitted" in {note["text"] for note in layout["annotations"]}
 
 
 def test_each_becomes_a_file(tmp_path: Path) -> None:
-    charts = [curves_chart("t", "y", [CURVE]), interactions_chart("t", NAMES, np.eye(3), np.eye(3) > 2.0)]
+    charts = [Multiples("curves", "t", "", "y", (CURVE,)), interactions_chart("t", NAMES, np.eye(3), np.eye(3) > 2.0)]
     assert [file.name for file in write_charts(charts, tmp_path, ("png", "svg"))] == [
         "curves.png",
         "curves.svg",

@@ -10,14 +10,14 @@ import pytest
 
 from contourlab.loop.switches import Switches, SwitchKind
 from contourlab.metrics import Spike
-from contourlab.report import ReportData, render_html
-from contourlab.report.axis_pictures import bode_charts
+from contourlab.report.axis_pictures import bode_charts, hysteresis_charts
 from contourlab.report.comparison import compare
+from contourlab.report.data import ReportData
 from contourlab.report.error_pictures import polar_charts
-from contourlab.report.hysteresis_picture import hysteresis_charts
-from contourlab.report.plotly_view import line_figure, polar_figure
+from contourlab.report.html import render_html
+from contourlab.report.page_tables import reversal_table, reversal_text
+from contourlab.report.plotly_view import figure_of
 from contourlab.report.plots import write_plots
-from contourlab.report.reversal_table import reversal_table, reversal_text
 from contourlab.report.switching import LISTED, strip_charts, switch_lines, switch_tables
 from contourlab.result import Signal
 
@@ -143,7 +143,7 @@ def test_the_loop_is_drawn_whole_between_the_flanks_of_its_gap(backlash: ReportD
         np.testing.assert_array_equal(lower.y, -upper.y)
         assert panel.y_range == pytest.approx((-1.15 * 12.0, 1.15 * 12.0))
     assert "free travel 16 um to 20 um, wind-up at most 4 um" in chart.caption.replace("4.00", "4")
-    low, high = line_figure(chart)["layout"]["xaxis"]["range"]
+    low, high = figure_of(chart)["layout"]["xaxis"]["range"]
     assert low < load.min() and load.max() < high and high - low < 1.05 * np.ptp(load)
 
 
@@ -191,13 +191,13 @@ def test_no_reversal_no_table(circle: ReportData) -> None:
 
 
 def test_spikes_are_ringed_on_the_polar_picture(circle: ReportData) -> None:
-    run = circle.schemes[0].runs[0]
+    run = circle.schemes[0].circles[0]
     top = int(np.argmax(run.deviation))
-    data = replace(circle, schemes=(replace(circle.schemes[0], circles=(replace(run, spikes=(top,)),)), circle.schemes[1]))
+    data = replace(circle, schemes=(replace(circle.schemes[0], circle_spikes=((top,),)), circle.schemes[1]))
     (chart,) = polar_charts(data, 100)
     (mark,) = chart.marks
     assert mark.y[0] == pytest.approx(run.deviation.max() * 1e6) and mark.x[0] == pytest.approx(math.degrees(run.angle[top]))
-    assert [trace["mode"] for trace in polar_figure(chart)["data"]].count("markers") == 1
+    assert [trace["mode"] for trace in figure_of(chart)["data"]].count("markers") == 1
     assert polar_charts(circle, 100)[0].marks == ()
 
 

@@ -9,8 +9,8 @@ import synthetic
 
 from contourlab.feed import AxisLimits, plan, route_from_path
 from contourlab.geometry import Line, Path
-from contourlab.report import comparison_markdown, comparison_text
 from contourlab.report.comparison import compare
+from contourlab.report.tables import comparison_markdown, comparison_text
 from contourlab.result import Status
 
 

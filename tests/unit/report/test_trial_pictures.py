@@ -9,12 +9,13 @@ import numpy as np
 import pytest
 
 from contourlab.errors import ParameterError
-from contourlab.report import ReportData
 from contourlab.report.comparison import compare
+from contourlab.report.data import ReportData
 from contourlab.report.html import render_html
+from contourlab.report.learning_pictures import trial_charts, trial_rows
 from contourlab.report.plots import write_plots
+from contourlab.report.run_data import TrialCourse
 from contourlab.report.tables import trials_text
-from contourlab.report.trials import TrialCourse, trial_charts, trial_rows
 
 
 def course(n: int = 31, best: int = 17, status: str = "converged") -> TrialCourse:

@@ -16,7 +16,7 @@ import pytest
 
 from contourlab.errors import OutputError
 from contourlab.result import Result, ResultWriter, Signal, write_bytes_atomic, write_text_atomic
-from contourlab.result.spool import Spool
+from contourlab.result.netcdf import Spool
 
 
 def a_result(n: int = 100) -> Result:

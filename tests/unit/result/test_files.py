@@ -128,7 +128,7 @@ def test_a_folder_is_made(tmp_path: Path) -> None:
 
 @pytest.mark.parametrize("value", [2**64, -(2**70), "text\0with a zero"])
 def test_attributes_that_no_file_can_keep(tmp_path: Path, value: str | int) -> None:
-    with pytest.raises(ResultError, match=r"seed = .*: text or a number of 64 bits"):
+    with pytest.raises(ResultError, match="64 bits"):
         plain(seed=value).save(tmp_path / "run.nc")
     assert list(tmp_path.iterdir()) == []
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 import contourlab as cl
-from contourlab.components.link.ideal import IdealLink
+from contourlab.components.ideal import IdealLink
 from contourlab.components.link.network import Network
 from contourlab.errors import ScenarioError
 from contourlab.loop import Division

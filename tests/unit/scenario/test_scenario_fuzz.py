@@ -18,7 +18,7 @@ from hypothesis import strategies as st
 from texts_of_scenarios import CONTROLLER, SCENARIO
 
 from contourlab.components.drive.saturation import Saturation
-from contourlab.components.friction.coulomb import Coulomb
+from contourlab.components.friction.laws import Coulomb
 from contourlab.components.plant.rigid_axis import RigidAxis
 from contourlab.components.sensor.encoder import Encoder
 from contourlab.errors import ContourlabError

@@ -11,8 +11,7 @@ import pytest
 from texts_of_scenarios import CONTROLLER, MACHINE, SCENARIO
 
 from contourlab.components.controller.position import PositionController
-from contourlab.components.friction.coulomb import Coulomb
-from contourlab.components.friction.none import NoFriction
+from contourlab.components.friction.laws import Coulomb, NoFriction
 from contourlab.components.registry import component, components
 from contourlab.errors import ScenarioError
 from contourlab.loop import Axis, AxisController, AxisError, Controller, Limits, Machine

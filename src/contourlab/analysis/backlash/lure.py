@@ -23,10 +23,10 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from contourlab.components.contract import Component, LinearModel
+from contourlab.components.ideal import TrueVelocity
 from contourlab.components.mechanics.discretise import low_pass_weight
 from contourlab.components.plant.two_inertia import TwoInertia
 from contourlab.components.velocity.filtered_difference import FilteredDifference
-from contourlab.components.velocity.true import TrueVelocity
 from contourlab.errors import ComponentError, ParameterError
 from contourlab.loop.machine import Axis, AxisController
 

@@ -12,8 +12,8 @@ from numpy.typing import NDArray
 from contourlab.analysis.learning.learning_frequency import FrequencyLearning, averaging, frequency_learning, peak, zero_phase_factor
 from contourlab.analysis.learning.learning_lifted import LiftedLearning, lifted_learning
 from contourlab.analysis.linear.coupled_loop import CoupledLoop, coupled_loop
+from contourlab.components.learning.error_law import ZeroPhase
 from contourlab.components.learning.law import LearningLaw
-from contourlab.components.learning.zero_phase import ZeroPhase
 from contourlab.errors import ComponentError
 from contourlab.feed import Reference
 from contourlab.loop.machine import Controller, Machine

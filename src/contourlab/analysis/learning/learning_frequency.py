@@ -23,8 +23,7 @@ from numpy.typing import ArrayLike, NDArray
 from contourlab.analysis.linear.coupled_loop import CoupledLoop, impulse_responses
 from contourlab.components.learning.filters import q_response
 from contourlab.components.learning.law import LearningLaw, LearningProblem, TrialRecord
-from contourlab.components.learning.norm_optimal import NormOptimal
-from contourlab.components.learning.plant_inversion import PlantInversion
+from contourlab.components.learning.least_squares import NormOptimal, PlantInversion
 from contourlab.errors import ComponentError
 
 Array = NDArray[np.float64]

@@ -19,8 +19,8 @@ from numpy.typing import ArrayLike, NDArray
 from contourlab.analysis.linear.sampled_loop import linear_axis, without_limits
 from contourlab.analysis.linear.tick_map import poles_of, tick_map
 from contourlab.components.contract import Component
-from contourlab.components.estimator.tangent import Tangent
-from contourlab.components.link.ideal import IdealLink
+from contourlab.components.estimator.local import Tangent
+from contourlab.components.ideal import IdealLink
 from contourlab.components.link.network import Network
 from contourlab.engine.schedule import Late, Schedule
 from contourlab.engine.step import Port

@@ -289,14 +289,14 @@ def lmi_design(axes: Sequence[LinearAxis], weights: LqWeights | None = None) -> 
         )
         rules.append(0.5 * (whole + whole.T) << 0.0)
     problem = cvxpy.Problem(cvxpy.Minimize(cvxpy.sum(gamma)), rules)
-    if not solved(problem, "CLARABEL"):
+    if not solved(problem):
         raise ParameterError("axes", f"{len(axes)} of them", "such that one Lyapunov matrix serves them all: take another time_unit")
     gains = np.asarray(y.value) @ np.linalg.inv(np.asarray(x.value))
     return judged("lmi", (), np.repeat(gains, len(axes), axis=0), axes, weights), np.asarray(gamma.value)
 
 
-def solved(problem: Any, solver: str) -> bool:
-    """Let a solver try; return whether it left a proposal, perhaps an inaccurate one."""
+def solved(problem: Any) -> bool:
+    """Let the solver try; return whether it left a proposal, perhaps an inaccurate one."""
     import warnings
 
     cvxpy = extra_module("cvxpy")
@@ -304,7 +304,7 @@ def solved(problem: Any, solver: str) -> bool:
         with warnings.catch_warnings():
             # "Solution may be inaccurate": the caller checks every proposal.
             warnings.simplefilter("ignore")
-            problem.solve(solver=solver)
+            problem.solve(solver="CLARABEL")
     except (cvxpy.error.SolverError, ArithmeticError, ValueError):
         return False
     return problem.status in ("optimal", "optimal_inaccurate") and all(variable.value is not None for variable in problem.variables())

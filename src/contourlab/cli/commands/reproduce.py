@@ -12,10 +12,11 @@ from contourlab.cli.output import emit_json, show, wants_progress
 
 Json = Annotated[bool, typer.Option("--json", help="Print JSON alone on standard output.")]
 Rows = list[dict[str, Any]]
-Work = Callable[[Callable[[str], None]], Rows]
-"""Computes rows; says in words what it is busy with."""
+Part = tuple[str, Callable[[], Any]]
+Parts = Callable[[Callable[[str], None]], Sequence[Part]]
+"""Returns the parts of a reproduction; may use a callable that shows progress."""
 Draw = Callable[[Rows, Path, tuple[str, ...]], Any]
-"""Writes pictures of rows into a folder, in some formats."""
+"""Draws rows into a folder, in some formats."""
 reproduce = typer.Typer(no_args_is_help=True, help="Compute the figures of a paper or a log again and compare.")
 
 
@@ -26,10 +27,9 @@ def ghaffari(
     out: Annotated[Path, typer.Option(help="Folder of the pictures; made if it is not there.")] = Path("results"),
 ) -> int:
     """Ghaffari and Ulsoy: component swapping modularity for distributed precision contouring."""
-    from contourlab.papers.ghaffari.study import reproduce as rows_of
-    from contourlab.papers.run import write_ghaffari
+    from contourlab.papers.ghaffari import pictures, study
 
-    return _compared(rows_of, lambda _, *where: write_ghaffari(*where), as_json, plots, out)
+    return _compared(lambda _: study.PARTS, lambda _, *where: pictures.draw(*where), as_json, plots, out)
 
 
 @reproduce.command()
@@ -39,10 +39,9 @@ def gecer_ulu(
     out: Annotated[Path, typer.Option(help="Folder of the pictures; made if it is not there.")] = Path("results"),
 ) -> int:
     """Gecer Ulu, Ulu and Cakmakci: modular learning based cross-coupled control for multi-axis precision positioning systems."""
-    from contourlab.papers.gecer_ulu.study import reproduce as rows_of
-    from contourlab.papers.run import write_gecer_ulu
+    from contourlab.papers.gecer_ulu import pictures, study
 
-    return _compared(rows_of, write_gecer_ulu, as_json, plots, out)
+    return _compared(lambda _: study.PARTS, pictures.draw, as_json, plots, out)
 
 
 @reproduce.command()
@@ -52,10 +51,9 @@ def shahin(
     out: Annotated[Path, typer.Option(help="Folder of the pictures; made if it is not there.")] = Path("results"),
 ) -> int:
     """Shahin, ElMaraghy and ElBeheiry: nonlinearity control of CNC feed drives, backlash and switching controllers."""
-    from contourlab.papers.run import write_shahin
-    from contourlab.papers.shahin.study import reproduce as rows_of
+    from contourlab.papers.shahin import pictures, study
 
-    return _compared(rows_of, lambda _, *where: write_shahin(*where), as_json, plots, out)
+    return _compared(lambda _: study.PARTS, lambda _, *where: pictures.draw(*where), as_json, plots, out)
 
 
 @reproduce.command()
@@ -67,10 +65,9 @@ def emps(
     out: Annotated[Path, typer.Option(help="Folder of the pictures; made if it is not there.")] = Path("results"),
 ) -> int:
     """Janot, Gautier and Brunot: data set and reference models of the EMPS, a linear axis identified from its log."""
-    from contourlab.papers.emps.study import reproduce as rows_of
-    from contourlab.papers.run import write_emps
+    from contourlab.papers.emps import pictures, study
 
-    return _compared(lambda stage: rows_of(log, validation, stage=stage), lambda _, *where: write_emps(log, *where), as_json, plots, out)
+    return _compared(lambda _: study.parts_of(log, validation), lambda _, *where: pictures.draw(log, *where), as_json, plots, out)
 
 
 @reproduce.command()
@@ -82,25 +79,23 @@ def ubc(
     out: Annotated[Path, typer.Option(help="Folder of the pictures; made if it is not there.")] = Path("results"),
 ) -> int:
     """The XY table of the UBC course MECH 467: two measured line-circle runs, and the machine found from them."""
-    from contourlab.papers.run import write_ubc
-    from contourlab.papers.ubc.study import reproduce as rows_of
+    from contourlab.papers.ubc import pictures, study
 
-    def work(stage: Callable[[str], None]) -> Rows:
-        return rows_of(log_folder, with_unseen=unseen, stage=stage)
+    def parts(stage: Callable[[str], None]) -> Sequence[Part]:
+        return study.parts_of(log_folder, with_unseen=unseen, stage=stage)
 
-    return _compared(work, lambda _, *where: write_ubc(log_folder, *where), as_json, plots, out)
+    return _compared(parts, lambda _, *where: pictures.draw(log_folder, *where), as_json, plots, out)
 
 
-def _compared(rows_of: Work, draw: Draw, as_json: bool, plots: Sequence[str] | None, out: Path) -> int:
+def _compared(parts_of: Parts, draw: Draw, as_json: bool, plots: Sequence[str] | None, out: Path) -> int:
     """Compute the rows, draw them where that is asked for, and print them; return 1 where one fails."""
     from contourlab.app.stages import shown
+    from contourlab.papers.run import check_pictures, run_parts
 
     if plots:
-        from contourlab.papers.run import check_choice
-
-        check_choice(out, tuple(plots))  # ahead of what takes a minute
+        check_pictures(out, tuple(plots))  # ahead of what takes a minute
     with shown(wants_progress(as_json)) as stages:
-        rows = rows_of(stages.begin)
+        rows = run_parts(parts_of(stages.begin), stages.begin)
         if plots:
             stages.begin("drawing")
             draw(rows, out, tuple(plots))

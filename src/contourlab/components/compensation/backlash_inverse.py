@@ -1,30 +1,38 @@
-"""The inverse of backlash: the position of the motor that puts the load where it is asked for."""
+"""The inverse of backlash, with a given gap or one that it learns."""
 
 from __future__ import annotations
 
 from typing import Any
 
+import numpy as np
+
 from contourlab.components.compensation.reversal import limited_jump, pushed_side
 from contourlab.components.contract import Component, param
 from contourlab.engine.step import Port
-from contourlab.primitives import select
+from contourlab.errors import ParameterError
+from contourlab.primitives import clip, fabs, maximum, minimum, select
+
+JUMP_VELOCITY = param(default=0.01, unit="m/s", minimum=0.0, exclusive=True, display="mm/s", doc="of the shift over the gap")
+DEAD_BAND = param(default=1e-6, unit="m/s", minimum=0.0, display="mm/s", doc="speed below which the side pushed is held")
+LOAD_TIME_CONSTANT = param(default=0.0, unit="s", minimum=0.0, display="ms", doc="load mass over viscous friction; 0: friction rules")
+INITIAL_DIRECTION = param(default=0.0, minimum=-1.0, maximum=1.0, whole=True, doc="first side pushed: 1 forwards, -1 backwards, 0 unknown")
 
 
 class BacklashInverse(Component):
     """Shift of the reference by half the gap in the direction of motion: +b/2 forwards, -b/2 backwards, b the total gap.
 
-    It is for an axis whose motor side is positioned: the load stands half the gap behind the motor on the side that is pushed, so that
-    r + b/2 or r - b/2 asked of the motor puts the load at r. Fed back from the load side it would be counted twice.
+    Use it on an axis whose motor side is positioned: the load is half the gap behind the motor on the side pushed, so that r + b/2 or
+    r - b/2 at the motor puts the load at r. With feedback from the load side the gap would count twice.
 
-    The shift keeps its sign at standstill. At a reversal it goes to the other side with `jump_velocity`, because no motor follows a jump:
-    it takes b/jump_velocity, in which the load stays where it turned. It is nil at the first tick, and comes in over the same ramp when the
-    axis first moves, or at once where `initial_direction` says on which side the load lies.
+    The shift keeps its sign at standstill. At a reversal it moves to the other side with `jump_velocity`, because no motor follows a jump:
+    this takes b/jump_velocity, and the load waits where it turned. The shift is zero at the first tick and ramps up when the axis first
+    moves, or at once if `initial_direction` gives the side of the load.
 
-    Which side is pushed is told by the reference: the speed v + T a, T = `load_time_constant`, has the sign of the force which a load of
-    mass m and viscous friction c asks for, c v + m a, with T = m/c. T = 0, the default, is for friction that outweighs inertia: there the
-    direction of motion decides. Within `dead_band` the side is held, so that noise at standstill does nothing.
+    The reference decides which side is pushed: the speed v + T a, T = `load_time_constant`, has the sign of the force c v + m a on a load
+    of mass m and viscous friction c, with T = m/c. The default T = 0 is for friction that outweighs inertia. Within `dead_band` the side
+    is held, so that noise at standstill has no effect.
 
-    A gap observed while running takes the place of `backlash_gap` as soon as it is above zero.
+    An observed gap replaces `backlash_gap` as soon as it is above zero.
 
     References
     ----------
@@ -35,28 +43,16 @@ class BacklashInverse(Component):
     family = "compensation"
     kind = "backlash-inverse"
     reference = "Tao & Kokotovic 1993, backlash inverse"
-    example = {
-        "backlash_gap": 0.02,
-        "jump_velocity": 0.5,
-        "dead_band": 5e-4,
-        "load_time_constant": 0.3,
-        "initial_direction": -1.0,
-    }
+    example = {"backlash_gap": 0.02, "jump_velocity": 0.5, "dead_band": 5e-4, "load_time_constant": 0.3, "initial_direction": -1.0}
     states = (Port("side"), Port("shift"))
     inputs = (Port("reference_velocity"), Port("reference_acceleration"), Port("gap_estimate"))
     outputs = (Port("reference_shift"),)
 
     backlash_gap: float = param(unit="m", minimum=0.0, maximum=0.1, display="um", doc="total free travel between motor and load, b")
-    jump_velocity: float = param(
-        default=0.01, unit="m/s", minimum=0.0, exclusive=True, display="mm/s", doc="speed of the shift across the gap"
-    )
-    dead_band: float = param(default=1e-6, unit="m/s", minimum=0.0, display="mm/s", doc="speed below which the side pushed is held")
-    load_time_constant: float = param(
-        default=0.0, unit="s", minimum=0.0, display="ms", doc="mass of the load over its viscous friction; 0 where friction rules"
-    )
-    initial_direction: float = param(
-        default=0.0, minimum=-1.0, maximum=1.0, whole=True, doc="side pushed before the first motion: 1 forwards, -1 backwards, 0 not known"
-    )
+    jump_velocity: float = JUMP_VELOCITY
+    dead_band: float = DEAD_BAND
+    load_time_constant: float = LOAD_TIME_CONSTANT
+    initial_direction: float = INITIAL_DIRECTION
 
     @staticmethod
     def step(par: Any, x: Any, inp: Any, clock: Any) -> Any:
@@ -66,3 +62,113 @@ class BacklashInverse(Component):
         gap = select(inp.gap_estimate > 0.0, inp.gap_estimate, par.backlash_gap)
         shift = limited_jump(x.shift, 0.5 * gap * side, par.jump_velocity * clock.dt)
         return (side, shift), (shift,)
+
+
+COUNTED = 1.25
+"""Up to this times the largest gap the motor's way is counted, so that noise and small turns within the rest do not end a contact."""
+
+
+class AdaptiveBacklashInverse(Component):
+    """Shift of the reference by half the gap in the direction of motion, as `backlash-inverse` gives it, with a gap that is learnt.
+
+    Where the motor pushes the load forwards, motor less load is c_r; backwards it is c_l; the gap is c_r - c_l, and what the two scales are
+    apart drops out. With the regressor phi = (1, 0) or (0, 1) of the side that is pushed and e = (motor - load) - phi.(c_r, c_l), the law
+    is the normalised gradient
+
+        (c_r, c_l) <- (c_r, c_l) + (1 - exp(-dt/T)) phi d(e)/(phi.phi),   then projected onto 0 <= c_r - c_l <= largest_gap,
+
+    with the dead zone d(e) = e - clip(e, -d0, d0), T the `adaptation_time` and phi.phi = 1. Each side closes in on its measured value as
+    exp(-t/T) in the time that it is learnt in, to within d0, so that the gap ends within 2 d0 of what it would be. It starts from
+    `backlash_gap`. What an axis that stands reads, noise and drift within d0, teaches nothing.
+
+    It learns only where contact is sure: the reference faster than `learning_velocity`, the motor driven by more than the largest gap
+    since it last turned, on the side that the reference pushes, and all this for `settling_time` already. What is learnt is lost motion at
+    speed: the gap, and twice the force on the load over the stiffness behind the motor. With T above the time of a stroke that is the mean
+    force, the friction; with less the braking at its end counts most.
+
+    The side pushed is that of `backlash-inverse`: give `load_time_constant` for a load with more inertia than friction, or it learns while
+    the load runs ahead of the motor.
+
+    References
+    ----------
+    G. Tao & P. V. Kokotovic, "Adaptive control of systems with backlash", Automatica 29(2), 1993, 323-335: adaptive inverse with the
+    crossings c_r and c_l as parameters, gradient law with normalisation, dead zone and projection; here with the error of the measured load
+    position instead of that of a plant's output.
+    """
+
+    family = "compensation"
+    kind = "adaptive-backlash-inverse"
+    reference = "Tao & Kokotovic 1993, adaptive backlash inverse"
+    example = {
+        "backlash_gap": 0.01,
+        "largest_gap": 0.05,
+        "jump_velocity": 0.5,
+        "dead_band": 5e-4,
+        "load_time_constant": 0.3,
+        "initial_direction": -1.0,
+        "adaptation_time": 0.05,
+        "dead_zone": 2e-4,
+        "learning_velocity": 0.05,
+        "settling_time": 0.003,
+    }
+    states = tuple(Port(name) for name in ("side", "shift", "right", "left", "motor", "rise", "fall", "unsure_at", "begun", "known"))
+    inputs = tuple(Port(name) for name in ("reference_velocity", "reference_acceleration", "motor_position", "load_position"))
+    outputs = (Port("reference_shift"),)
+    derived = ("weight",)
+
+    backlash_gap: float = param(default=0.0, unit="m", minimum=0.0, maximum=0.1, display="um", doc="initial total free travel, b")
+    largest_gap: float = param(unit="m", minimum=0.0, exclusive=True, maximum=0.1, display="um", doc="what the gap cannot exceed")
+    adaptation_time: float = param(default=0.5, unit="s", minimum=0.0, exclusive=True, doc="time in which an error falls to 1/e, T")
+    dead_zone: float = param(default=1e-7, unit="m", minimum=0.0, display="um", doc="error that teaches nothing, d0: a count of the scales")
+    learning_velocity: float = param(
+        default=1e-3, unit="m/s", minimum=0.0, exclusive=True, display="mm/s", doc="speed of the reference below which nothing is learnt"
+    )
+    settling_time: float = param(default=0.02, unit="s", minimum=0.0, display="ms", doc="how long contact has to be sure first")
+    jump_velocity: float = JUMP_VELOCITY
+    dead_band: float = DEAD_BAND
+    load_time_constant: float = LOAD_TIME_CONSTANT
+    initial_direction: float = INITIAL_DIRECTION
+
+    def __init__(self, **values: Any) -> None:
+        super().__init__(**values)
+        if self.backlash_gap > self.largest_gap:
+            raise ParameterError("backlash_gap", f"{self.backlash_gap:g}", f"<= largest_gap, {self.largest_gap:g}", "m")
+
+    def derive(self, par: Any, dt: float) -> tuple[Any, ...]:
+        return (-np.expm1(-dt / par.adaptation_time),)
+
+    @staticmethod
+    def step(par: Any, x: Any, inp: Any, clock: Any) -> Any:
+        before = select(x.side == 0.0, par.initial_direction, x.side)
+        speed = inp.reference_velocity + par.load_time_constant * inp.reference_acceleration
+        side = pushed_side(speed, par.dead_band, before)
+
+        motor, most = inp.motor_position, COUNTED * par.largest_gap
+        moved = x.begun * (motor - x.motor)
+        rise, fall = clip(x.rise + moved, 0.0, most), clip(x.fall - moved, 0.0, most)
+        slowest = minimum(fabs(speed), fabs(inp.reference_velocity))
+        # The three conditions as numbers that are positive where they hold, so that the least of them says whether all do.
+        gone = select(side > 0.0, rise, fall) - par.largest_gap
+        sure = minimum(minimum(gone, slowest - par.learning_velocity), inp.reference_velocity * side)
+        unsure_at = select(sure > 0.0, x.unsure_at, clock.t)
+        learning = select(clock.t - unsure_at > par.settling_time + 1e-6 * clock.dt, 1.0, 0.0)
+        right, left, known = learnt(par, x, motor - inp.load_position, side, learning)
+        gap = select(known > 0.0, right - left, par.backlash_gap)
+
+        shift = limited_jump(x.shift, 0.5 * gap * side, par.jump_velocity * clock.dt)
+        return (side, shift, right, left, motor, rise, fall, unsure_at, 1.0, known), (shift,)
+
+
+def learnt(par: Any, x: Any, apart: float, side: float, learning: float) -> tuple[float, float, float]:
+    """Return c_r, c_l and whether they are known, after a tick in which motor less load is `apart`."""
+    # The first contact gives what the two scales are apart: one side as it is read, the other by the gap to begin with.
+    first = learning * (1.0 - x.known)
+    right = select(first > 0.0, apart + select(side > 0.0, 0.0, par.backlash_gap), x.right)
+    left = select(first > 0.0, apart - select(side > 0.0, par.backlash_gap, 0.0), x.left)
+    of_right, of_left = apart - right, apart - left
+    rate = learning * par.weight
+    right += rate * select(side > 0.0, of_right - clip(of_right, -par.dead_zone, par.dead_zone), 0.0)
+    left += rate * select(side < 0.0, of_left - clip(of_left, -par.dead_zone, par.dead_zone), 0.0)
+    # The nearest pair inside the bounds.
+    beyond = 0.5 * (right - left - clip(right - left, 0.0, par.largest_gap))
+    return right - beyond, left + beyond, maximum(x.known, learning)

@@ -39,15 +39,9 @@ class BacklashOffset(Component):
     outputs = (Port("reference_shift"),)
 
     backlash_gap: float = param(unit="m", minimum=0.0, maximum=0.1, display="um", doc="total free travel between motor and load, b")
-    backlash_velocity: float = param(
-        default=0.01, unit="m/s", minimum=0.0, exclusive=True, display="mm/s", doc="highest speed of the offset, v"
-    )
-    backlash_acceleration: float = param(
-        default=2.0, unit="m/s^2", minimum=0.0, exclusive=True, doc="highest acceleration of the offset, a"
-    )
-    reversal_velocity: float = param(
-        default=0.0, unit="m/s", minimum=0.0, display="mm/s", doc="speed of the reference below which it has no direction"
-    )
+    backlash_velocity: float = param(default=0.01, unit="m/s", minimum=0.0, exclusive=True, display="mm/s", doc="top speed of the offset")
+    backlash_acceleration: float = param(default=2.0, unit="m/s^2", minimum=0.0, exclusive=True, doc="top acceleration of the offset, a")
+    reversal_velocity: float = param(default=0.0, unit="m/s", minimum=0.0, display="mm/s", doc="speed below which the side is held")
 
     @staticmethod
     def step(par: Any, x: Any, inp: Any, clock: Any) -> Any:

@@ -1,4 +1,4 @@
-"""Quadrant-peak compensation: pulses on the command where an axis reverses, in two stages."""
+"""Quadrant-peak compensation: pulses on the command where an axis reverses, alone or with a backlash offset."""
 
 from __future__ import annotations
 
@@ -8,6 +8,7 @@ from typing import Any
 
 import numpy as np
 
+from contourlab.components.compensation.backlash_offset import BacklashOffset, offset_after
 from contourlab.components.compensation.reversal import pushed_side
 from contourlab.components.contract import Component, param, text_param
 from contourlab.engine.step import Port
@@ -125,27 +126,17 @@ class QuadrantPulses(Component):
     derived = ("rise", "fall", "knee")
 
     first_amplitude: float = param(unit="{command}", minimum=-1e6, maximum=1e6, doc="of stage 1; positive pushes in the new direction")
-    first_width: float = param(
-        default=0.02, unit="s", minimum=0.0, exclusive=True, display="ms", doc="of stage 1: how long it lasts, or its time constant"
-    )
+    first_width: float = param(default=0.02, unit="s", minimum=0.0, exclusive=True, display="ms", doc="length or time constant of stage 1")
     first_delay: float = param(default=0.0, unit="s", minimum=0.0, display="ms", doc="from the reversal to stage 1")
-    second_amplitude: float = param(
-        default=0.0, unit="{command}", minimum=-1e6, maximum=1e6, doc="of stage 2; positive pushes in the new direction"
-    )
-    second_width: float = param(
-        default=0.02, unit="s", minimum=0.0, exclusive=True, display="ms", doc="of stage 2: how long it lasts, or its time constant"
-    )
+    second_amplitude: float = param(default=0.0, unit="{command}", minimum=-1e6, maximum=1e6, doc="of stage 2; positive: the new direction")
+    second_width: float = param(default=0.02, unit="s", minimum=0.0, exclusive=True, display="ms", doc="length or time constant of stage 2")
     second_delay: float = param(default=0.02, unit="s", minimum=0.0, display="ms", doc="from the reversal to stage 2")
-    position_pulse: float = param(
-        default=0.0, unit="m", minimum=-0.01, maximum=0.01, display="um", doc="amplitude of stage 1 on the reference"
-    )
+    position_pulse: float = param(default=0.0, unit="m", minimum=-0.01, maximum=0.01, display="um", doc="size of stage 1 on the reference")
     acceleration_1: float = param(default=0.0, unit="m/s^2", minimum=0.0, doc="acceleration up to which pulses grow, a_1")
     acceleration_2: float = param(default=math.inf, unit="m/s^2", minimum=0.0, doc="acceleration up to which they stay, a_2")
     acceleration_3: float = param(default=math.inf, unit="m/s^2", minimum=0.0, doc="acceleration from which they are `fast_ratio`, a_3")
     fast_ratio: float = param(default=1.0, minimum=0.0, maximum=10.0, doc="size of pulses beyond a_3 over that from a_1 to a_2")
-    reversal_velocity: float = param(
-        default=0.0, unit="m/s", minimum=0.0, display="mm/s", doc="speed of the reference below which it has no direction"
-    )
+    reversal_velocity: float = param(default=0.0, unit="m/s", minimum=0.0, display="mm/s", doc="speed below which the side is held")
     shape: str = text_param(default="rectangle", choices=SHAPES, doc="whether a stage lasts its width or decays with it")
 
     def __init__(self, **values: Any) -> None:
@@ -156,11 +147,11 @@ class QuadrantPulses(Component):
         return slopes(par)
 
     def step_function(self) -> Any:
-        return _make(self.shape)
+        return _quadrant_pulses_step(self.shape)
 
 
 @cache
-def _make(shape: str) -> Any:
+def _quadrant_pulses_step(shape: str) -> Any:
     pulses = pulses_of(shape)
 
     def step(par: Any, x: Any, inp: Any, clock: Any) -> Any:
@@ -168,5 +159,51 @@ def _make(shape: str) -> Any:
         moment, size = pulse_states(par, x, side, inp.reference_acceleration, clock)
         command, shift = pulses(par, side, moment, size, clock)
         return (side, moment, size), (shift, command)
+
+    return step
+
+
+class CncBacklash(Component):
+    """Backlash offset and two-stage quadrant pulses on one reversal of the command.
+
+    Shift and command are those of `backlash-offset` and `quadrant-pulses` with the same parameters, the shifts added up: an axis has one
+    slot for its compensation, and a control has both. The gap is made good by the offset, what friction does behind it by the pulses.
+
+    References
+    ----------
+    Those of `backlash-offset` and `quadrant-pulses`.
+    """
+
+    family = "compensation"
+    kind = "cnc-backlash"
+    reference = "numerical controls: backlash offset with quadrant error compensation"
+    example = {**QuadrantPulses.example, **BacklashOffset.example}
+    parameters = {**BacklashOffset.parameters, **QuadrantPulses.parameters}
+    states = (*QuadrantPulses.states, Port("offset"), Port("offset_speed"))
+    inputs = QuadrantPulses.inputs
+    outputs = QuadrantPulses.outputs
+    derived = QuadrantPulses.derived
+
+    def __init__(self, **values: Any) -> None:
+        super().__init__(**values)
+        check_characteristic(self)
+
+    def derive(self, par: Any, dt: float) -> tuple[Any, ...]:
+        return slopes(par)
+
+    def step_function(self) -> Any:
+        return _cnc_backlash_step(str(self.values()["shape"]))
+
+
+@cache
+def _cnc_backlash_step(shape: str) -> Any:
+    pulses = pulses_of(shape)
+
+    def step(par: Any, x: Any, inp: Any, clock: Any) -> Any:
+        side = pushed_side(inp.reference_velocity, par.reversal_velocity, x.side)
+        offset, speed = offset_after(par, x, side, clock)
+        moment, size = pulse_states(par, x, side, inp.reference_acceleration, clock)
+        command, shift = pulses(par, side, moment, size, clock)
+        return (side, moment, size, offset, speed), (offset + shift, command)
 
     return step

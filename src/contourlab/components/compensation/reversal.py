@@ -6,7 +6,7 @@ from contourlab.primitives import clip, copysign, fabs, floor, maximum, minimum,
 
 
 def pushed_side(speed: float, band: float, before: float) -> float:
-    """Return the side on which the load is pushed: +1 or -1, or what it was `before` where the speed is inside the band.
+    """Return the side on which the load is pushed: +1 or -1; inside the speed band the one `before`.
 
     At standstill the speed is 0 and the side is held: a motor that stops keeps its contact.
     """

@@ -1,4 +1,4 @@
-"""What the integral of a controller does while its command cannot be carried out."""
+"""Anti-windup: what the integral of a controller does while the drive limits its command."""
 
 from __future__ import annotations
 
@@ -7,23 +7,26 @@ from typing import Any
 
 import numpy as np
 
+from contourlab.components.contract import param
 from contourlab.primitives import select
 
 ANTI_WINDUP = ("hold", "back-calculation", "none")
-"""Words of the parameter `anti_windup`.
+"""Values of the parameter `anti_windup`.
 
-"hold" stops the integral while the drive takes less than it was asked for and the integral would ask for more still; "back-calculation"
-leads the surplus back into the integral with the time constant `tracking_time` (Astrom & Hagglund, "Advanced PID Control", 2006, section
-3.5), so that it is where it has to be when the limit is left; with "none" it runs on.
+"hold" stops the integral while the drive takes less than the command and the integral would ask for more. "back-calculation" feeds the
+excess back into the integral with the time constant `tracking_time` (Astrom & Hagglund, "Advanced PID Control", 2006, section 3.5), so that
+the integral is right when the limit is left. "none" lets it run on.
 """
+
+TRACKING_TIME = param(default=0.01, unit="s", minimum=0.0, exclusive=True, display="ms", doc="time constant of the back-calculation, T_t")
 
 
 @cache
 def integral_rise(kind: str) -> Any:
-    """Return the rule ``rise(wanted, beyond, recovery)`` of a word of `ANTI_WINDUP`.
+    """Return the rule ``rise(wanted, beyond, recovery)`` of an `ANTI_WINDUP` kind.
 
-    `wanted` is what the integral would rise by in this tick, `beyond` what the drive did not take of the last command, both in command
-    units; `recovery` is the part of `beyond` that is led back in a tick.
+    `wanted` is the rise of the integral in this tick without a limit, `beyond` the part of the last command that the drive did not take,
+    both in command units; `recovery` is the share of `beyond` fed back in a tick.
     """
 
     def hold(wanted: float, beyond: float, recovery: float) -> float:
@@ -39,5 +42,5 @@ def integral_rise(kind: str) -> Any:
 
 
 def recovery_part(tracking_time: Any, dt: float) -> Any:
-    """Return the part of the surplus that is led back in a tick, 1 - exp(-dt/tracking_time): below 1 however short the time is."""
+    """Return the share of the excess fed back in a tick, 1 - exp(-dt/tracking_time): always below 1."""
     return -np.expm1(-dt / tracking_time)

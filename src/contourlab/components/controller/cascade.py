@@ -1,4 +1,4 @@
-"""The cascade of a position and a velocity loop, as servo drives have it."""
+"""Cascades of a position and a velocity loop, as servo drives have them."""
 
 from __future__ import annotations
 
@@ -9,9 +9,9 @@ from typing import Any, ClassVar
 
 import numpy as np
 
-from contourlab.components.contract import Component, LinearModel, param, text_param
-from contourlab.components.controller.anti_windup import ANTI_WINDUP, integral_rise, recovery_part
-from contourlab.engine.step import Port
+from contourlab.components.contract import REFERENCE, Component, LinearModel, param, require_positive, text_param
+from contourlab.components.controller.anti_windup import ANTI_WINDUP, TRACKING_TIME, integral_rise, recovery_part
+from contourlab.engine.step import Port, ports
 from contourlab.errors import ParameterError
 from contourlab.primitives import clip
 
@@ -53,6 +53,7 @@ class Cascade(Component):
 
     family = "controller"
     kind = "cascade"
+    over_load: ClassVar[bool] = False
     calibrated: ClassVar[tuple[str, ...]] = ("velocity_gain", "integral_time", "position_gain")
     calibrated_ahead = ("velocity_feedforward", "acceleration_feedforward")
     reference = "Pritschow, CIRP Annals 47(2), 1998"
@@ -66,41 +67,26 @@ class Cascade(Component):
     }
     without_effect = ("tracking_time",)  # in the example, whose integral is held
     states = (Port("integral"), Port("last_command"))
-    inputs: ClassVar[tuple[Port, ...]] = (
-        Port("reference"),
-        Port("reference_velocity"),
-        Port("reference_acceleration"),
-        Port("position"),
-        Port("velocity"),
-        Port("disturbance_estimate"),
-        Port("feedforward"),
-        Port("accepted"),
-    )
+    inputs: ClassVar[tuple[Port, ...]] = (*REFERENCE, *ports("position", "velocity", "disturbance_estimate", "feedforward", "accepted"))
     outputs = (Port("command"),)
     derived = ("integral_rate", "recovery")
 
     position_gain: float = param(unit="1/s", minimum=0.0, doc="velocity asked for per position error, K_v")
     velocity_gain: float = param(unit="{command}*s/m", minimum=0.0, display="{command}*s/mm", doc="of the velocity loop, K")
-    integral_time: float = param(
-        default=math.inf, unit="s", minimum=0.0, exclusive=True, display="ms", doc="of the velocity loop, T_i; infinite for no integral"
-    )
+    integral_time: float = param(default=math.inf, unit="s", minimum=0.0, exclusive=True, display="ms", doc="of the velocity loop, T_i")
     velocity_feedforward: float = param(default=1.0, minimum=0.0, maximum=2.0, doc="part of the reference's velocity asked for, w")
     acceleration_feedforward: float = param(
-        default=0.0, unit="{command}*s^2/m", minimum=0.0, display="{command}*s^2/mm", doc="command per acceleration of the reference, k_a"
+        default=0.0, unit="{command}*s^2/m", minimum=0.0, display="{command}*s^2/mm", doc="per reference acceleration, k_a"
     )
-    command_limit: float = param(
-        default=math.inf, unit="{command}", minimum=0.0, exclusive=True, doc="largest command it gives, such as the peak current"
-    )
+    command_limit: float = param(default=math.inf, unit="{command}", minimum=0.0, exclusive=True, doc="largest command (peak current)")
     anti_windup: str = text_param(default="hold", choices=ANTI_WINDUP, doc="what the integral does at a limit")
-    tracking_time: float = param(
-        default=0.01, unit="s", minimum=0.0, exclusive=True, display="ms", doc="time constant of the back-calculation, T_t"
-    )
+    tracking_time: float = TRACKING_TIME
 
     def derive(self, par: Any, dt: float) -> tuple[Any, ...]:
         return par.velocity_gain / par.integral_time, recovery_part(par.tracking_time, dt)
 
     def step_function(self) -> Any:
-        return cascade_step(self.anti_windup)
+        return cascade_step(self.anti_windup, self.over_load)
 
     wishes = {
         "bandwidth": param(unit="rad/s", minimum=0.0, exclusive=True, doc="of the velocity loop"),
@@ -146,14 +132,11 @@ class Cascade(Component):
         (500.0, 0.01, 40.0, 1.25)
         """
         kv = bandwidth / 5.0 if position_gain is None else position_gain
-        for name, value in (("bandwidth", bandwidth), ("damping", damping), ("model_gain", model_gain), ("position_gain", kv)):
-            if not (value > 0.0 and math.isfinite(value)):
-                raise ParameterError(name, f"{value:g}", "> 0 and finite")
-        if not 0.0 <= model_damping < 2.0 * damping * bandwidth:
-            raise ParameterError(
-                "model_damping", f"{model_damping:g}", f">= 0 and < 2 damping bandwidth = {2.0 * damping * bandwidth:g}", "1/s"
-            )
-        gain = (2.0 * damping * bandwidth - model_damping) / model_gain
+        require_positive(bandwidth=bandwidth, damping=damping, model_gain=model_gain, position_gain=kv)
+        most = 2.0 * damping * bandwidth
+        if not 0.0 <= model_damping < most:
+            raise ParameterError("model_damping", f"{model_damping:g}", f">= 0 and < 2 damping bandwidth = {most:g}", "1/s")
+        gain = (most - model_damping) / model_gain
         return {
             "position_gain": kv,
             "velocity_gain": gain,
@@ -164,9 +147,40 @@ class Cascade(Component):
 
     def linearize(self) -> LinearModel:
         """Return the model away from the limits."""
-        kv, k, w = self.position_gain, self.velocity_gain, self.velocity_feedforward
-        asked = np.array([kv, w, 0.0, -kv, -1.0, 0.0, 0.0])
-        through = k * asked + np.array([0.0, 0.0, self.acceleration_feedforward, 0.0, 0.0, -1.0, 1.0])
+        place, speed = ("load_position", "motor_velocity") if self.over_load else ("position", "velocity")
+        kv, w = self.position_gain, self.velocity_feedforward
+        asked_by = {"reference": kv, "reference_velocity": w, place: -kv, speed: -1.0}
+        direct = {"reference_acceleration": self.acceleration_feedforward, "disturbance_estimate": -1.0, "feedforward": 1.0}
+        if self.over_load:
+            direct |= {"motor_velocity": -self.values()["damping_gain"], "load_velocity": self.values()["damping_gain"]}
         names = tuple(port.name for port in self.inputs[:-1])
-        rate = k / self.integral_time
+        asked = np.array([asked_by.get(name, 0.0) for name in names])
+        through = self.velocity_gain * asked + np.array([direct.get(name, 0.0) for name in names])
+        rate = self.velocity_gain / self.integral_time
         return LinearModel(np.zeros((1, 1)), rate * asked[None, :], np.ones((1, 1)), through[None, :], names, ("command",))
+
+
+class LoadSideCascade(Cascade):
+    """P-PI cascade over the load: v_c = K_v (r - p_l) + w r_v, u = PI(v_c - v_m) - k_d (v_m - v_l) + k_a r_a + u_ff - d_hat.
+
+    The position loop is closed over the load, so that the table stands where it is asked for, backlash or not; the velocity loop over the
+    motor. Closed over a gap such a loop hunts: the position loop has to be slow enough, and k_d, which acts as a damper between motor and
+    load, takes the swing out of the shaft. Gains are worked out as those of `Cascade`.
+
+    References
+    ----------
+    Nordin & Gutman, "Controlling mechanical systems with backlash - a survey", Automatica 38 (2002), section 4; Zhang & Furusho, "Speed
+    control of two-inertia system by PI/PID control", IEEE Trans. Industrial Electronics 47 (2000) (velocity difference as damping).
+    """
+
+    kind = "load-side-cascade"
+    over_load = True
+    calibrated = ("velocity_gain", "integral_time", "damping_gain", "position_gain")
+    calibrated_ahead = ("velocity_feedforward", "acceleration_feedforward")
+    reference = "Nordin & Gutman 2002, section 4"
+    example = {**Cascade.example, "damping_gain": 20.0}
+    inputs = (*REFERENCE, *ports("load_position", "motor_velocity", "load_velocity", "disturbance_estimate", "feedforward", "accepted"))
+
+    damping_gain: float = param(
+        default=0.0, unit="{command}*s/m", minimum=0.0, display="{command}*s/mm", doc="on the velocity of the motor against the load, k_d"
+    )

@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 
 from contourlab.components.contract import Component, LinearModel, param, text_param
-from contourlab.components.controller.anti_windup import ANTI_WINDUP, integral_rise, recovery_part
+from contourlab.components.controller.anti_windup import ANTI_WINDUP, TRACKING_TIME, integral_rise, recovery_part
 from contourlab.engine.step import Port
 from contourlab.errors import ParameterError
 
@@ -58,9 +58,7 @@ class LeadLag(Component):
     lag_time: float = param(unit="s", minimum=0.0, exclusive=True, display="ms", doc="time constant of the denominator, b")
     integral_rate: float = param(default=0.0, unit="rad/s", minimum=0.0, doc="corner below which the integral acts, k_i")
     anti_windup: str = text_param(default="hold", choices=ANTI_WINDUP, doc="what the integral does while the drive saturates")
-    tracking_time: float = param(
-        default=0.01, unit="s", minimum=0.0, exclusive=True, display="ms", doc="time constant of the back-calculation, T_t"
-    )
+    tracking_time: float = TRACKING_TIME
 
     def derive(self, par: Any, dt: float) -> tuple[Any, ...]:
         below = 2.0 * par.lag_time + dt
@@ -136,12 +134,8 @@ class LeadLag(Component):
         lag = math.pi / 2.0 + math.atan2(crossover, model_damping) + crossover * delay
         turn = phase_margin - math.pi + lag - (cmath.phase(integral) if integral_counted else 0.0)
         if not 0.0 <= turn < math.pi / 2.0:
-            raise ParameterError(
-                "phase_margin",
-                f"{math.degrees(phase_margin):g}",
-                f"such that the lead turns by 0 to 90 degrees, not by {math.degrees(turn):.1f}",
-                "degrees",
-            )
+            turned, asked = math.degrees(turn), math.degrees(phase_margin)
+            raise ParameterError("phase_margin", f"{asked:g}", f"in reach of a lead of 0 to 90 degrees, not {turned:.1f}", "degrees")
         root = math.sqrt((1.0 + math.sin(turn)) / (1.0 - math.sin(turn)))
         lead, below = root / crossover, 1.0 / (root * crossover)
         magnitude = abs(model_gain / (s * (s + model_damping)) * (lead * s + 1.0) / (below * s + 1.0))

@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 
 from contourlab.components.contract import Component, LinearModel, param, text_param
-from contourlab.components.controller.anti_windup import ANTI_WINDUP, integral_rise, recovery_part
+from contourlab.components.controller.anti_windup import ANTI_WINDUP, TRACKING_TIME, integral_rise, recovery_part
 from contourlab.components.mechanics.discretise import low_pass_weight
 from contourlab.engine.step import Port
 from contourlab.primitives import clip
@@ -76,9 +76,7 @@ class PID(Component):
     reference_weight: float = param(default=1.0, minimum=0.0, maximum=2.0, doc="of the reference in the proportional part, b")
     command_limit: float = param(default=math.inf, unit="{command}", minimum=0.0, exclusive=True, doc="largest command it gives")
     anti_windup: str = text_param(default="hold", choices=ANTI_WINDUP, doc="what the integral does at a limit")
-    tracking_time: float = param(
-        default=0.01, unit="s", minimum=0.0, exclusive=True, display="ms", doc="time constant of the back-calculation, T_t"
-    )
+    tracking_time: float = TRACKING_TIME
 
     def derive(self, par: Any, dt: float) -> tuple[Any, ...]:
         return low_pass_weight(par.derivative_bandwidth, dt, "backward-euler"), recovery_part(par.tracking_time, dt)

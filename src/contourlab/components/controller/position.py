@@ -9,8 +9,8 @@ from typing import Any
 
 import numpy as np
 
-from contourlab.components.contract import Component, LinearModel, param, text_param
-from contourlab.engine.step import Port
+from contourlab.components.contract import REFERENCE, Component, LinearModel, param, require_positive, text_param
+from contourlab.engine.step import Port, ports
 from contourlab.errors import ParameterError
 
 
@@ -57,25 +57,10 @@ class PositionController(Component):
     kind = "position"
     calibrated = ("velocity_gain", "position_gain", "integral_gain")
     calibrated_ahead = ("model_damping", "model_gain")
-    example = {
-        "velocity_gain": 100.0,
-        "position_gain": 4000.0,
-        "integral_gain": 11.8,
-        "model_gain": 0.9,
-        "model_damping": 30.0,
-    }
+    example = {"velocity_gain": 100.0, "position_gain": 4000.0, "integral_gain": 11.8, "model_gain": 0.9, "model_damping": 30.0}
     reference = "Ghaffari & Ulsoy, eqs 15-16 and 20-23"
     states = (Port("integral"), Port("start"), Port("last_command"))
-    inputs = (
-        Port("reference"),
-        Port("reference_velocity"),
-        Port("reference_acceleration"),
-        Port("position"),
-        Port("velocity"),
-        Port("disturbance_estimate"),
-        Port("feedforward"),
-        Port("accepted"),
-    )
+    inputs = (*REFERENCE, *ports("position", "velocity", "disturbance_estimate", "feedforward", "accepted"))
     outputs = (Port("command"),)
     derived = ("integral_rate", "acceleration_feedforward", "velocity_feedforward")
 
@@ -88,7 +73,7 @@ class PositionController(Component):
         minimum=0.0,
         exclusive=True,
         display="mm/s^2/{command}",
-        doc="acceleration per command of the model fed forward, a'; infinite for no feedforward",
+        doc="of the feedforward model, a'; inf: none",
     )
     model_damping: float = param(default=0.0, unit="1/s", minimum=0.0, doc="decay of the model's velocity, b'")
     structure: str = text_param(default="feedforward", choices=("feedforward", "ipv"), doc="eq (15), or the form of eq (16)")
@@ -140,14 +125,7 @@ class PositionController(Component):
         >>> round(gains["velocity_gain"] / 1000, 4), round(gains["position_gain"] / 1000, 3), round(gains["integral_gain"], 2)
         (0.0576, 2.119, 11.82)
         """
-        for name, value in (
-            ("natural_frequency", natural_frequency),
-            ("damping", damping),
-            ("pole", pole),
-            ("model_gain", model_gain),
-        ):
-            if not (value > 0.0 and math.isfinite(value)):
-                raise ParameterError(name, f"{value:g}", "> 0 and finite")
+        require_positive(natural_frequency=natural_frequency, damping=damping, pole=pole, model_gain=model_gain)
         velocity_gain = (pole + 2.0 * damping * natural_frequency - model_damping) / model_gain
         if velocity_gain < 0.0:
             wanted = pole + 2.0 * damping * natural_frequency

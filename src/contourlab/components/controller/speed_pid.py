@@ -8,9 +8,9 @@ from typing import Any
 
 import numpy as np
 
-from contourlab.components.contract import Component, LinearModel, param, text_param
+from contourlab.components.contract import REFERENCE, Component, LinearModel, param, text_param
 from contourlab.components.mechanics.discretise import low_pass_weight
-from contourlab.engine.step import Port
+from contourlab.engine.step import Port, ports
 
 
 @cache
@@ -54,15 +54,7 @@ class SpeedPID(Component):
     reference = "Gecer Ulu et al., eqs 6-8"
     example = {"dc_gain": 0.8, "damping_ratio": 1.1, "natural_frequency": 150.0, "time_constant": 0.01, "acceleration_bandwidth": 900.0}
     states = (Port("integral"), Port("previous_velocity"), Port("acceleration"))
-    inputs = (
-        Port("reference"),
-        Port("reference_velocity"),
-        Port("reference_acceleration"),
-        Port("position"),
-        Port("velocity"),
-        Port("disturbance_estimate"),
-        Port("feedforward"),
-    )
+    inputs = (*REFERENCE, *ports("position", "velocity", "disturbance_estimate", "feedforward"))
     outputs = (Port("command"),)
     derived = ("proportional", "integral", "derivative", "weight")
 
@@ -71,7 +63,7 @@ class SpeedPID(Component):
     natural_frequency: float = param(unit="rad/s", minimum=0.0, exclusive=True, doc="w_n of the plant")
     time_constant: float = param(unit="s", minimum=0.0, exclusive=True, display="ms", doc="of the closed loop, T_a")
     acceleration_bandwidth: float = param(
-        default=math.inf, unit="rad/s", minimum=0.0, exclusive=True, doc="of the filter of the differenced velocity; infinite for none"
+        default=math.inf, unit="rad/s", minimum=0.0, exclusive=True, doc="of the differenced velocity's filter; inf: no filter"
     )
     structure: str = text_param(default="speed", choices=("speed", "position"), doc="the error that the PID acts on")
 

@@ -10,10 +10,10 @@ from typing import Any
 
 import numpy as np
 
-from contourlab.components.contract import Component, LinearModel, param, text_param
-from contourlab.components.controller.anti_windup import ANTI_WINDUP, integral_rise, recovery_part
+from contourlab.components.contract import REFERENCE, Component, LinearModel, param, require_positive, text_param
+from contourlab.components.controller.anti_windup import ANTI_WINDUP, TRACKING_TIME, integral_rise, recovery_part
 from contourlab.components.mechanics.discretise import low_pass_weight
-from contourlab.engine.step import Port
+from contourlab.engine.step import Port, ports
 from contourlab.errors import ParameterError
 
 
@@ -88,16 +88,7 @@ class StateFeedback(Component):
     }
     without_effect = ("tracking_time",)  # in the example, whose integral is held
     states = (Port("integral"), Port("previous_velocity"), Port("acceleration"), Port("previous_reference"), Port("last_command"))
-    inputs = (
-        Port("reference"),
-        Port("reference_velocity"),
-        Port("reference_acceleration"),
-        Port("position"),
-        Port("velocity"),
-        Port("disturbance_estimate"),
-        Port("feedforward"),
-        Port("accepted"),
-    )
+    inputs = (*REFERENCE, *ports("position", "velocity", "disturbance_estimate", "feedforward", "accepted"))
     outputs = (Port("command"),)
     derived = ("weight", "recovery")
 
@@ -109,13 +100,11 @@ class StateFeedback(Component):
     acceleration_feedforward: float = param(default=0.0, unit="{command}*s^2/m", minimum=0.0, display="{command}*s^2/mm", doc="f_2")
     jerk_feedforward: float = param(default=0.0, unit="{command}*s^3/m", minimum=0.0, display="{command}*s^3/mm", doc="f_3")
     acceleration_bandwidth: float = param(
-        default=math.inf, unit="rad/s", minimum=0.0, exclusive=True, doc="of the filter of the differenced velocity; infinite for none"
+        default=math.inf, unit="rad/s", minimum=0.0, exclusive=True, doc="of the differenced velocity's filter; inf: no filter"
     )
     following: str = text_param(default="model", choices=("model", "position"), doc="what of the reference is followed")
     anti_windup: str = text_param(default="hold", choices=ANTI_WINDUP, doc="what the integral does while the drive saturates")
-    tracking_time: float = param(
-        default=0.01, unit="s", minimum=0.0, exclusive=True, display="ms", doc="time constant of the back-calculation, T_t"
-    )
+    tracking_time: float = TRACKING_TIME
     unbounded = ("velocity_gain", "acceleration_gain")
 
     def derive(self, par: Any, dt: float) -> tuple[Any, ...]:
@@ -157,7 +146,7 @@ class StateFeedback(Component):
         >>> StateFeedback.place_rigid([-30.0 + 40.0j, -30.0 - 40.0j], 2.0, 10.0)["position_gain"]
         1250.0
         """
-        _check_model(model_gain=model_gain)
+        require_positive(model_gain=model_gain)
         c = _coefficients(poles, 2)
         return {
             "velocity_gain": (c[0] - model_damping) / model_gain,
@@ -186,7 +175,7 @@ class StateFeedback(Component):
         ------
         ParameterError
         """
-        _check_model(dc_gain=dc_gain, natural_frequency=natural_frequency)
+        require_positive(dc_gain=dc_gain, natural_frequency=natural_frequency)
         w, c = natural_frequency, _coefficients(poles, 3)
         gain = dc_gain * w * w
         return {
@@ -211,9 +200,3 @@ class StateFeedback(Component):
         through = np.array([[*forward, -k1, -k2 - k3 * w, -1.0, 1.0]])
         names = tuple(port.name for port in self.inputs[:-1])
         return LinearModel(np.diag([0.0, -w]), b, np.array([[1.0, k3 * w * w]]), through, names, ("command",))
-
-
-def _check_model(**values: float) -> None:
-    for name, value in values.items():
-        if not (value > 0.0 and math.isfinite(value)):
-            raise ParameterError(name, f"{value:g}", "> 0 and finite")

@@ -1,8 +1,7 @@
-"""What the controllers of the contact zone and of the gap have in common: a motor led to the flank that it is to press on.
+"""Controllers for the contact zone and the gap of a drive with backlash: they lead the motor to the flank that it has to press on.
 
-In all of them the motor's place is compared with that of a target, the reference or the load, moved by half of the free travel towards the
-flank that is to be pressed on: where the motor is ahead of the load, the forward one. Laws are in angles of the motor, 2 pi/l times the
-lengths at the table.
+All compare the motor's position with a target, the reference or the load, shifted by half of the backlash gap towards the flank to press
+on. Laws are in angles of the motor: 2 pi/l times the lengths at the table.
 """
 
 from __future__ import annotations
@@ -14,9 +13,9 @@ from typing import Any, ClassVar
 
 import numpy as np
 
-from contourlab.components.contract import Component, LinearModel, param, text_param
-from contourlab.components.controller.anti_windup import ANTI_WINDUP, integral_rise, recovery_part
-from contourlab.engine.step import Port
+from contourlab.components.contract import BOTH_SIDES, REFERENCE, Component, LinearModel, param, text_param
+from contourlab.components.controller.anti_windup import ANTI_WINDUP, TRACKING_TIME, integral_rise, recovery_part
+from contourlab.engine.step import Port, ports
 from contourlab.primitives import select
 
 
@@ -40,14 +39,14 @@ DIRECTIONS = {"none": _nothing, "difference": _difference, "velocity": _velocity
 
 
 @cache
-def _make(
+def _zone_law_step(
     follows_load: bool, per_inertia: bool, literal: bool, direction: str, rise: Callable[..., float] | None, to_flank: bool
 ) -> Callable[..., Any]:
-    told_by = DIRECTIONS[direction]
+    pressing = DIRECTIONS[direction]
 
     def step(par: Any, x: Any, inp: Any, clock: Any) -> Any:
-        told = told_by(inp)
-        flank = select(told > 0.0, 1.0, select(told < 0.0, -1.0, x.flank)) if told_by is not _nothing else 0.0
+        sign = pressing(inp)
+        flank = select(sign > 0.0, 1.0, select(sign < 0.0, -1.0, x.flank)) if pressing is not _nothing else 0.0
         half = 0.5 * par.turn * flank * select(inp.gap_estimate > 0.0, inp.gap_estimate, par.backlash_gap)
         target, target_rate, ahead = inp.reference, inp.reference_velocity, inp.reference_acceleration
         if follows_load:
@@ -69,47 +68,34 @@ def _make(
     return step
 
 
-ADDED = ("disturbance_estimate", "feedforward")
-
-
 class ZoneLaw(Component):
-    """Base of the laws: ports, and the parameters that all have.
+    """Base of the laws: ports and common parameters.
 
-    The flank is told by `direction`: the sign of motor minus load, as the paper says, or that of the reference's velocity (where friction
-    holds the load against the flank that drives it) or acceleration (where inertia does); where that is zero, the last one holds. With
-    ``direction = "none"`` the law knows no gap.
+    `direction` chooses the flank: the sign of motor minus load, as in the paper, or of the reference's velocity (where friction holds the
+    load against the driving flank) or acceleration (where inertia does). Where it is zero, the last flank holds. With
+    ``direction = "none"`` the law ignores the gap.
 
-    Printed, the half gap also stands in the rate term of types I and II, where it has the wrong dimension: ``reading = "literal"``. It is
-    meant as the derivative of the moved target, which is zero but for its jumps, and is left out otherwise. A gap observer's estimate
-    goes before `backlash_gap`.
+    In print the half gap also appears in the rate term of types I and II, where it has the wrong dimension: ``reading = "literal"``. It
+    stands for the derivative of the shifted target, which is zero except at its jumps, and is left out otherwise. A gap observer's estimate
+    takes precedence over `backlash_gap`.
+
+    References
+    ----------
+    Shahin, ElMaraghy & ElBeheiry, "On nonlinearity control of CNC feed drives".
     """
 
     family = "controller"
     reference = "Shahin, ElMaraghy & ElBeheiry, eqs 10 and 12-16"
     per_inertia: ClassVar[bool] = False
     states = (Port("integral"), Port("flank"), Port("load_velocity"), Port("last_command"))
-    inputs = (
-        Port("reference"),
-        Port("reference_velocity"),
-        Port("reference_acceleration"),
-        Port("motor_position"),
-        Port("motor_velocity"),
-        Port("load_position"),
-        Port("load_velocity"),
-        Port("gap_estimate"),
-        Port("disturbance_estimate"),
-        Port("feedforward"),
-        Port("accepted"),
-    )
+    inputs = (*REFERENCE, *BOTH_SIDES, *ports("gap_estimate", "disturbance_estimate", "feedforward", "accepted"))
     outputs = (Port("command"),)
     derived: ClassVar[tuple[str, ...]] = ("turn",)
 
-    motor_inertia: float = param(
-        unit="kg*m^2", minimum=0.0, exclusive=True, display="kg*cm^2", doc="that the reference's acceleration is multiplied with, J_m"
-    )
+    motor_inertia: float = param(unit="kg*m^2", minimum=0.0, exclusive=True, display="kg*cm^2", doc="of the acceleration feedforward, J_m")
     lead: float = param(unit="m", minimum=0.0, exclusive=True, display="mm", doc="travel per turn of the screw, l")
-    backlash_gap: float = param(default=0.0, unit="m", minimum=0.0, display="um", doc="free travel in all that it reckons with, 2 beta")
-    direction: str = text_param(default="difference", choices=tuple(DIRECTIONS), doc="what tells the flank to press on")
+    backlash_gap: float = param(default=0.0, unit="m", minimum=0.0, display="um", doc="total free travel, 2 beta")
+    direction: str = text_param(default="difference", choices=tuple(DIRECTIONS), doc="what chooses the flank")
 
     def derive(self, par: Any, dt: float) -> tuple[Any, ...]:
         return (2.0 * math.pi / par.lead,)
@@ -123,7 +109,7 @@ class ZoneLaw(Component):
             return None
         turn, scale = 2.0 * math.pi / self.lead, self.motor_inertia if self.per_inertia else 1.0
         rate, off = scale * self.rate_gain * turn, scale * self.position_gain * turn  # type: ignore[attr-defined]
-        names = ("reference", "reference_velocity", "reference_acceleration", "motor_position", "motor_velocity", *ADDED)
+        names = tuple(port.name for port in (*self.inputs[:5], *self.inputs[8:10]))
         through = np.array([[off, rate, self.motor_inertia * turn, -off, -rate, -1.0, 1.0]])
         n = 1 if hasattr(self, "integral_gain") else 0
         summed = getattr(self, "integral_gain", 0.0) * turn * np.array([[1.0, 0.0, 0.0, -1.0, 0.0, 0.0, 0.0]])[:n]
@@ -137,16 +123,15 @@ def zone_step(
     law: ZoneLaw, *, follows_load: bool = False, rise: Callable[..., float] | None = None, to_flank: bool = False
 ) -> Callable[..., Any]:
     """Return the step of a law; `rise` is how its integral is summed up, if it has one, `to_flank` whether that knows the half gap."""
-    return _make(follows_load, law.per_inertia, law.values().get("reading") == "literal", law.direction, rise, to_flank)
+    return _zone_law_step(follows_load, law.per_inertia, law.values().get("reading") == "literal", law.direction, rise, to_flank)
 
 
-def _reading() -> Any:
-    return text_param(
-        default="corrected",
-        choices=("corrected", "literal"),
-        doc="whether the half gap also stands in the rate term, as printed",
-        source="Shahin, ElMaraghy & ElBeheiry, eqs 10, 12, 14 and 15",
-    )
+READING = text_param(
+    default="corrected",
+    choices=("corrected", "literal"),
+    doc="literal: with the half gap in the rate term too",
+    source="Shahin, ElMaraghy & ElBeheiry, eqs 10, 12, 14 and 15",
+)
 
 
 class InertiaGains(ZoneLaw):
@@ -154,16 +139,16 @@ class InertiaGains(ZoneLaw):
 
     per_inertia = True
 
-    reading: str = _reading()
+    reading: str = READING
     rate_gain: float = param(unit="1/s", minimum=0.0, doc="on the motor's rate")
     position_gain: float = param(unit="1/s^2", minimum=0.0, doc="on the motor's angle")
 
 
 class TorqueGains(ZoneLaw):
-    """Laws of types II and III: gains that give a torque themselves.
+    """Laws of types II and III: gains are torques.
 
-    From wishes they are placed for a rigid drive of the inertia that is given, that of all that moves in contact or of the motor alone in
-    the gap: s^2 + 2 zeta w s + w^2, with the integral times s + p.
+    `designed` places the poles of a rigid drive of the given inertia (all that moves in contact, or the motor alone in the gap):
+    s^2 + 2 zeta w s + w^2, times s + p with the integral.
     """
 
     rate_gain: float = param(unit="N*m*s/rad", minimum=0.0, doc="on the motor's rate")
@@ -184,14 +169,14 @@ class TorqueGains(ZoneLaw):
 class TypeTwo(TorqueGains):
     """Laws of type II."""
 
-    reading: str = _reading()
+    reading: str = READING
 
 
 class Integral(TorqueGains):
     """Laws of type III: with an integral.
 
-    Printed, it is that of the motor's distance from the reference: in the long run it leads the motor there, off the flank, so that the
-    load is left half of the free travel behind. With ``integral_of = "flank"`` it is that of the distance from the moved target.
+    In print it integrates the motor's distance from the reference: in the long run it leads the motor there, off the flank, and the load
+    stays half a gap behind. With ``integral_of = "flank"`` it integrates the distance from the shifted target.
     """
 
     derived: ClassVar[tuple[str, ...]] = ("turn", "recovery")
@@ -200,13 +185,11 @@ class Integral(TorqueGains):
     integral_of: str = text_param(
         default="reference",
         choices=("reference", "flank"),
-        doc="what the distance that is summed up is from",
+        doc="from what the summed distance is counted",
         source="Shahin, ElMaraghy & ElBeheiry, eqs 13 and 16",
     )
     anti_windup: str = text_param(default="back-calculation", choices=ANTI_WINDUP, doc="what the integral does at a limit, or not active")
-    tracking_time: float = param(
-        default=0.01, unit="s", minimum=0.0, exclusive=True, display="ms", doc="time constant of the back-calculation, T_t"
-    )
+    tracking_time: float = TRACKING_TIME
 
     wishes: ClassVar[dict[str, Any]] = {
         **TorqueGains.wishes,
@@ -224,3 +207,82 @@ class Integral(TorqueGains):
 
     def step_function(self) -> Any:
         return zone_step(self, rise=integral_rise(self.anti_windup), to_flank=self.integral_of == "flank")
+
+
+_TYPE_1 = {"rate_gain": 400.0, "position_gain": 2000.0, "motor_inertia": 5.2e-3, "lead": 0.016, "backlash_gap": 0.05}
+_TYPE_2 = {"rate_gain": 10.0, "position_gain": 200.0, "motor_inertia": 5.2e-3, "lead": 0.016, "backlash_gap": 0.05}
+_TYPE_3 = {
+    "rate_gain": 10.0,
+    "position_gain": 200.0,
+    "integral_gain": 25.0,
+    "anti_windup": "back-calculation",
+    "motor_inertia": 5.2e-3,
+    "lead": 0.016,
+    "backlash_gap": 0.05,
+}
+
+
+class ContactZone1(InertiaGains):
+    """u = J_m (r_a - K_1 (w_m - r_v) - K_2 (theta_m - r -+ beta)): the motor follows the reference, shifted to the flank it presses on.
+
+    It is Tao & Kokotovic's law for a stiff drive.
+    """
+
+    kind = "contact-zone-1"
+    reference = "Shahin, ElMaraghy & ElBeheiry, eq 10"
+    example = _TYPE_1
+
+
+class ContactZone2(TypeTwo):
+    """u = J_m r_a - K_1' (w_m - r_v) - K_2' (theta_m - r -+ beta): type I with the gains K' = J_m K, which are torques."""
+
+    kind = "contact-zone-2"
+    reference = "Shahin, ElMaraghy & ElBeheiry, eq 12"
+    example = _TYPE_2
+
+
+class ContactZone3(Integral):
+    """u = J_m r_a - K_1' (w_m - r_v) - K_2' (theta_m - r -+ beta) - K_3 int (theta_m - r): type II with an integral."""
+
+    kind = "contact-zone-3"
+    reference = "Shahin, ElMaraghy & ElBeheiry, eq 13"
+    example = _TYPE_3
+
+
+class GapZone1(InertiaGains):
+    """u = J_m (a_l - K_4 (w_m - w_l) - K_5 (theta_m - theta_l -+ beta)): the motor goes to a flank of the load, wherever that is.
+
+    The printed law does not contain the reference: a load without friction is left to itself in the gap and the axis runs away. With
+    `target` "reference" the reference takes the place of the load.
+    """
+
+    kind = "gap-zone-1"
+    reference = "Shahin, ElMaraghy & ElBeheiry, eq 14"
+    example = {**_TYPE_1, "target": "load"}
+
+    target: str = text_param(default="reference", choices=("reference", "load"), doc="what the motor follows; in print, the load")
+
+    def step_function(self) -> Any:
+        return zone_step(self, follows_load=self.target == "load")
+
+
+class GapZone2(TypeTwo):
+    """u = J_m r_a - K_4' (w_m - r_v) - K_5' (theta_m - r -+ beta): the motor follows the reference through the gap.
+
+    With the gains of the contact zone it is the law of the contact zone.
+    """
+
+    kind = "gap-zone-2"
+    reference = "Shahin, ElMaraghy & ElBeheiry, eq 15"
+    example = _TYPE_2
+
+
+class GapZone3(Integral):
+    """u = J_m r_a - K_4' (w_m - r_v) - K_5' (theta_m - r -+ beta) - K_6 int (theta_m - r): type II with an integral.
+
+    With the gains of the contact zone it is the law of the contact zone.
+    """
+
+    kind = "gap-zone-3"
+    reference = "Shahin, ElMaraghy & ElBeheiry, eq 16"
+    example = _TYPE_3

@@ -8,9 +8,32 @@ from typing import Any
 import numpy as np
 
 from contourlab.components.contract import Component, LinearModel, param
-from contourlab.components.coupling.transport import carried, turning
 from contourlab.engine.step import Port
 from contourlab.primitives import add, dot, lincomb, maximum, minimum, scale, select, sqrt, sub
+
+REVERSAL = 1e-6
+"""1 + t0.t1 below which the path turns back on itself and no least rotation is defined."""
+
+
+def turning(last: Any, tangent: Any) -> Any:
+    """Return h of the least rotation from one unit tangent to the next: v -> v - (t1.v) h for a vector v at right angles to t0.
+
+    h = (t0 + t1)/(1 + t0.t1). Where the path turns back on itself h = t1: what is normal to it stays as it is. It does so too where
+    there is no last tangent yet (a vector of zeros).
+
+    References
+    ----------
+    Bishop, "There is more than one way to frame a curve", American Mathematical Monthly 82 (1975).
+    """
+    sum_one = 1.0 + dot(last, tangent)
+    back = sum_one < REVERSAL
+    share = 1.0 / select(back, 1.0, sum_one)
+    return lincomb(select(back, 0.0, share), last, share, tangent)
+
+
+def carried(vector: Any, tangent: Any, turn: Any) -> Any:
+    """Return a vector that was normal to the last tangent, turned by the rotation that `turning` gave; it is normal to the new one."""
+    return lincomb(1.0, vector, -dot(tangent, vector), turn)
 
 
 class CrossCoupled(Component):
@@ -45,12 +68,8 @@ class CrossCoupled(Component):
     gain: float = param(unit="{command}/m", minimum=0.0, display="{command}/mm", doc="K: correction for a contour error")
     integral_rate: float = param(default=0.0, unit="1/s", minimum=0.0, doc="k_i: one over the integral time; 0 for no integral")
     derivative_time: float = param(default=0.0, unit="s", minimum=0.0, display="ms", doc="T_d; 0 for no derivative")
-    derivative_filter: float = param(
-        default=1e-3, unit="s", minimum=0.0, exclusive=True, display="ms", doc="T_f: time constant of the derivative's low-pass"
-    )
-    limit: float = param(
-        default=math.inf, unit="{command}", minimum=0.0, exclusive=True, doc="largest length of the correction, taken over all axes"
-    )
+    derivative_filter: float = param(default=1e-3, unit="s", minimum=0.0, exclusive=True, display="ms", doc="T_f: derivative's low-pass")
+    limit: float = param(default=math.inf, unit="{command}", minimum=0.0, exclusive=True, doc="largest length of the correction")
 
     def derive(self, par: Any, dt: float) -> tuple[Any, ...]:
         # Backward Euler: the slope of a ramp comes out as it is.

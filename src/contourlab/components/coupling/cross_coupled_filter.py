@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 
 from contourlab.components.contract import Component, LinearModel, param
-from contourlab.components.coupling.transport import carried, turning
+from contourlab.components.coupling.cross_coupled import carried, turning
 from contourlab.engine.step import Port, Step
 from contourlab.errors import ParameterError
 from contourlab.primitives import add, lincomb, scale
@@ -41,11 +41,7 @@ class CrossCoupledFilter(Component):
     states = (Port("tangent", -1), *(Port(f"state_{i}", -1) for i in range(1, HIGHEST_ORDER + 1)))
     inputs = (Port("error_vector", -1), Port("tangent", -1))
     outputs = (Port("correction", -1),)
-    derived = (
-        "half",
-        "direct",
-        *(f"{name}_{i}" for name in ("share", "inflow", "back") for i in range(1, HIGHEST_ORDER + 1)),
-    )
+    derived = ("half", "direct", *(f"{name}_{i}" for name in ("share", "inflow", "back") for i in range(1, HIGHEST_ORDER + 1)))
 
     gain: float = param(default=1.0, unit="{command}/m", minimum=0.0, display="{command}/mm", doc="K, which multiplies num/den")
     numerator: tuple[float, ...] = param(vector=True, doc="num(s) in falling powers of s, s in rad/s")
@@ -63,9 +59,7 @@ class CrossCoupledFilter(Component):
             raise ParameterError(f"{self.kind}.denominator", list(self.denominator), f"of an order up to {HIGHEST_ORDER}")
         b, a = self._monic()
         if not np.isfinite([*b, *a]).all():
-            raise ParameterError(
-                f"{self.kind}.denominator", list(self.denominator), "a list whose first number is not nearly 0 beside the rest"
-            )
+            raise ParameterError(f"{self.kind}.denominator", list(self.denominator), "a list whose first number is not nearly 0")
         roots = np.roots(a)
         if min(a) < 0.0 or (roots.size and roots.real.max() > LEAN * np.abs(roots).max()):
             raise ParameterError(f"{self.kind}.denominator", list(self.denominator), "without a root right of the imaginary axis")

@@ -1,4 +1,4 @@
-"""A drive that gives what it is asked for, up to its limit."""
+"""Drives with a limit on the command, without and with a transport delay."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ import numpy as np
 
 from contourlab.components.contract import Component, LinearModel, param
 from contourlab.engine.step import Port
-from contourlab.primitives import clip
+from contourlab.primitives import clip, delayed
 
 
 class Saturation(Component):
@@ -31,3 +31,41 @@ class Saturation(Component):
     def linearize(self) -> LinearModel:
         none = np.zeros((0, 0))
         return LinearModel(none, np.zeros((0, 1)), np.zeros((1, 0)), np.ones((1, 1)), ("command",), ("applied",))
+
+
+class DelayedSaturation(Component):
+    """Amplifier with a limit, whose command arrives late by any length of time.
+
+    The delay is n whole servo periods and a fraction f of one; the value between two ticks is the mean weighted by f, which is exact for
+    the average that a held command has over the period. ``accepted`` is the command behind the limit, before it is late: an integral that
+    waits for the limit must not take the delay for one.
+    """
+
+    family = "drive"
+    kind = "delayed-saturation"
+    example = {"limit": 0.5, "delay": 0.0123}
+    reference = "transport delay of a sampled command"
+    inputs = (Port("command"),)
+    outputs = (Port("applied"), Port("accepted"))
+    derived = ("whole", "fraction")
+    ring = "command"
+
+    limit: float = param(default=math.inf, unit="{command}", minimum=0.0, exclusive=True, doc="largest command in either direction")
+    delay: float = param(unit="s", minimum=0.0, maximum=10.0, display="ms", doc="time from command to effect")
+
+    def derive(self, par: Any, dt: float) -> tuple[Any, ...]:
+        periods = par.delay / dt
+        # A delay that is whole but for rounding is taken as whole.
+        whole = np.floor(periods + 1e-9)
+        return whole, np.maximum(periods - whole, 0.0)
+
+    @staticmethod
+    def step(par: Any, x: Any, inp: Any, clock: Any) -> Any:
+        # The limit comes before the delay: the mean is that of what was taken.
+        newer = clip(delayed(par.ring, clock, par.whole), -par.limit, par.limit)
+        older = clip(delayed(par.ring, clock, par.whole + 1.0), -par.limit, par.limit)
+        late = newer + par.fraction * (older - newer)
+        return (), (late, clip(inp.command, -par.limit, par.limit))
+
+    def ring_length(self, dt: float) -> int:
+        return math.floor(self.delay / dt + 1e-9) + 2

@@ -6,7 +6,7 @@ from functools import cache
 from typing import Any
 
 from contourlab.components.contract import Component, param, text_param
-from contourlab.engine.step import Port, Step
+from contourlab.engine.step import Port, Step, ports
 from contourlab.geometry.view import PathView
 from contourlab.primitives import clip, dot, lincomb, maximum, scale, select, sqrt, sub
 
@@ -35,22 +35,9 @@ class Newton(Component):
     reference = "Ghaffari & Ulsoy 2016, in discrete time"
     states = (Port("foot"),)
     inputs = (Port("position", -1), Port("arc_length"))
-    outputs = (
-        Port("foot_position", -1),
-        Port("error_vector", -1),
-        Port("contour_error_estimate"),
-        Port("foot_arc_length"),
-        Port("tangent", -1),
-    )
+    outputs = (*ports("foot_position", "error_vector", size=-1), *ports("contour_error_estimate", "foot_arc_length"), Port("tangent", -1))
 
-    window: float = param(
-        default=5e-3,
-        unit="m",
-        minimum=0.0,
-        exclusive=True,
-        display="mm",
-        doc="how far from the reference's place the foot point is sought",
-    )
+    window: float = param(default=5e-3, unit="m", minimum=0.0, exclusive=True, display="mm", doc="search range around the reference")
     iterations: float = param(default=2.0, minimum=1.0, maximum=8.0, whole=True, structural=True, doc="Newton steps per tick")
     start: str = text_param(default="both", choices=("both", "warm"), doc="from where the iteration starts")
 

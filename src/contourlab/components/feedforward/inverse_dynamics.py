@@ -1,4 +1,4 @@
-"""Feedforward of the inverse of a rigid axis."""
+"""Feedforward from a model of the axis: its inertia, its friction."""
 
 from __future__ import annotations
 
@@ -8,6 +8,7 @@ import numpy as np
 
 from contourlab.components.contract import Component, LinearModel, param
 from contourlab.engine.step import Port
+from contourlab.primitives import exp, tanh
 
 
 class InverseDynamics(Component):
@@ -29,12 +30,8 @@ class InverseDynamics(Component):
     inputs = (Port("reference_velocity"), Port("reference_acceleration"))
     outputs = (Port("command"),)
 
-    velocity_gain: float = param(
-        default=0.0, unit="{command}*s/m", minimum=0.0, display="{command}*s/mm", doc="command per velocity of the reference, k_v"
-    )
-    acceleration_gain: float = param(
-        unit="{command}*s^2/m", minimum=0.0, display="{command}*s^2/mm", doc="command per acceleration of the reference, k_a"
-    )
+    velocity_gain: float = param(default=0.0, unit="{command}*s/m", minimum=0.0, display="{command}*s/mm", doc="per reference speed, k_v")
+    acceleration_gain: float = param(unit="{command}*s^2/m", minimum=0.0, display="{command}*s^2/mm", doc="per reference acceleration, k_a")
 
     @staticmethod
     def step(par: Any, x: Any, inp: Any, clock: Any) -> Any:
@@ -44,3 +41,52 @@ class InverseDynamics(Component):
         through = np.array([[self.velocity_gain, self.acceleration_gain]])
         names = tuple(port.name for port in self.inputs)
         return LinearModel(np.zeros((0, 0)), np.zeros((0, 2)), np.zeros((1, 0)), through, names, ("command",))
+
+
+class FrictionFeedforward(Component):
+    """Command against friction: u = [(F_c + (F_s - F_c) exp(-(v/v_s)^2)) tanh(v/v_e) + c v]/K_f, v the velocity of the reference.
+
+    The change of sign is spread over the velocity v_e: too small a one makes the command jump at a reversal before the axis has turned, too
+    large a one comes late. With v_e of the speed that the reference reaches within the time by which the axis lags, both are met halfway.
+    `force_constant` turns forces into commands, so that the numbers of an identified friction can be taken as they are.
+
+    References
+    ----------
+    Armstrong-Helouvry, Dupont & Canudas de Wit, "A survey of models, analysis tools and compensation methods for the control of machines
+    with friction", Automatica 30(7), 1994, section 5 (feedforward compensation).
+    """
+
+    family = "feedforward"
+    kind = "friction"
+    calibrated_ahead = ("viscous", "coulomb", "breakaway")
+    reference = "Armstrong-Helouvry, Dupont & Canudas de Wit 1994, section 5"
+    example = {
+        "coulomb": 0.2,
+        "breakaway": 0.3,
+        "stribeck_velocity": 2e-3,
+        "viscous": 2.0,
+        "smoothing_velocity": 1e-3,
+        "force_constant": 1.5,
+    }
+    inputs = (Port("reference_velocity"),)
+    outputs = (Port("command"),)
+    derived = ("inverse_stribeck", "inverse_smoothing", "inverse_constant")
+
+    coulomb: float = param(unit="{force}", minimum=0.0, doc="friction at speed, F_c")
+    breakaway: float = param(unit="{force}", minimum=0.0, doc="friction near rest, F_s; as F_c for none of Stribeck's effect")
+    stribeck_velocity: float = param(default=1e-3, unit="m/s", minimum=0.0, exclusive=True, display="mm/s", doc="of the fall to F_c, v_s")
+    viscous: float = param(default=0.0, unit="{force}*s/m", minimum=0.0, doc="rise of friction with speed, c")
+    smoothing_velocity: float = param(
+        default=1e-4, unit="m/s", minimum=0.0, exclusive=True, display="mm/s", doc="speed over which the command changes its sign, v_e"
+    )
+    force_constant: float = param(default=1.0, unit="{force}/{command}", minimum=0.0, exclusive=True, doc="force per command, K_f")
+
+    def derive(self, par: Any, dt: float) -> tuple[Any, ...]:
+        return 1.0 / par.stribeck_velocity, 1.0 / par.smoothing_velocity, 1.0 / par.force_constant
+
+    @staticmethod
+    def step(par: Any, x: Any, inp: Any, clock: Any) -> Any:
+        v = inp.reference_velocity
+        ratio = v * par.inverse_stribeck
+        level = par.coulomb + (par.breakaway - par.coulomb) * exp(-ratio * ratio)
+        return (), (par.inverse_constant * (level * tanh(v * par.inverse_smoothing) + par.viscous * v),)

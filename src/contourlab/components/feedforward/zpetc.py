@@ -53,13 +53,9 @@ class ZPETC(Component):
         if d.size > MAX_ORDER + 1:
             raise ParameterError("denominator", f"of order {d.size - 1}", f"of order {MAX_ORDER} at most")
         if d[0] == 0.0 or np.abs(np.roots(d)).max(initial=0.0) >= 1.0:
-            raise ParameterError(
-                "denominator", f"{list(self.denominator)}", "with d_0 other than 0 and all its zeros inside the unit circle"
-            )
+            raise ParameterError("denominator", f"{list(self.denominator)}", "with d_0 not 0 and all zeros inside the unit circle")
         if not abs(n.sum() - d.sum()) <= 1e-6 * abs(d.sum()):
-            raise ParameterError(
-                "numerator", f"a list of sum {n.sum():.9g}", f"of the sum of the denominator, {d.sum():.9g}: F is 1 at rest"
-            )
+            raise ParameterError("numerator", f"a list of sum {n.sum():.9g}", f"of the denominator's sum, {d.sum():.9g}: F is 1 at rest")
 
     @property
     def taps(self) -> NDArray[np.float64]:

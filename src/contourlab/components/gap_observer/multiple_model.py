@@ -22,7 +22,7 @@ from contourlab.components.gap_observer.load_filter import (
     sane,
     started,
 )
-from contourlab.engine.step import Bank, Port, Step
+from contourlab.engine.step import Bank, Port, Step, ports
 from contourlab.errors import ParameterError
 from contourlab.primitives import clip, exp, lincomb, maximum, minimum, scale, select, sqrt
 
@@ -82,25 +82,8 @@ class MultipleModel(Component):
     kind = "multiple-model"
     reference = "Alspach & Sorenson 1972; Lagerberg & Egardt 2007"
     inputs = (Port("motor_position"), Port("applied"))
-    outputs = (
-        Port("gap_state"),
-        Port("gap"),
-        Port("gap_deviation"),
-        Port("confidence"),
-        Port("load_position"),
-        Port("load_velocity"),
-    )
-    states = (
-        Port("ticks"),
-        Port("last_position"),
-        Port("contact"),
-        Port("sound"),
-        Port("side"),
-        Port("settled"),
-        Port("again"),
-        Port("doubt"),
-        Port("leader", KEPT),
-    )
+    outputs = ports("gap_state", "gap", "gap_deviation", "confidence", "load_position", "load_velocity")
+    states = (*ports("ticks", "last_position", "contact", "sound", "side", "settled", "again", "doubt"), Port("leader", KEPT))
     derived = (
         "force_value",
         "motor_mobility",
@@ -139,11 +122,9 @@ class MultipleModel(Component):
         "substeps": 1.0,
     }
 
-    motor_inertia: float = param(
-        unit="kg*m^2", minimum=0.0, exclusive=True, display="kg*cm^2", doc="of motor, coupling and what turns with them, J_m"
-    )
+    motor_inertia: float = param(unit="kg*m^2", minimum=0.0, exclusive=True, display="kg*cm^2", doc="of all that turns with the motor, J_m")
     load_inertia: float = param(
-        default=0.0, unit="kg*m^2", minimum=0.0, display="kg*cm^2", doc="of the load as the shaft sees it, J_l; `mass` comes on top"
+        default=0.0, unit="kg*m^2", minimum=0.0, display="kg*cm^2", doc="of the load at the shaft, J_l; `mass` comes on top"
     )
     mass: float = param(default=0.0, unit="kg", minimum=0.0, doc="of the table and all that it carries")
     lead: float = param(unit="m", minimum=0.0, exclusive=True, display="mm", doc="travel per turn of the screw, l")
@@ -155,21 +136,10 @@ class MultipleModel(Component):
     motor_coulomb: float = param(default=0.0, unit="N", minimum=0.0, doc="the same on the motor's side, at the table")
     torque_gain: float = param(default=1.0, minimum=0.0, exclusive=True, doc="torque that comes per torque that was asked for, g")
     uncertainty: float = param(
-        default=0.03,
-        minimum=1e-4,
-        maximum=0.15,
-        doc="of torque gain, load inertia and load friction, one standard deviation over the value; 5 % either way is 0.03",
+        default=0.03, minimum=1e-4, maximum=0.15, doc="relative standard deviation of torque, load inertia and friction"
     )
-    resolution: float = param(
-        default=0.125e-6, unit="m", minimum=0.0, exclusive=True, display="um", doc="of the motor's encoder, at the table"
-    )
-    unmodelled_force: float = param(
-        default=1.0,
-        unit="N",
-        minimum=0.0,
-        exclusive=True,
-        doc="what the model leaves out on either side, standard deviation over a millisecond",
-    )
+    resolution: float = param(default=0.125e-6, unit="m", minimum=0.0, exclusive=True, display="um", doc="of the encoder, at the table")
+    unmodelled_force: float = param(default=1.0, unit="N", minimum=0.0, exclusive=True, doc="standard deviation over 1 ms, either side")
     smallest_gap: float = param(default=5e-6, unit="m", minimum=0.0, exclusive=True, display="um", doc="of the first guess")
     largest_gap: float = param(default=150e-6, unit="m", minimum=0.0, exclusive=True, display="um", doc="of the last guess")
     tolerance: float = param(default=0.25, minimum=0.0, maximum=1.0, exclusive=True, doc="error of the gap that `confidence` allows for")

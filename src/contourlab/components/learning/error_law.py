@@ -1,12 +1,14 @@
-"""What the laws that learn from the tracking error have in common: gains, a lead, and the Q-filter."""
+"""Laws that learn from the tracking error, or from what the feedback had to give."""
 
 from __future__ import annotations
 
 import math
 from typing import Any
 
+import numpy as np
+
 from contourlab.components.contract import param
-from contourlab.components.learning.filters import advanced, q_filter
+from contourlab.components.learning.filters import advanced, moving_average, q_filter
 from contourlab.components.learning.law import Array, LearningLaw, LearningProblem, TrialRecord
 from contourlab.errors import ParameterError
 
@@ -14,9 +16,7 @@ from contourlab.errors import ParameterError
 class FilteredLaw(LearningLaw):
     """u <- Q (u + what the law adds), Q a Butterworth low-pass run forwards and backwards."""
 
-    bandwidth: float = param(
-        default=math.inf, unit="rad/s", minimum=0.0, exclusive=True, doc="w_q of the Q-filter, 1/(1 + (w/w_q)^(2 order)); infinite for none"
-    )
+    bandwidth: float = param(default=math.inf, unit="rad/s", minimum=0.0, exclusive=True, doc="w_q of the Q-filter; inf: no filter")
     order: float = param(default=2.0, minimum=1.0, maximum=8.0, whole=True, doc="of the Butterworth filter that is run both ways")
 
     def passed(self, signal: Array, servo_period: float) -> Array:
@@ -33,7 +33,7 @@ class ErrorLaw(FilteredLaw):
         minimum=0.0,
         exclusive=True,
         display="{command}/mm",
-        doc='wanted with target = "reference": the command that a metre of reference stands for; the gains are divided by it',
+        doc='divides the gains with target = "reference": command per metre of reference',
     )
 
     def __init__(self, **values: Any) -> None:
@@ -50,3 +50,118 @@ class ErrorLaw(FilteredLaw):
         added = advanced(self.addition(trial, problem), round(self.lead / problem.servo_period))
         scale = 1.0 if self.target == "command" else 1.0 / self.stiffness
         return self.passed(table + scale * added, problem.servo_period)
+
+
+class PType(ErrorLaw):
+    """u <- Q (u + L e(k + lead)): the tracking error times a gain.
+
+    With G from what is learned to the position, a trial multiplies the deviation from the limit by Q (1 - L G): it converges steadily if
+    the magnitude of this is below 1 at all frequencies. Without Q there is a frequency beyond which |1 - L G| > 1, where the phase of G
+    passes -90 degrees; the Q-filter is to lie below it.
+
+    References
+    ----------
+    Bristow, Tharayil & Alleyne, "A survey of iterative learning control", IEEE Control Systems Magazine 26 (2006), eqs (6) and (17).
+    """
+
+    kind = "p-type"
+    example = {"gain": 30.0, "bandwidth": 120.0, "lead": 2e-3, "stiffness": 50.0}
+    reference = "Bristow, Tharayil & Alleyne 2006"
+
+    gain: float = param(unit="{command}/m", minimum=0.0, exclusive=True, display="{command}/mm", doc="L: command for an error")
+
+    def addition(self, trial: TrialRecord, problem: LearningProblem) -> Array:
+        return self.gain * trial.tracking_error
+
+
+class PDType(ErrorLaw):
+    """u <- Q (u + L_p e + L_d e'): the tracking error and its derivative, by central differences.
+
+    The derivative turns the phase of the loop forwards, so that more of it can be learned than by P-type; in other respects as there.
+
+    References
+    ----------
+    Bristow, Tharayil & Alleyne, "A survey of iterative learning control", IEEE Control Systems Magazine 26 (2006), section "PD-type".
+    """
+
+    kind = "pd-type"
+    example = {"gain": 30.0, "derivative_gain": 0.5, "bandwidth": 120.0, "lead": 1e-3, "stiffness": 50.0}
+    reference = "Bristow, Tharayil & Alleyne 2006"
+
+    gain: float = param(unit="{command}/m", minimum=0.0, display="{command}/mm", doc="L_p: command for an error")
+    derivative_gain: float = param(unit="{command}*s/m", minimum=0.0, display="{command}*s/mm", doc="L_d: command for an error's rate")
+
+    def addition(self, trial: TrialRecord, problem: LearningProblem) -> Array:
+        error = trial.tracking_error
+        if len(error) < 2:
+            return self.gain * error
+        return self.gain * error + self.derivative_gain * np.asarray(np.gradient(error, problem.servo_period, axis=0))
+
+
+class CrossCoupledLearning(ErrorLaw):
+    """u <- Q (u + L e + L_c eps): the tracking error e and the contour error eps, the vector from the tool to the path.
+
+    In the plane eps = (-C_x, C_y) eps with the coupling gains of the contour, u_x <- Q (u_x + L_x e_x - C_x L_c eps) and
+    u_y <- Q (u_y + L_y e_y + C_y L_c eps); as a vector it is the same in any number of axes. Across the path both gains act, along it only
+    L: with matched axes the deviation across the path shrinks by Q (1 - (L + L_c) G) from trial to trial.
+
+    References
+    ----------
+    Barton & Alleyne, "A cross-coupled iterative learning control design for precision motion control", IEEE Trans. Control Systems
+    Technology 16 (2008).
+    """
+
+    kind = "cross-coupled"
+    example = {"gain": 20.0, "contour_gain": 30.0, "bandwidth": 120.0, "lead": 1e-3, "stiffness": 50.0}
+    reference = "Barton & Alleyne 2008"
+
+    gain: float = param(unit="{command}/m", minimum=0.0, display="{command}/mm", doc="L: command for a tracking error")
+    contour_gain: float = param(unit="{command}/m", minimum=0.0, display="{command}/mm", doc="L_c: command for a contour error")
+
+    @property
+    def needs_contour_error(self) -> bool:
+        return True
+
+    def addition(self, trial: TrialRecord, problem: LearningProblem) -> Array:
+        contour = trial.contour_error
+        assert contour is not None  # asked for above
+        return self.gain * trial.tracking_error + self.contour_gain * contour
+
+
+class ZeroPhase(LearningLaw):
+    """What the feedback had to give, averaged over 2 M + 1 samples, is given beforehand: u_ff <- u_ff + gamma H_M u_fb (eq 9).
+
+    With ``target = "reference"`` it is the tracking error that is averaged. In either case, with T the closed loop from what is learned to
+    what is averaged, a trial multiplies the deviation from the limit by 1 - gamma H_M T, with its lead: learning converges where the
+    magnitude is below 1 at all frequencies. H_M is negative beyond its first zero, at 1/((2 M + 1) T_s): there a single average slowly
+    amplifies wherever Re T > 0; ``passes = 2`` squares it. Choose M so that the first zero lies below the frequency at which the phase of
+    T is -90 degrees, or give a `lead` for the delay of the loop.
+
+    The command counts as far as the drive accepted it, so that the table of a saturating trial stays within reach of the drive. Beyond its
+    ends the feedback goes on as its own mirror image. With a predictor the loop follows a position ahead of the measured one, and so does
+    the table: take a law of the tracking error there.
+
+    References
+    ----------
+    Gecer Ulu, Ulu & Cakmakci, "Design and analysis of a modular learning based cross-coupled control algorithm for multi-axis precision
+    positioning systems", eq (9), gamma = 0.2 and M = 11; Tan, Dou, Chen & Lee, IEEE Trans. Control Systems Technology 9 (2001).
+    """
+
+    kind = "zero-phase"
+    example = {"gain": 0.2, "half_width": 11, "passes": 1, "lead": 2e-3}
+    reference = "Gecer Ulu et al., eq 9"
+
+    gain: float = param(default=0.2, minimum=0.0, maximum=2.0, exclusive=True, doc="gamma", source="Gecer Ulu et al., section 3.1")
+    half_width: float = param(
+        default=11.0, minimum=0.0, maximum=1e6, whole=True, doc="M: mean over 2 M + 1 samples", source="Gecer Ulu et al., section 3.1"
+    )
+    passes: float = param(default=1.0, minimum=1.0, maximum=2.0, whole=True, doc="how often the average is taken")
+    lead: float = param(default=0.0, unit="s", minimum=0.0, display="ms", doc="by which the feedback is advanced, in whole servo periods")
+
+    def revised(self, table: Array, trial: TrialRecord, problem: LearningProblem) -> Array:
+        signal = trial.feedback_command if self.target == "command" else trial.tracking_error
+        ahead = advanced(signal, round(self.lead / problem.servo_period))
+        return table + self.gain * self.passed(ahead, problem.servo_period)
+
+    def passed(self, signal: Array, servo_period: float) -> Array:
+        return moving_average(signal, int(self.half_width), int(self.passes))

@@ -110,11 +110,7 @@ class LearningLaw(Component):
 
     family: ClassVar[str] = "learning"
 
-    target: str = text_param(
-        default="command",
-        choices=("command", "reference"),
-        doc="what the table is added to: the command of each controller, or the position that it is asked for",
-    )
+    target: str = text_param(default="command", choices=("command", "reference"), doc="the table adds to the command or to the reference")
 
     @property
     def needs_contour_error(self) -> bool:

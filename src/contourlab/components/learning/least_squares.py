@@ -1,4 +1,4 @@
-"""The least-squares problem of a whole trial, solved without a matrix."""
+"""Laws that solve the least-squares problem of a whole trial, without a matrix."""
 
 from __future__ import annotations
 
@@ -6,7 +6,9 @@ from typing import NamedTuple
 
 import numpy as np
 
-from contourlab.components.learning.law import Array, InputModel, LearningProblem
+from contourlab.components.contract import param
+from contourlab.components.learning.error_law import FilteredLaw
+from contourlab.components.learning.law import Array, InputModel, LearningLaw, LearningProblem, TrialRecord
 
 
 class Equation(NamedTuple):
@@ -61,3 +63,79 @@ class Equation(NamedTuple):
 def _dot(one: Array, other: Array) -> float:
     # Not by the threads of a matrix library: these sums are short, and waiting for a second thread costs more than both do alone.
     return float((one * other).sum())
+
+
+class NormOptimal(LearningLaw):
+    """The next table is the one that makes the weighted sum of the next trial's errors, of the input and of its change least.
+
+    J = |e|^2 q + |eps|^2 q_c + |u|^2 s + |u - u_before|^2 r, e = e_before - G (u - u_before), eps = Gamma e = e - t (t.e) across the path.
+    The minimum solves (G' Q G + S + R) d = G' Q e - S u_before for the change d, Q = q + Gamma' q_c Gamma: with S = 0 the errors fall
+    from trial to trial, and where G can cause them they fall to zero; the larger r, the more slowly, and the less does noise enter.
+
+    The weights are bare numbers: q and q_c for the errors, s and r in parts of max |G|^2 of each axis. The equation is solved by conjugate
+    gradients, G by FFT, with the spectrum of each axis as preconditioner: memory and time grow with the number of samples, not with its
+    square.
+
+    References
+    ----------
+    Barton & Alleyne, "A norm optimal approach to time-varying ILC with application to a multi-axis robotic testbed", IEEE Trans. Control
+    Systems Technology 19 (2011); Amann, Owens & Rogers, "Iterative learning control using optimal feedback and feedforward actions" (1996).
+    """
+
+    kind = "norm-optimal"
+    example = {
+        "tracking_weight": 1.0,
+        "contour_weight": 2.0,
+        "input_weight": 0.01,
+        "change_weight": 0.2,
+        "tolerance": 1e-4,
+        "iterations": 7,
+    }
+    without_effect = ("target",)  # which the model takes care of
+    reference = "Barton & Alleyne 2011"
+
+    tracking_weight: float = param(default=1.0, minimum=0.0, maximum=1e6, doc="q, of the tracking error of each axis")
+    contour_weight: float = param(default=0.0, minimum=0.0, maximum=1e6, doc="q_c, of the error across the path")
+    input_weight: float = param(default=0.0, minimum=0.0, maximum=1e6, doc="s, of the table, over max |G|^2")
+    change_weight: float = param(default=0.01, minimum=1e-9, maximum=1e6, doc="r, of its change in a trial, over max |G|^2")
+    tolerance: float = param(default=1e-6, minimum=1e-14, maximum=0.5, doc="residual over right-hand side at which the equation is solved")
+    iterations: float = param(default=200.0, minimum=1.0, maximum=1e5, whole=True, doc="most steps of the conjugate gradients")
+
+    def revised(self, table: Array, trial: TrialRecord, problem: LearningProblem) -> Array:
+        weights = (self.tracking_weight, self.contour_weight, self.input_weight, self.change_weight)
+        equation = Equation.of(problem, *weights)
+        right = equation.model.adjoint(equation.weighted(trial.tracking_error)) - equation.on_input * table
+        return table + equation.solved(right, self.tolerance, int(self.iterations))
+
+
+TOLERANCE, ITERATIONS = 1e-6, 20
+"""Between the ends of a trial the first step is exact; the others see to the ends."""
+
+
+class PlantInversion(FilteredLaw):
+    """u <- Q (u + alpha (G' G + rho max |G|^2)^-1 G' e): the inverse of the model G, held back where G is small.
+
+    With the true plant G_0 a trial multiplies the deviation from the limit by Q (1 - alpha |G|^2/(|G|^2 + rho max |G|^2) G_0/G): with an
+    exact model one trial takes away all but 1 - alpha where G is large. It diverges where the model's phase is off by more than 90 degrees:
+    there Q has to be small. G is that of each axis alone, without coupling and without what is not linear.
+
+    It is the inverse on the trial, which ends: the inverse by frequencies alone would take the last samples, whose effect is not seen any
+    more, further with every trial.
+
+    References
+    ----------
+    Bristow, Tharayil & Alleyne, "A survey of iterative learning control", IEEE Control Systems Magazine 26 (2006), "Plant inversion".
+    """
+
+    kind = "plant-inversion"
+    example = {"gain": 0.7, "regularisation": 1e-4, "bandwidth": 200.0}
+    without_effect = ("target",)  # which the model takes care of
+    reference = "Bristow, Tharayil & Alleyne 2006"
+
+    gain: float = param(default=1.0, minimum=0.0, maximum=2.0, exclusive=True, doc="alpha")
+    regularisation: float = param(default=1e-6, minimum=0.0, maximum=1.0, exclusive=True, doc="rho: relative |G|^2 of the smallest inverse")
+
+    def revised(self, table: Array, trial: TrialRecord, problem: LearningProblem) -> Array:
+        equation = Equation.of(problem, 1.0, 0.0, 0.0, self.regularisation)
+        change = equation.solved(equation.model.adjoint(trial.tracking_error), TOLERANCE, ITERATIONS)
+        return self.passed(table + self.gain * change, problem.servo_period)

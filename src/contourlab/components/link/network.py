@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 
-from contourlab.components.contract import Component, param, text_param
+from contourlab.components.contract import NOISE_STREAM, Component, param, text_param
 from contourlab.engine.step import Port
 from contourlab.primitives import delayed, floor, minimum, select, uniform
 
@@ -81,25 +81,13 @@ class Network(Component):
     derived = ("spacing", "soonest", "latest", "delay_ticks", "jitter_ticks", "horizon_ticks")
     ring = "sent"
 
-    message_period: float = param(
-        default=0.0, unit="s", minimum=0.0, maximum=10.0, display="ms", doc="from message to message; 0 for one at each servo period"
-    )
+    message_period: float = param(default=0.0, unit="s", minimum=0.0, maximum=10.0, display="ms", doc="between messages; 0: servo period")
     delay: float = param(default=0.0, unit="s", minimum=0.0, maximum=10.0, display="ms", doc="least time from sending to arrival")
-    jitter: float = param(
-        default=0.0, unit="s", minimum=0.0, maximum=10.0, display="ms", doc="longest time beyond that; uniform from 0 to this"
-    )
+    jitter: float = param(default=0.0, unit="s", minimum=0.0, maximum=10.0, display="ms", doc="largest extra delay; uniform from 0")
     loss: float = param(default=0.0, minimum=0.0, maximum=1.0, doc="part of the messages that never arrive")
     between: str = text_param(default="hold", choices=("hold", "extrapolate"), doc="what stands until the next message has arrived")
-    horizon: float = param(
-        default=0.02, unit="s", minimum=0.0, maximum=10.0, display="ms", doc="how far beyond its stamp a message is extrapolated"
-    )
-    stream: float = param(
-        default=0.0,
-        minimum=0.0,
-        maximum=2.0**53,
-        whole=True,
-        doc="number of the stream of jitter and loss; set by the run from its seed",
-    )
+    horizon: float = param(default=0.02, unit="s", minimum=0.0, maximum=10.0, display="ms", doc="longest extrapolation")
+    stream: float = NOISE_STREAM
 
     def derive(self, par: Any, dt: float) -> tuple[Any, ...]:
         delay, jitter = par.delay / dt, par.jitter / dt

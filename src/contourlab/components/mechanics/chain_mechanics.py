@@ -98,10 +98,7 @@ def _smooth_source(n: int) -> str:
             n,
         ),
         "\n    return end, k1, k4\n\ndef between(u, h, y, y1, a, a1):\n    return ",
-        _each(
-            "hermite(u, y[{p}], y1[{p}], h * y[{v}], h * y1[{v}]), hermite(u, y[{v}], y1[{v}], h * a[{i}], h * a1[{i}])",
-            n,
-        ),
+        _each("hermite(u, y[{p}], y1[{p}], h * y[{v}], h * y1[{v}]), hermite(u, y[{v}], y1[{v}], h * a[{i}], h * a1[{i}])", n),
         "\n\n",
     ]
     return "".join(pieces)

@@ -20,7 +20,7 @@ from functools import cache
 from typing import Any
 
 from contourlab.components.contract import Component
-from contourlab.components.friction.none import NoFriction
+from contourlab.components.friction.laws import NoFriction
 from contourlab.components.mechanics.lagged_mechanics import lagged_bristle, lagged_smooth, lagged_sticking
 from contourlab.engine.step import Port, Step, record
 from contourlab.errors import ComponentError

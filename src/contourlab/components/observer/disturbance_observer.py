@@ -36,23 +36,13 @@ class DisturbanceObserver(Component):
 
     bandwidth: float = param(default=200.0, unit="rad/s", minimum=0.0, exclusive=True, doc="of the estimate, w_d")
     filter_bandwidth: float = param(default=2000.0, unit="rad/s", minimum=0.0, exclusive=True, doc="of the differentiated velocity, w_z")
-    model_gain: float = param(
-        unit="m/s^2/{command}",
-        minimum=0.0,
-        exclusive=True,
-        display="mm/s^2/{command}",
-        doc="acceleration per command of the model, a_hat",
-    )
+    model_gain: float = param(unit="m/s^2/{command}", minimum=0.0, exclusive=True, display="mm/s^2/{command}", doc="per command, a_hat")
     model_damping: float = param(default=0.0, unit="1/s", minimum=0.0, doc="decay of the model's velocity, b_hat")
     discretisation: str = text_param(default="backward-euler", choices=RULES, doc="how the two low-passes are sampled")
 
     def derive(self, par: Any, dt: float) -> tuple[Any, ...]:
         rule = self.discretisation
-        return (
-            low_pass_weight(par.filter_bandwidth, dt, rule),
-            low_pass_weight(par.bandwidth, dt, rule),
-            1.0 / par.model_gain,
-        )
+        return (low_pass_weight(par.filter_bandwidth, dt, rule), low_pass_weight(par.bandwidth, dt, rule), 1.0 / par.model_gain)
 
     @staticmethod
     def step(par: Any, x: Any, inp: Any, clock: Any) -> Any:

@@ -6,7 +6,7 @@ import math
 from typing import Any
 
 from contourlab.components.contract import param
-from contourlab.components.plant.single_mass import SingleMass
+from contourlab.components.plant.plant import SingleMass
 
 
 class BallScrew(SingleMass):
@@ -24,7 +24,6 @@ class BallScrew(SingleMass):
     example = {"mass": 20.0, "inertia": 2e-4, "lead": 0.01, "torque_constant": 0.5, "damping": 100.0}
     reference = "Altintas, Manufacturing Automation, feed drives"
     command_unit = "A"
-    force_unit = "N"
     derived = ("mobility_value", "decay_value", "force_constant_value")
 
     mass: float = param(unit="kg", minimum=0.0, exclusive=True, doc="mass of table and what is fixed to it")
@@ -32,13 +31,7 @@ class BallScrew(SingleMass):
     inertia: float = param(unit="kg*m^2", minimum=0.0, display="kg*cm^2", doc="inertia of rotor, coupling and screw, J")
     lead: float = param(unit="m", minimum=0.0, exclusive=True, display="mm", doc="travel per turn of the screw, l")
     torque_constant: float = param(unit="N*m/A", minimum=0.0, exclusive=True, doc="torque of the motor per command, K_t")
-    efficiency: float = param(
-        default=0.95,
-        minimum=0.0,
-        maximum=1.0,
-        exclusive=True,
-        doc="of the screw, eta; ground ball screws reach 0.9 to 0.95",
-    )
+    efficiency: float = param(default=0.95, minimum=0.0, maximum=1.0, exclusive=True, doc="of the screw, eta; 0.9 to 0.95 if ground")
     damping: float = param(default=0.0, unit="N*s/m", minimum=0.0, doc="viscous damping seen at the table, c")
 
     def derive(self, par: Any, dt: float) -> tuple[Any, ...]:
@@ -47,17 +40,5 @@ class BallScrew(SingleMass):
         return 1.0 / mass, par.damping / mass, par.torque_constant * par.efficiency * per_metre
 
     @staticmethod
-    def mobility(par: Any) -> float:
-        return par.mobility_value  # type: ignore[no-any-return]
-
-    @staticmethod
-    def decay(par: Any) -> float:
-        return par.decay_value  # type: ignore[no-any-return]
-
-    @staticmethod
     def drive_force(par: Any, command: float) -> float:
         return par.force_constant_value * command  # type: ignore[no-any-return]
-
-    @staticmethod
-    def moved_mass(par: Any) -> Any:
-        return par.mass + par.carried_mass

@@ -8,10 +8,10 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from contourlab.components.contract import LinearModel, param, text_param
+from contourlab.components.contract import LinearModel, param
 from contourlab.components.mechanics.chain_mechanics import JOINT, chain_step
 from contourlab.components.plant.plant import Plant
-from contourlab.components.plant.two_inertia import COARSEST, TwoInertia
+from contourlab.components.plant.two_inertia import COARSEST, CONTACT_MODEL, TwoInertia
 from contourlab.engine.step import Port
 from contourlab.errors import ComponentError, ParameterError
 
@@ -38,7 +38,6 @@ class InertiaChain(Plant):
     kind = "inertia-chain"
     reference = "Altintas et al., CIRP Annals 60 (2011); Nordin, Galic & Gutman 1997"
     command_unit = "N*m"
-    force_unit = "N"
     two_sided = True
     rest_depends = ("start_in_gap", "lead")
     inputs, outputs = TwoInertia.inputs, TwoInertia.outputs
@@ -56,12 +55,7 @@ class InertiaChain(Plant):
     }
     without_effect = ("start_in_gap",)  # it is where a run starts
     inertias: tuple[float, ...] = param(
-        vector=True,
-        unit="kg*m^2",
-        minimum=0.0,
-        exclusive=True,
-        display="kg*cm^2",
-        doc="of what turns, motor to load; two or more",
+        vector=True, unit="kg*m^2", minimum=0.0, exclusive=True, display="kg*cm^2", doc="of the rotating parts, motor first"
     )
     mass: float = param(default=0.0, unit="kg", minimum=0.0, doc="of the table, beside the last inertia: it counts (l/2 pi)^2 of it")
     carried_mass: float = param(default=0.0, unit="kg", minimum=0.0, doc="mass that the axis carries besides its own")
@@ -75,20 +69,10 @@ class InertiaChain(Plant):
         default=(0.0,), vector=True, unit="m", minimum=0.0, display="um", doc="free travel of the joints, as lengths at the table"
     )
     backlash_angles: tuple[float, ...] = param(
-        default=(0.0,), vector=True, unit="rad", minimum=0.0, doc="free travel of the joints, as angles of the motor"
+        default=(0.0,), vector=True, unit="rad", minimum=0.0, doc="free travel of the joints at the motor"
     )
-    start_in_gap: float = param(
-        default=0.0,
-        minimum=-1.0,
-        maximum=1.0,
-        doc="where each joint stands in its gap at first, as of two-inertia",
-    )
-    contact_model: str = text_param(
-        default="physical",
-        choices=("physical", "dead-zone"),
-        doc="where a damped shaft leaves a flank",
-        source="Nordin, Galic & Gutman 1997",
-    )
+    start_in_gap: float = param(default=0.0, minimum=-1.0, maximum=1.0, doc="initial place of each joint in its gap, as of two-inertia")
+    contact_model: str = CONTACT_MODEL
 
     def __init__(self, **values: Any) -> None:
         super().__init__(**values)
@@ -97,9 +81,7 @@ class InertiaChain(Plant):
             raise ParameterError("inertias", "one of them", "two or more: a motor and a load")
         for name in JOINT_LISTS:
             if len(getattr(self, name)) not in (1, n - 1):
-                raise ParameterError(
-                    name, f"{len(getattr(self, name))} values", f"{n - 1}, one for each joint of {n} inertias, or one for all"
-                )
+                raise ParameterError(name, f"{len(getattr(self, name))} values", f"{n - 1}, one for each joint, or one for all")
         inner = (Port("inner_positions", n - 2), Port("inner_velocities", n - 2)) if n > 2 else ()
         ends = (Port("motor_position"), Port("motor_velocity"), Port("position"), Port("velocity"))
         object.__setattr__(self, "states", (*ends, *inner, Port("sides", n - 1), Port("twists", n - 1)))
@@ -148,10 +130,6 @@ class InertiaChain(Plant):
         states: dict[str, Any] = {"position": position, "motor_position": float(ahead[0])}
         inner = {"inner_positions": tuple(map(float, ahead[1:]))} if len(ahead) > 1 else {}
         return {**states, **inner}, states
-
-    @staticmethod
-    def moved_mass(par: Any) -> Any:
-        return par.mass + par.carried_mass
 
     def rigid_model(self) -> tuple[float, float]:
         turn = 2.0 * math.pi / self.lead

@@ -1,4 +1,4 @@
-"""Plants whose drive's force lags behind its command: what they share."""
+"""Plants whose drive's force lags behind its command."""
 
 from __future__ import annotations
 
@@ -7,9 +7,9 @@ from typing import Any
 
 import numpy as np
 
-from contourlab.components.contract import LinearModel
+from contourlab.components.contract import LinearModel, param
 from contourlab.components.mechanics.propagator import NAMES, STIFFEST, doublings_for, propagator
-from contourlab.components.plant.single_mass import SingleMass
+from contourlab.components.plant.plant import SingleMass
 from contourlab.engine.step import Port
 
 
@@ -43,14 +43,6 @@ class LaggedMass(SingleMass):
         return (m, d, r, g, b, *full, *half)
 
     @staticmethod
-    def mobility(par: Any) -> float:
-        return par.mobility_value  # type: ignore[no-any-return]
-
-    @staticmethod
-    def decay(par: Any) -> float:
-        return par.decay_value  # type: ignore[no-any-return]
-
-    @staticmethod
     def drive_force(par: Any, command: float) -> float:
         """Return the force that a steady command gives at rest."""
         return par.gain_value * command  # type: ignore[no-any-return]
@@ -72,3 +64,93 @@ class LaggedMass(SingleMass):
         a = np.array([[0.0, 1.0, 0.0], [0.0, -d, m], [0.0, -back, -r]])
         b = np.array([[0.0, 0.0], [0.0, m], [r * g, 0.0]])
         return LinearModel(a, b, np.eye(2, 3), np.zeros((2, 2)), ("command", "load"), ("position", "velocity"))
+
+
+class LinearMotor(LaggedMass):
+    """Voltage-driven linear motor: K_amp e = R i + L i' + K_b v, (m + m_c) v' = K_f i - b v + load - friction.
+
+    The command is the voltage in front of the amplifier, and the third state the motor's force K_f i. Position over command is eq (3),
+    K_amp K_f/(s (L m s^2 + (R m + b L) s + R b + K_b K_f)). The ripple of its force over position is a disturbance ("force-ripple"), a
+    transport delay and the amplifier's limit belong to the drive ("delayed-saturation"). Where current is controlled inside the amplifier,
+    or inductance does not matter, take "mass-damper".
+
+    References
+    ----------
+    Gecer Ulu, Ulu & Cakmakci, "Design and analysis of a modular learning based cross-coupled control algorithm for multi-axis precision
+    positioning systems", eqs (1)-(3).
+    """
+
+    kind = "linear-motor"
+    reference = "Gecer Ulu, Ulu & Cakmakci, eqs 1-3"
+    example = {
+        "resistance": 2.5,
+        "inductance": 4e-3,
+        "back_emf": 18.0,
+        "force_constant": 21.0,
+        "mass": 1.8,
+        "carried_mass": 0.4,
+        "viscous_friction": 12.0,
+        "amplifier_gain": 3.0,
+    }
+    command_unit = "V"
+
+    resistance: float = param(unit="ohm", minimum=0.0, exclusive=True, doc="of the winding, R", source="Gecer Ulu et al., eq 1")
+    inductance: float = param(unit="H", minimum=0.0, exclusive=True, display="mH", doc="of the winding, L", source="Gecer Ulu et al., eq 1")
+    back_emf: float = param(unit="V*s/m", minimum=0.0, doc="voltage induced per speed, K_BEMF", source="Gecer Ulu et al., eq 1")
+    force_constant: float = param(unit="N/A", minimum=0.0, exclusive=True, doc="force per current, K_f", source="Gecer Ulu et al., eq 2")
+    mass: float = param(unit="kg", minimum=0.0, exclusive=True, doc="sliding mass of the axis itself, m", source="Gecer Ulu et al., eq 2")
+    carried_mass: float = param(default=0.0, unit="kg", minimum=0.0, doc="mass that the axis carries besides its own")
+    viscous_friction: float = param(default=0.0, unit="N*s/m", minimum=0.0, doc="of the guide, b", source="Gecer Ulu et al., eq 2")
+    amplifier_gain: float = param(default=1.0, minimum=0.0, exclusive=True, doc="volts per command, K_amp", source="Gecer Ulu et al., eq 1")
+
+    def rates(self, par: Any) -> tuple[Any, Any, Any, Any, Any]:
+        mass, rate = par.mass + par.carried_mass, par.resistance / par.inductance
+        gain = par.force_constant * par.amplifier_gain / par.resistance
+        return 1.0 / mass, par.viscous_friction / mass, rate, gain, par.force_constant * par.back_emf / par.inductance
+
+
+class SecondOrderIntegrator(LaggedMass):
+    """Axis of P(s) = G wn^2/(s (s^2 + 2 zeta wn s + wn^2)), as an identification gives it; any damping ratio.
+
+    It is the linear motor of eq (3) without viscous friction, in other letters, so that the third state is a force that lags with the rate
+    2 zeta wn. Forces are in units of the command: a steady load of L is balanced by the command L. The transport delay of eq (4) belongs to
+    the drive, as in ``drive = {kind = "delayed-saturation", delay = "15 ms"}``.
+
+    With its moved mass given it takes up the mass of axes that stand on it: mobility goes with mass/(mass + carried_mass), rate and
+    back-action stay, as they do for the motor. Without a mass (infinity) no other mass changes it: its response is taken to have been
+    measured with all that is carried.
+
+    References
+    ----------
+    Gecer Ulu, Ulu & Cakmakci, "Design and analysis of a modular learning based cross-coupled control algorithm for multi-axis precision
+    positioning systems", eq (4).
+    """
+
+    kind = "second-order-integrator"
+    reference = "Gecer Ulu, Ulu & Cakmakci, eq 4"
+    example = {"dc_gain": 0.05, "damping_ratio": 1.1, "natural_frequency": 150.0, "mass": 2.0, "carried_mass": 0.7}
+    command_unit = "V"
+    force_unit = "V"
+
+    dc_gain: float = param(
+        unit="m/s/V",
+        minimum=0.0,
+        exclusive=True,
+        display="mm/s/V",
+        doc="steady velocity per command, G_DC",
+        source="Gecer Ulu et al., eq 4",
+    )
+    damping_ratio: float = param(minimum=0.0, exclusive=True, doc="of the velocity's response, zeta", source="Gecer Ulu et al., eq 4")
+    natural_frequency: float = param(unit="rad/s", minimum=0.0, exclusive=True, doc="of velocity, omega_n", source="Gecer Ulu et al., eq 4")
+    mass: float = param(default=math.inf, unit="kg", minimum=0.0, exclusive=True, doc="moved mass when identified; inf: not known")
+    carried_mass: float = param(default=0.0, unit="kg", minimum=0.0, doc="mass that came onto the axis since; acts beside a known `mass`")
+
+    @property
+    def knows_mass(self) -> bool:
+        return math.isfinite(self.mass)
+
+    def rates(self, par: Any) -> tuple[Any, Any, Any, Any, Any]:
+        rate = 2.0 * par.damping_ratio * par.natural_frequency
+        mobility = par.dc_gain * par.natural_frequency / (2.0 * par.damping_ratio)
+        share = 1.0 / (1.0 + par.carried_mass / par.mass)
+        return mobility * share, 0.0 * rate, rate, 1.0 + 0.0 * rate, rate / par.dc_gain

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 from contourlab.components.contract import param
-from contourlab.components.plant.single_mass import SingleMass
+from contourlab.components.plant.plant import SingleMass
 
 
 class MassDamper(SingleMass):
@@ -20,15 +20,9 @@ class MassDamper(SingleMass):
     example = {"mass": 20.0, "damping": 100.0, "force_constant": 60.0}
     reference = "Newton's second law"
     command_unit = "A"
-    force_unit = "N"
     derived = ("mobility_value", "decay_value")
 
-    mass: float = param(
-        unit="kg",
-        minimum=0.0,
-        exclusive=True,
-        doc="moved mass of the axis itself, rotating parts included as m = J (2 pi / lead)^2",
-    )
+    mass: float = param(unit="kg", minimum=0.0, exclusive=True, doc="moved mass of the axis; rotating parts as J (2 pi / lead)^2")
     carried_mass: float = param(default=0.0, unit="kg", minimum=0.0, doc="mass that the axis carries besides its own")
     damping: float = param(default=0.0, unit="N*s/m", minimum=0.0, doc="viscous damping of guides, screw and motor")
     force_constant: float = param(unit="N/A", minimum=0.0, exclusive=True, doc="force of the drive per command")
@@ -38,17 +32,5 @@ class MassDamper(SingleMass):
         return 1.0 / mass, par.damping / mass
 
     @staticmethod
-    def mobility(par: Any) -> float:
-        return par.mobility_value  # type: ignore[no-any-return]
-
-    @staticmethod
-    def decay(par: Any) -> float:
-        return par.decay_value  # type: ignore[no-any-return]
-
-    @staticmethod
     def drive_force(par: Any, command: float) -> float:
         return par.force_constant * command  # type: ignore[no-any-return]
-
-    @staticmethod
-    def moved_mass(par: Any) -> Any:
-        return par.mass + par.carried_mass

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 from contourlab.components.contract import param
-from contourlab.components.plant.single_mass import SingleMass
+from contourlab.components.plant.plant import SingleMass
 
 
 class RigidAxis(SingleMass):
@@ -33,13 +33,7 @@ class RigidAxis(SingleMass):
         doc="acceleration at full command, a",
         source="Ghaffari & Ulsoy, eq 2",
     )
-    damping: float = param(
-        default=0.0,
-        unit="1/s",
-        minimum=0.0,
-        doc="rate at which a free motion decays, b",
-        source="Ghaffari & Ulsoy, eq 2",
-    )
+    damping: float = param(default=0.0, unit="1/s", minimum=0.0, doc="decay rate of a free motion, b", source="Ghaffari & Ulsoy, eq 2")
 
     @staticmethod
     def mobility(par: Any) -> float:

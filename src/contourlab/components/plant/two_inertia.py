@@ -13,13 +13,17 @@ from contourlab.components.contract import LinearModel, param, text_param
 from contourlab.components.mechanics.two_mass_bristle import two_mass_bristle_step
 from contourlab.components.mechanics.two_mass_mechanics import two_mass_step
 from contourlab.components.plant.plant import Plant
-from contourlab.engine.step import Port
+from contourlab.engine.step import Port, ports
 from contourlab.errors import ComponentError, ParameterError
 from contourlab.primitives import clip, floor, lookup, select
 
 Array = NDArray[np.float64]
 COARSEST = 0.5
 """Radians of the shaft's oscillation in a sub-step: fourth order damps it by 1e-4 in each at that."""
+
+CONTACT_MODEL = text_param(
+    default="physical", choices=("physical", "dead-zone"), doc="how a damped shaft leaves a flank", source="Nordin, Galic & Gutman 1997"
+)
 
 
 class TwoInertia(Plant):
@@ -43,27 +47,11 @@ class TwoInertia(Plant):
     kind = "two-inertia"
     reference = "Shahin, ElMaraghy & ElBeheiry, eqs 1-4; Nordin, Galic & Gutman 1997"
     command_unit = "N*m"
-    force_unit = "N"
     two_sided = True
     rest_depends = ("backlash_gap", "backlash_angle", "start_in_gap", "lead")
-    states = (
-        Port("motor_position"),
-        Port("motor_velocity"),
-        Port("position"),
-        Port("velocity"),
-        Port("side"),
-        Port("twist"),
-    )
+    states = ports("motor_position", "motor_velocity", "position", "velocity", "side", "twist")
     inputs = (Port("command"), Port("load"))
-    outputs = (
-        Port("position"),
-        Port("velocity"),
-        Port("acceleration"),
-        Port("motor_position"),
-        Port("motor_velocity"),
-        Port("gap_state"),
-        Port("shaft_force"),
-    )
+    outputs = ports("position", "velocity", "acceleration", "motor_position", "motor_velocity", "gap_state", "shaft_force")
     derived = (
         "force_value",
         "motor_mobility",
@@ -95,11 +83,9 @@ class TwoInertia(Plant):
         "profile_step": 0.5,
     }
     without_effect = ("start_in_gap",)  # it is where a run starts
-    motor_inertia: float = param(
-        unit="kg*m^2", minimum=0.0, exclusive=True, display="kg*cm^2", doc="of motor, coupling and what turns with them, J_m"
-    )
+    motor_inertia: float = param(unit="kg*m^2", minimum=0.0, exclusive=True, display="kg*cm^2", doc="of all that turns with the motor, J_m")
     load_inertia: float = param(
-        default=0.0, unit="kg*m^2", minimum=0.0, display="kg*cm^2", doc="of the load as the shaft sees it, J_l; `mass` comes on top"
+        default=0.0, unit="kg*m^2", minimum=0.0, display="kg*cm^2", doc="of the load at the shaft, J_l; `mass` comes on top"
     )
     mass: float = param(default=0.0, unit="kg", minimum=0.0, doc="of the table, beside load_inertia: it counts (l/2 pi)^2 of it")
     carried_mass: float = param(default=0.0, unit="kg", minimum=0.0, doc="mass that the axis carries besides its own")
@@ -111,28 +97,13 @@ class TwoInertia(Plant):
     torque_gain: float = param(default=1.0, minimum=0.0, exclusive=True, doc="torque that comes per torque that was asked for, g")
     backlash_gap: float = param(default=0.0, unit="m", minimum=0.0, display="um", doc="free travel in all, as a length at the table")
     backlash_angle: float = param(default=0.0, unit="rad", minimum=0.0, doc="free travel of the coupling, as an angle of the motor")
-    start_in_gap: float = param(
-        default=0.0,
-        minimum=-1.0,
-        maximum=1.0,
-        doc="where the motor stands in the gap at first: 0 midway, 1 at the flank that drives forwards",
-    )
-    contact_model: str = text_param(
-        default="physical",
-        choices=("physical", "dead-zone"),
-        doc="where a damped shaft leaves a flank",
-        source="Nordin, Galic & Gutman 1997",
-    )
+    start_in_gap: float = param(default=0.0, minimum=-1.0, maximum=1.0, doc="initial place in the gap; 1: the flank that drives forwards")
+    contact_model: str = CONTACT_MODEL
     gap_profile: tuple[float, ...] = param(
-        default=(1.0,),
-        vector=True,
-        minimum=0.0,
-        doc="part of the free travel that there is at evenly spaced places of the load; (1,) all along",
+        default=(1.0,), vector=True, minimum=0.0, doc="relative free travel at even places; (1,): constant"
     )
     profile_start: float = param(default=0.0, unit="m", display="mm", doc="place of the first value of gap_profile; the ends hold beyond")
-    profile_step: float = param(
-        default=1.0, unit="m", minimum=0.0, exclusive=True, display="mm", doc="distance between two values of gap_profile"
-    )
+    profile_step: float = param(default=1.0, unit="m", minimum=0.0, exclusive=True, display="mm", doc="between values of gap_profile")
     unbounded = ("profile_start",)
 
     def derive(self, par: Any, dt: float) -> tuple[Any, ...]:
@@ -198,10 +169,6 @@ class TwoInertia(Plant):
     def at_rest(self, position: float) -> tuple[dict[str, float], dict[str, float]]:
         motor = position + 0.5 * self.start_in_gap * self.gap_at(position)
         return {"position": position, "motor_position": motor}, {"position": position, "motor_position": motor}
-
-    @staticmethod
-    def moved_mass(par: Any) -> Any:
-        return par.mass + par.carried_mass
 
     def rigid_model(self) -> tuple[float, float]:
         turn = 2.0 * math.pi / self.lead

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from contourlab.components.contract import Component, param
+from contourlab.components.contract import NOISE_STREAM, Component, param
 from contourlab.engine.step import Port
 from contourlab.primitives import normal, rint
 
@@ -24,13 +24,7 @@ class Encoder(Component):
 
     resolution: float = param(unit="m", minimum=0.0, exclusive=True, display="um", doc="travel per count, interpolation included")
     noise: float = param(default=0.0, unit="m", minimum=0.0, display="um", doc="standard deviation of the signal before it is counted")
-    stream: float = param(
-        default=0.0,
-        minimum=0.0,
-        maximum=2.0**53,
-        whole=True,
-        doc="number of the noise stream; set by the run from its seed",
-    )
+    stream: float = NOISE_STREAM
 
     @staticmethod
     def step(par: Any, x: Any, inp: Any, clock: Any) -> Any:

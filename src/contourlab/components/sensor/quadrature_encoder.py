@@ -9,22 +9,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from contourlab.components.contract import Component, param, text_param
-from contourlab.components.quadrature import (
-    DERIVED,
-    FURTHEST,
-    IDENTITY,
-    LEAST,
-    LEAST_COVARIANCE,
-    STATES,
-    TABLES,
-    arctangents,
-    constants,
-    corrected,
-    ellipse,
-    followed,
-    in_turns,
-)
+from contourlab.components import quadrature
+from contourlab.components.contract import NOISE_STREAM, Component, param, text_param
+from contourlab.components.quadrature import IDENTITY, constants, corrected, followed, in_turns
 from contourlab.engine.step import Port
 from contourlab.errors import ParameterError
 from contourlab.primitives import clip, cos, floor, normal, rint, select, sin
@@ -122,51 +109,33 @@ class QuadratureEncoder(Component):
         "known_phase_error": 0.03,
         "stream": 7.0,
     }
-    states = STATES
+    states = quadrature.STATES
     inputs = (Port("position"),)
     outputs = (Port("position"), Port("missed_periods"))
-    derived = ("phase_sine", "phase_cosine", "step_of_converter", "counts_per_pitch", *DERIVED)
-    tables = TABLES
+    derived = ("phase_sine", "phase_cosine", "step_of_converter", "counts_per_pitch", *quadrature.DERIVED)
+    tables = quadrature.TABLES
 
     pitch: float = param(unit="m", minimum=0.0, exclusive=True, display="um", doc="travel of one period of the signals")
-    resolution: float = param(
-        unit="m", minimum=0.0, exclusive=True, display="nm", doc="travel per count; the pitch over four times a whole number"
-    )
+    resolution: float = param(unit="m", minimum=0.0, exclusive=True, display="nm", doc="travel per count; the pitch over 4 n, n whole")
     amplitude: float = param(default=0.5, unit="V", minimum=0.0, exclusive=True, doc="amplitude of the first signal, a")
     offset_1: float = param(default=0.0, unit="V", minimum=-100.0, maximum=100.0, display="mV", doc="offset of the first signal, p")
     offset_2: float = param(default=0.0, unit="V", minimum=-100.0, maximum=100.0, display="mV", doc="offset of the second signal, q")
     amplitude_ratio: float = param(default=1.0, minimum=0.1, maximum=10.0, doc="amplitude of the first signal over the second, r")
-    phase_error: float = param(
-        default=0.0, unit="rad", minimum=-1.0, maximum=1.0, display="deg", doc="by how much the second signal is off quadrature, al"
-    )
+    phase_error: float = param(default=0.0, unit="rad", minimum=-1.0, maximum=1.0, display="deg", doc="of the second signal, al")
     third_harmonic: float = param(default=0.0, minimum=-0.3, maximum=0.3, doc="amplitude of the third harmonic over that of the first")
     noise: float = param(default=0.0, unit="V", minimum=0.0, display="mV", doc="standard deviation of each signal, white")
     bits: float = param(default=0.0, minimum=0.0, maximum=32.0, whole=True, doc="of the analogue-to-digital converter; 0 for none")
-    converter_range: float = param(
-        default=1.0, unit="V", minimum=0.0, exclusive=True, doc="the converter takes signals between plus and minus this"
-    )
+    converter_range: float = param(default=1.0, unit="V", minimum=0.0, exclusive=True, doc="largest signal of the converter, either sign")
     counting: str = text_param(default="hardware", choices=("hardware", "sampled"), doc="where whole periods are counted")
     correction: str = text_param(default="adaptive", choices=("none", "fixed", "adaptive"), doc="what is done about the errors")
-    known_offset_1: float = param(
-        default=0.0, unit="V", minimum=-100.0, maximum=100.0, display="mV", doc="offset of the first signal as far as it is known"
-    )
-    known_offset_2: float = param(
-        default=0.0, unit="V", minimum=-100.0, maximum=100.0, display="mV", doc="offset of the second signal as far as it is known"
-    )
+    known_offset_1: float = param(default=0.0, unit="V", minimum=-100.0, maximum=100.0, display="mV", doc="known part of the first offset")
+    known_offset_2: float = param(default=0.0, unit="V", minimum=-100.0, maximum=100.0, display="mV", doc="known part of the second offset")
     known_ratio: float = param(default=1.0, minimum=0.2, maximum=5.0, doc="amplitude ratio as far as it is known")
-    known_phase_error: float = param(
-        default=0.0, unit="rad", minimum=-1.0, maximum=1.0, display="deg", doc="phase error as far as it is known"
-    )
+    known_phase_error: float = param(default=0.0, unit="rad", minimum=-1.0, maximum=1.0, display="deg", doc="known part of the phase error")
     forgetting: float = param(default=0.998, minimum=0.9, maximum=1.0, doc="lambda: the weight of what is known at each update")
-    initial_covariance: float = param(
-        default=10.0, minimum=0.0, exclusive=True, maximum=1e6, doc="of each coefficient over the squared noise, before anything is learnt"
-    )
-    update_travel: float = param(
-        default=1.0 / 32.0, minimum=1e-4, maximum=10.0, doc="travel from one update of the fit to the next, in pitches"
-    )
-    stream: float = param(
-        default=0.0, minimum=0.0, maximum=2.0**53, whole=True, doc="number of the noise stream; set by the run from its seed"
-    )
+    initial_covariance: float = param(default=10.0, minimum=0.0, exclusive=True, maximum=1e6, doc="of a coefficient over squared noise")
+    update_travel: float = param(default=1.0 / 32.0, minimum=1e-4, maximum=10.0, doc="travel between updates of the fit, in pitches")
+    stream: float = NOISE_STREAM
 
     def __init__(self, **values: Any) -> None:
         super().__init__(**values)
@@ -174,12 +143,12 @@ class QuadratureEncoder(Component):
         if not 0.75 <= order <= MOST_COUNTS or abs(order - round(order)) > 1e-6:
             shown = f"{self.resolution:g}"
             raise ParameterError("resolution", shown, f"the pitch, {self.pitch:g} m, over four times a whole number")
-        least = LEAST_COVARIANCE * (1.0 - self.forgetting)
+        least = quadrature.LEAST_COVARIANCE * (1.0 - self.forgetting)
         if self.correction == "adaptive" and self.initial_covariance < least:
             raise ParameterError("initial_covariance", f"{self.initial_covariance:g}", f">= {least:g} with this forgetting")
-        inside = max(abs(self.known_offset_1), abs(self.known_offset_2)) <= FURTHEST * self.amplitude
+        inside = max(abs(self.known_offset_1), abs(self.known_offset_2)) <= quadrature.FURTHEST * self.amplitude
         start = self.block(1.0) if inside else {}
-        if not (inside and all(LEAST <= start[name] <= 1.0 / LEAST for name in DERIVED[:2])):
+        if not (inside and all(quadrature.LEAST <= start[name] <= 1.0 / quadrature.LEAST for name in quadrature.DERIVED[:2])):
             shown = f"{self.known_offset_1:g} and {self.known_offset_2:g}"
             raise ParameterError("known offsets", shown, "well inside the amplitudes of the signals", "V")
 
@@ -187,11 +156,10 @@ class QuadratureEncoder(Component):
         return _make(self.correction, self.counting == "hardware")
 
     def derive(self, par: Any, dt: float) -> tuple[Any, ...]:
-        start = ellipse(
-            par.known_offset_1 / par.amplitude, par.known_offset_2 / par.amplitude, par.known_ratio, np.sin(par.known_phase_error), 1.0
-        )
+        offsets = par.known_offset_1 / par.amplitude, par.known_offset_2 / par.amplitude
+        start = quadrature.ellipse(*offsets, par.known_ratio, np.sin(par.known_phase_error), 1.0)
         lsb = par.converter_range * 2.0 ** (1.0 - np.asarray(par.bits, dtype=float))
         return np.sin(par.phase_error), np.cos(par.phase_error), lsb, np.rint(par.pitch / par.resolution), *start
 
     def table_values(self) -> dict[str, NDArray[np.float64]]:
-        return {"arctangent": arctangents()}
+        return {"arctangent": quadrature.arctangents()}

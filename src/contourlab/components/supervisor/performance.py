@@ -50,13 +50,13 @@ def _make(measure: str, thresholds: tuple[float, ...], falling: bool, averaged: 
 
 
 class Performance(Supervisor):
-    """The active controller is told by how large a measured error is: each threshold that it passes is a step to the next controller.
+    """The size of a measured error chooses the active controller: each threshold that it passes switches to the next one.
 
-    ``measure = "motor-load-difference"`` is the paper's: with half of the free travel as its one threshold and ``order = "falling"``, the
-    axis' ``controller`` is active in contact and the first of ``others`` in the gap. "tracking-error" and "load-error" are reference minus
-    the position that the controller sees, or the load's. With `averaging_time` the measure is a root mean square over about that time. A
-    threshold is passed upwards where the measure is above it by `hysteresis`, and downwards where it is as much below; after a switch the
-    next one waits for `dwell_time`.
+    ``measure = "motor-load-difference"`` is the one of the paper: with half of the free travel as the only threshold and
+    ``order = "falling"``, the axis' ``controller`` is active in contact and the first of ``others`` in the gap. "tracking-error" and
+    "load-error" are the reference minus the position that the controller sees, or minus the load's. With `averaging_time` the measure is a
+    root mean square over about that time. `hysteresis` widens each threshold in both directions; after a switch the next one waits for
+    `dwell_time`.
 
     References
     ----------
@@ -81,11 +81,7 @@ class Performance(Supervisor):
 
     measure: str = text_param(default="motor-load-difference", choices=tuple(MEASURES), doc="what is monitored")
     thresholds: tuple[float, ...] = param(unit="m", vector=True, minimum=0.0, display="um", doc="of the measure's magnitude, rising")
-    order: str = text_param(
-        default="falling",
-        choices=("falling", "rising"),
-        doc="whether the last controller, or the first, is for measures below all thresholds",
-    )
+    order: str = text_param(default="falling", choices=("falling", "rising"), doc="falling: the last controller has the smallest measure")
     hysteresis: float = param(default=0.0, unit="m", minimum=0.0, display="um", doc="by how much a threshold has to be passed")
     averaging_time: float = param(default=0.0, unit="s", minimum=0.0, display="ms", doc="of a root mean square; 0 for the magnitude itself")
 

@@ -36,9 +36,7 @@ class PreRouted(Supervisor):
     tables = ("routes",)
 
     by: str = text_param(default="arc-length", choices=("arc-length", "line"), doc="what the route is laid down along")
-    places: tuple[float, ...] = param(
-        default=(0.0,), unit="m", vector=True, minimum=0.0, display="mm", doc="arc lengths from the start, rising, s_i"
-    )
+    places: tuple[float, ...] = param(default=(0.0,), unit="m", vector=True, minimum=0.0, display="mm", doc="rising arc lengths, s_i")
     lines: tuple[float, ...] = param(default=(0.0,), vector=True, minimum=0.0, whole=True, doc="lines of the program, rising, l_i")
     numbers: tuple[float, ...] = param(vector=True, minimum=0.0, whole=True, doc="number of the controller from there on, n_i")
 

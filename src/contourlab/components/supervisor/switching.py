@@ -1,4 +1,4 @@
-"""What supervisors have in common: how a wish to switch becomes a switch."""
+"""The base of supervisors, which switch between controllers, and the one that follows a gap observer."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ from typing import Any, ClassVar
 
 from contourlab.components.contract import Component, param
 from contourlab.engine.step import Port
-from contourlab.primitives import select
+from contourlab.primitives import fabs, select
 
 STEADY = 0.0
 """Reason of a tick without a switch."""
@@ -29,13 +29,7 @@ class Supervisor(Component):
     states: ClassVar[tuple[Port, ...]] = (Port("active"), Port("since"))
     outputs = (Port("active"), Port("reason"))
 
-    handover_time: float = param(
-        default=5e-3,
-        unit="s",
-        minimum=0.0,
-        display="ms",
-        doc="time constant with which the jump of the command at a switch decays; 0 lets it jump",
-    )
+    handover_time: float = param(default=5e-3, unit="s", minimum=0.0, display="ms", doc="time constant of a hand-over; 0: a jump")
     dwell_time: float = param(default=0.0, unit="s", minimum=0.0, display="ms", doc="shortest time from one switch to the next")
     without_effect: ClassVar[tuple[str, ...]] = ("handover_time",)  # it acts where commands are handed over
 
@@ -45,3 +39,35 @@ def settled(active: float, since: float, wanted: float, reason: float, dwell_tim
     switches = select(wanted == active, 0.0, select(since >= dwell_time, 1.0, 0.0)) > 0.5
     now = select(switches, wanted, active)
     return (now, select(switches, 0.0, since) + dt), (now, select(switches, reason, STEADY))
+
+
+class EstimatorBased(Supervisor):
+    """The first of ``others`` is active while the gap observer sees the motor in the gap, the axis' ``controller`` in contact.
+
+    Where the observer is less sure than `confidence`, the ``controller`` is kept active: what holds in contact also holds, if less well, in
+    the gap.
+
+    References
+    ----------
+    Shahin, ElMaraghy & ElBeheiry, "On nonlinearity control of CNC feed drives", section "Supervisory control".
+    """
+
+    kind = "estimator-based"
+    reference = "Shahin, ElMaraghy & ElBeheiry, supervisory control"
+    reasons: ClassVar[tuple[str, ...]] = ("the observer sees the gap", "the observer sees contact", "the observer is not sure enough")
+    example = {"confidence": 0.3, "dwell_time": 3e-3}
+    inputs = (Port("gap_state"), Port("confidence"))
+
+    confidence: float = param(default=0.5, minimum=0.0, maximum=1.0, doc="of the observer, below which the controller for contact is kept")
+
+    @staticmethod
+    def step(par: Any, x: Any, inp: Any, clock: Any) -> Any:
+        sure = inp.confidence >= par.confidence
+        free = select(sure, select(fabs(inp.gap_state) < 0.5, 1.0, 0.0), 0.0)
+        reason = select(sure, select(free > 0.5, 1.0, 2.0), 3.0)
+        return settled(x.active, x.since, free, reason, par.dwell_time, clock.dt)
+
+    @property
+    def n_controller(self) -> int:
+        """How many controllers it chooses from."""
+        return 2

@@ -46,7 +46,7 @@ def lissajous_png(data: LissajousData) -> bytes:
 
     from contourlab.report.matplotlib_view import LOOKS, WIDTH
 
-    with matplotlib.rc_context(rc=LOOKS):  # type: ignore[arg-type]
+    with matplotlib.rc_context(fname=LOOKS):
         figure = Figure(figsize=(WIDTH, 3.6), layout="constrained")
         left, right = figure.subplots(1, 2, width_ratios=(1.0, 1.25))
         every = max(1, len(data.before) // POINTS)

@@ -6,7 +6,7 @@ import math
 from collections.abc import Iterator
 
 from contourlab.analysis.learning.learning_analysis import LearningAnalysis
-from contourlab.components.learning.zero_phase import ZeroPhase
+from contourlab.components.learning.error_law import ZeroPhase
 from contourlab.findings import Finding, finding
 
 GROWTH = 1e-6

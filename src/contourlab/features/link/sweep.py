@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 from contourlab.analysis.linear.divided_loop import DividedLoop, LinkTiming, divided_loop, timing_of
 from contourlab.components.contract import Component
-from contourlab.components.link.ideal import IdealLink
+from contourlab.components.ideal import IdealLink
 from contourlab.components.link.network import Network
 from contourlab.errors import ComponentError, ParameterError
 from contourlab.features.link.values import EACH, LOSSES, passed_over, times

@@ -204,7 +204,7 @@ def _scheme(run: _Judged) -> dict[str, Any]:
 
 def _report(runs: Sequence[_Judged], title: str, limit: float | None, folder: Path, command: str, plots: Sequence[str]) -> str:
     from contourlab.report.html import write_html
-    from contourlab.report.reversal_table import reversal_text
+    from contourlab.report.page_tables import reversal_text
     from contourlab.report.tables import comparison_text
 
     data = _report_data(runs, title, limit, command)

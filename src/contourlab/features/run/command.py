@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any
 
 from contourlab.app.folder import staged
 from contourlab.app.stages import shown
-from contourlab.components.friction.none import NoFriction
+from contourlab.components.friction.laws import NoFriction
 from contourlab.errors import DivergenceError, ParameterError, ProgramError, ScenarioError
 from contourlab.features.run.outcome import Outcome, run_case
 from contourlab.features.run.record import switch_file
@@ -311,7 +311,7 @@ def file_names(names: Sequence[str]) -> dict[str, str]:
 def _write_report(scenario: Scenario, outcomes: Sequence[Outcome], folder: Path, command: str, plots: Sequence[str]) -> str:
     from contourlab.features.run.page import report_data
     from contourlab.report.html import write_html
-    from contourlab.report.reversal_table import reversal_text
+    from contourlab.report.page_tables import reversal_text
     from contourlab.report.switching import switch_lines
     from contourlab.report.tables import comparison_text, trials_text
     from contourlab.scenario.dump import dump

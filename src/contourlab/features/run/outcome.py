@@ -28,8 +28,7 @@ from contourlab.loop.simulate import sampler
 from contourlab.loop.switches import Switches, switches_of
 from contourlab.loop.template import build
 from contourlab.metrics import CircleFigures, Metrics, Spike, circles_of, judge, reversal_spikes, summarise
-from contourlab.report.shapes import Verdict
-from contourlab.report.trust import Trust
+from contourlab.report.judgement import Trust, Verdict
 from contourlab.result import Result
 from contourlab.scenario import Case
 

@@ -15,9 +15,8 @@ from contourlab.features.run.outcome import AxisBode, Outcome
 from contourlab.feed.binding import Binding, limiting
 from contourlab.figures import listing
 from contourlab.metrics.circles import CircleFigures, pairs
-from contourlab.report.data import AxisBounds, CircleRun, FrequencyResponse, Provenance, ReportData, SchemeReport
-from contourlab.report.feed_picture import FeedRun
-from contourlab.report.trials import TrialCourse
+from contourlab.report.data import Provenance, ReportData, SchemeReport
+from contourlab.report.run_data import AxisBounds, FeedRun, FrequencyResponse, TrialCourse
 
 FEED_POINTS = 4000
 PER_SPAN = 3
@@ -82,8 +81,9 @@ def _scheme(outcome: Outcome) -> SchemeReport:
         bounds=bounds,
         verdict=outcome.verdict,
         bode={axis: _response(bode, outcome.loop_meant(axis)) for axis, bode in outcome.bode.items()},
-        circles=[_circle(circle, outcome) for circle in outcome.circles],
+        circles=outcome.circles,
         spikes=outcome.spikes,
+        circle_spikes=[_marked(circle, outcome) for circle in outcome.circles],
         bidirectional=pairs(outcome.circles),
         limits=outcome.limits,
         trials=_course(outcome),
@@ -96,12 +96,11 @@ def _scheme(outcome: Outcome) -> SchemeReport:
     )
 
 
-def _circle(circle: CircleFigures, outcome: Outcome) -> CircleRun:
-    """Return a circle with the places of its reversal spikes."""
+def _marked(circle: CircleFigures, outcome: Outcome) -> list[int]:
+    """Return the points of a circle at which reversal spikes are highest."""
     period, start = outcome.result.servo_period, outcome.result.start
     highest = [round(spike.peak_time / period) - start for spike in outcome.spikes if math.isfinite(spike.angle)]
-    marked = np.flatnonzero(np.isin(circle.samples, highest)).tolist()
-    return CircleRun(circle.name, circle.clockwise, circle.radius, circle.angle, circle.deviation, circle.figures(), marked)
+    return [int(i) for i in np.flatnonzero(np.isin(circle.samples, highest))]
 
 
 def _gaps(outcome: Outcome) -> dict[str, tuple[NDArray[np.float64], NDArray[np.float64]]]:

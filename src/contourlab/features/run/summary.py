@@ -13,7 +13,7 @@ from contourlab.feed.verify import LimitReport
 from contourlab.loop.switches import Switches
 from contourlab.metrics import reversal_figures
 from contourlab.metrics.circles import pairs
-from contourlab.report.limit_table import nearest
+from contourlab.report.page_tables import nearest
 
 SCHEMA = "contourlab-summary/1"
 LISTED = 100

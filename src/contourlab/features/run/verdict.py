@@ -13,7 +13,7 @@ from contourlab.findings import finding
 from contourlab.loop import Controller, Machine
 from contourlab.metrics import evaluation_window
 from contourlab.metrics.figures import left_out
-from contourlab.report.shapes import Verdict, Worst
+from contourlab.report.judgement import Verdict, Worst
 from contourlab.result import Result
 
 

@@ -1,4 +1,4 @@
-"""The log of the EMPS benchmark: one linear axis at 1 kHz, driven there and back by bang-bang accelerations."""
+"""The log of the EMPS benchmark: a linear axis at 1 kHz, moved to and fro with bang-bang accelerations."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from contourlab.logs import read_record
 Array = NDArray[np.float64]
 
 WANTED = (
-    "wanted is DATA_EMPS.mat of Janot, Gautier & Brunot, 'Data set and reference models of EMPS', 2019 nonlinear benchmark "
+    "give DATA_EMPS.mat of Janot, Gautier & Brunot, 'Data set and reference models of EMPS', 2019 nonlinear benchmark "
     "(nonlinearbenchmark.org); for validation DATA_EMPS_PULSES.mat beside it. They are not part of contourlab"
 )
 SIGNALS, GAINS = ("t", "qm", "qg", "vir"), ("kp", "kv", "gtau")
@@ -29,11 +29,11 @@ class EmpsLog:
     ----------
     time : ndarray (n,) [s]
     position, reference : ndarray (n,) [m]
-        Measured at the motor, as travel of the table, and asked for.
+        Measured at the motor as travel of the table, and commanded.
     voltage : ndarray (n,) [V]
-        At the drive: of the controller, and of the pulses where there are any.
+        At the drive: controller and pulses.
     pulses : ndarray (n,) [V]
-        Added behind the controller; zero in the record for estimation.
+        Added to the controller's output; zero in the record for estimation.
     position_gain, velocity_gain, drive_gain : float [1/s, V s/m, N/V]
     """
 
@@ -63,7 +63,7 @@ def read_emps(file: str | Path) -> EmpsLog:
     Parameters
     ----------
     file : str or Path
-        DATA_EMPS.mat, or DATA_EMPS_PULSES.mat, whose pulses are read too. Its description calls them newtons; the voltage says volts.
+        DATA_EMPS.mat, or DATA_EMPS_PULSES.mat with pulses. Its description says newtons; by the voltage they are volts.
 
     Raises
     ------

@@ -1,39 +1,58 @@
-"""The EMPS: what its pictures are drawn from."""
+"""Pictures of the EMPS: force, friction curve and position error."""
 
 from __future__ import annotations
+
+from collections.abc import Sequence
+from pathlib import Path
 
 import numpy as np
 from numpy.typing import NDArray
 
 from contourlab.analysis.identification.filtered_motion import decimate, filtered_motion, kept_samples
 from contourlab.papers.emps.simulation import axis_of, simulate_emps
-from contourlab.papers.emps.study import SETTINGS, Identified
+from contourlab.papers.emps.study import SETTINGS, Identified, identified
+from contourlab.report.charts import traces_chart
+from contourlab.report.plots import write_charts
 
 Array = NDArray[np.float64]
 Traces = dict[str, tuple[Array, Array]]
 PERIOD = 6.24
-"""Of the reference [s]: what is drawn where more would hide the rest."""
+"""Period of the reference [s]; some pictures show one."""
 BINS = 60
-"""Classes of velocity in which measured friction is averaged."""
+"""Velocity classes over which measured friction is averaged."""
 FEWEST = 4
-"""Rows that make a mean."""
+"""Samples that make a mean."""
 
 
-def predicted_force(found: Identified) -> Traces:
+def draw(log: str | Path | None, folder: str | Path, formats: Sequence[str]) -> tuple[Path, ...]:
+    """Identify from DATA_EMPS.mat and write the pictures into a folder; return the files."""
+    found = identified(log)
+    force, error = ("time [s]", "force [N]"), ("time [s]", "position error [mm]")
+    charts = [
+        traces_chart("emps-force", "EMPS: measured and predicted force", force, _predicted_force(found)),
+        traces_chart("emps-force-left", "EMPS: measured less predicted force", force, _force_residual(found)),
+        traces_chart("emps-friction", "EMPS: friction and offset", ("velocity [mm/s]", "force [N]"), _friction_curves(found)),
+        traces_chart("emps-error", "EMPS: reference less position", error, _position_errors(found)),
+        traces_chart("emps-error-left", "EMPS: measured less simulated", ("time [s]", "position [um]"), _position_residual(found)),
+    ]
+    return write_charts(charts, folder, formats)
+
+
+def _predicted_force(found: Identified) -> Traces:
     """Return over time [s], one period: measured and predicted force [N]."""
     fit = found.symmetric
     part = fit.time <= PERIOD
     return {name: (fit.time[part], force[part]) for name, force in (("measured", fit.force), ("predicted", fit.predicted))}
 
 
-def force_left_over(found: Identified) -> Traces:
-    """Return over time [s]: what both models of friction leave of the force [N]."""
+def _force_residual(found: Identified) -> Traces:
+    """Return over time [s]: measured less predicted force [N] of both friction models."""
     fits = {"friction alike in both directions": found.symmetric, "friction by direction": found.asymmetric}
     return {name: (fit.time, fit.force - fit.predicted) for name, fit in fits.items()}
 
 
-def friction_curves(found: Identified) -> Traces:
-    """Return over velocity [mm/s]: friction with the offset [N], measured, as means over classes of velocity, and from both models."""
+def _friction_curves(found: Identified) -> Traces:
+    """Return over velocity [mm/s]: friction with offset [N], measured (means over velocity classes) and from both models."""
     velocity, friction = _measured_friction(found)
     edges = np.linspace(velocity.min(), velocity.max(), BINS + 1)
     place = np.clip(np.digitize(velocity, edges) - 1, 0, BINS - 1)
@@ -51,7 +70,7 @@ def friction_curves(found: Identified) -> Traces:
 
 
 def _measured_friction(found: Identified) -> tuple[Array, Array]:
-    """Return the force less that of the mass, at the rows of the identification."""
+    """Return velocity, and force less that of the mass, at the samples of the identification."""
     log = found.log
     motion = filtered_motion(log.position, log.period, cutoff=SETTINGS.cutoff, order=SETTINGS.order)
     part = slice(SETTINGS.dropped[0], None)
@@ -60,7 +79,7 @@ def _measured_friction(found: Identified) -> tuple[Array, Array]:
     return motion.velocity[part][rows], decimate(friction, SETTINGS.decimation)
 
 
-def position_errors(found: Identified) -> Traces:
+def _position_errors(found: Identified) -> Traces:
     """Return over time [s], one period: reference less position [mm], measured and simulated."""
     log = found.log
     part = log.time <= PERIOD
@@ -68,8 +87,8 @@ def position_errors(found: Identified) -> Traces:
     return {name: (log.time[part], 1e3 * (log.reference - position)[part]) for name, position in runs.items()}
 
 
-def error_left_over(found: Identified) -> Traces:
-    """Return over time [s]: measured less simulated position [um], for both models of friction."""
+def _position_residual(found: Identified) -> Traces:
+    """Return over time [s]: measured less simulated position [um] for both friction models."""
     log = found.log
     fits = {"friction alike in both directions": found.symmetric, "friction by direction": found.asymmetric}
     every = slice(None, None, SETTINGS.decimation)

@@ -1,23 +1,29 @@
-"""The EMPS in simulation: a mass with friction under its two nested loops, tick by tick, against the log.
+"""Simulation of the EMPS: a mass with friction under two nested loops, against the log.
 
-The controller is nu = k_v (k_p (q_r - q) - v), where v is the difference of two-tap means of the measured position, (q_k - q_(k-2))/(2 T),
-and saturates at 10 V. Between ticks the force is held and the axis slides exponentially, or is held by its friction, both exactly. The loop
-is written out here for what contourlab's engine has not got: a start in the state in which the log starts, the published solver whose
-friction chatters, and friction by direction. `contourlab.papers.emps.engine` runs the rest in the engine, and agrees with it.
+The controller is nu = k_v (k_p (q_r - q) - v) with v = (q_k - q_(k-2))/(2 T), and saturates at 10 V. Between ticks the force is held, and
+the axis slides exponentially or sticks, both exactly. This loop does what the engine cannot: start in the state of the log, reproduce the
+published solver whose friction chatters, and use friction by direction. `simulate_in_engine` runs the rest in the engine and agrees.
 """
 
 from __future__ import annotations
 
 import math
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
 
 from contourlab.analysis.identification.filtered_motion import FilteredMotion
 from contourlab.analysis.identification.inverse_dynamics import InverseDynamicsFit
+from contourlab.components.drive.saturation import DelayedSaturation
+from contourlab.components.ideal import IdealSensor
+from contourlab.errors import ParameterError
+from contourlab.feed import Reference
+from contourlab.geometry import Line, Path
+from contourlab.loop import Axis, Learned, Machine, simulate
 from contourlab.papers.emps.log import EmpsLog
+from contourlab.scenario import load_axis, load_controller
 
 Array = NDArray[np.float64]
 Advance = Callable[["EmpsAxis", float, float, float, float, float], tuple[float, float]]
@@ -91,7 +97,7 @@ def simulate_emps(log: EmpsLog, axis: EmpsAxis, *, delay: int = 0) -> EmpsRun:
         From the controller to the drive.
     """
     period = log.period
-    # What the controller remembers from before the record follows from the first two voltages.
+    # The first two voltages give the controller's memory from before the record.
     asked = log.position_gain * (log.reference[:2] - log.position[:2]) - (log.voltage[:2] - log.pulses[:2]) / log.velocity_gain
     earlier, last = (float(q - 2.0 * period * v) for q, v in zip(log.position[:2], asked, strict=True))
     start = float(log.position[0]), float(log.position[1] - last) / (2.0 * period)
@@ -102,13 +108,8 @@ def simulate_emps(log: EmpsLog, axis: EmpsAxis, *, delay: int = 0) -> EmpsRun:
 def simulate_as_published(log: EmpsLog, axis: EmpsAxis) -> EmpsRun:
     """Drive an axis as the published model does: from rest, one tick of delay, with the published clock and solver.
 
-    The clock is one difference of the logged time, t_10 - t_9, which is off by parts in a hundred thousand and so drifts against the log;
-    ten steps of Runge-Kutta a tick do not look for the reversal, so that friction chatters where the axis should be at rest.
-
-    Parameters
-    ----------
-    log : EmpsLog
-    axis : EmpsAxis
+    The clock is one difference of the logged time, t_10 - t_9. It is off by some 1e-5 and drifts against the log. Ten Runge-Kutta steps a
+    tick do not locate the reversal, so that friction chatters at rest.
     """
     period = float(log.time[9] - log.time[8])
     ticks = period * np.arange(log.time.size, dtype=np.float64)
@@ -144,17 +145,7 @@ def _looped(
 
 
 def advance(axis: EmpsAxis, p: float, v: float, force: float, rise: float, period: float) -> tuple[float, float]:
-    """Return position and velocity a period later under a held force: exact, with sticking.
-
-    Parameters
-    ----------
-    axis : EmpsAxis
-    p, v : float [m, m/s]
-    force : float [N]
-    rise : float [N]
-        By which the force is said to rise up to the next tick; held force knows none.
-    period : float [s]
-    """
+    """Return position [m] and velocity [m/s] a period [s] later under a held force [N]: exact, with sticking; `rise` is ignored."""
     push, left = force - axis.offset, period
     while left > 0.0:
         if v == 0.0 and -axis.coulomb[1] <= push <= axis.coulomb[0]:
@@ -171,7 +162,7 @@ def advance(axis: EmpsAxis, p: float, v: float, force: float, rise: float, perio
 
 
 def _slide(p: float, v: float, drive: float, rate: float, span: float) -> tuple[float, float]:
-    """Return where v' = drive - rate v leads to in a time."""
+    """Integrate v' = drive - rate v over a time."""
     if abs(rate * span) < 1e-12:
         return p + (v + 0.5 * drive * span) * span, v + drive * span
     faded = -math.expm1(-rate * span)
@@ -179,14 +170,14 @@ def _slide(p: float, v: float, drive: float, rate: float, span: float) -> tuple[
 
 
 def _reversal(v: float, drive: float, rate: float) -> float:
-    """Return the time after which v' = drive - rate v passes zero; infinite where it never does."""
+    """Return the time after which v' = drive - rate v passes zero; infinite if never."""
     if v == 0.0 or drive == 0.0 or (v > 0.0) == (drive > 0.0) or rate * v / drive >= 1.0:
         return math.inf
     return -v / drive if rate == 0.0 else math.log1p(-rate * v / drive) / rate
 
 
 def _chatter(axis: EmpsAxis, p: float, v: float, force: float, rise: float, period: float) -> tuple[float, float]:
-    """Return position and velocity a period later, by steps that take friction as sign(v) whatever comes; the pulses go in a ramp."""
+    """Return position and velocity a period later by Runge-Kutta steps with friction as sign(v); the pulses enter as a ramp."""
     h = period / SUBSTEPS
     (forward, backward), (up, down) = axis.viscous, axis.coulomb
 
@@ -206,21 +197,62 @@ def _chatter(axis: EmpsAxis, p: float, v: float, force: float, rise: float, peri
 
 
 def _way(velocity: float) -> tuple[float, int]:
-    """Return the direction, and the place of its friction."""
+    """Return the sign of motion, and the index of its friction."""
     return (1.0, 0) if velocity > 0.0 else (-1.0, 1)
+
+
+def simulate_in_engine(log: EmpsLog, axis: EmpsAxis, *, delay: int = 0) -> EmpsRun:
+    """Drive an axis along the reference of a log, from rest at its first sample.
+
+    Parameters
+    ----------
+    log : EmpsLog
+        Its pulses are added to the command as a learned command would be.
+    axis : EmpsAxis
+        With equal friction in both directions.
+    delay : int, 0 or 1 [servo periods]
+        From the controller to the drive.
+
+    Raises
+    ------
+    ParameterError
+        If friction depends on the direction.
+    """
+    machine = Machine("EMPS", (_library_axis(log, axis, delay),), log.period)
+    controller = load_controller("builtin:emps/controller", machine)
+    servo = controller.axes["x"]
+    gains = servo.controller.replace(position_gain=log.position_gain, velocity_gain=log.velocity_gain)
+    controller = replace(controller, axes={"x": replace(servo, controller=gains)})
+    path = Path([Line(np.array([log.reference.min()]), np.array([log.reference.max()]))])
+    reference = Reference.from_samples(log.reference[:, None], log.period, path)
+    result = simulate(machine, controller, reference, learned=Learned(command=log.pulses[:, None]))
+    position, velocity, applied = (result[name][:, 0] for name in ("axis_position", "axis_velocity", "applied_command"))
+    force = log.drive_gain * applied
+    acceleration = np.array([axis.acceleration(push, v) for push, v in zip(force.tolist(), velocity.tolist(), strict=True)])
+    return EmpsRun(result.time, position, velocity, acceleration, force)
+
+
+def _library_axis(log: EmpsLog, axis: EmpsAxis, delay: int) -> Axis:
+    """Return the library's axis with identified figures and without an encoder, as in the published model."""
+    for name, (forward, backward) in (("viscous", axis.viscous), ("coulomb", axis.coulomb)):
+        if forward != backward:
+            raise ParameterError(name, f"{forward:g} forwards, {backward:g} backwards", "equal in both directions")
+    held = load_axis("builtin:emps/axis")
+    assert held.disturbance is not None  # the file's own
+    return replace(
+        held,
+        plant=held.plant.replace(mass=axis.mass, damping=axis.viscous[0], force_constant=log.drive_gain),
+        friction=held.friction.replace(coulomb=axis.coulomb[0]),
+        disturbance=held.disturbance.replace(force=-axis.offset),
+        drive=DelayedSaturation(limit=LIMIT, delay=delay * log.period) if delay else held.drive.replace(limit=LIMIT),
+        sensor=IdealSensor(),
+    )
 
 
 def percent_errors(log: EmpsLog, measured: FilteredMotion, run: EmpsRun, dropped: int) -> dict[str, float]:
     """Return 100 |measured - simulated|/|measured| of position, velocity, acceleration and force.
 
-    Parameters
-    ----------
-    log : EmpsLog
-    measured : FilteredMotion
-        The log's motion behind the low-pass of the identification.
-    run : EmpsRun
-    dropped : int
-        Samples at the start that are left out.
+    `measured` is the log's motion behind the low-pass of the identification; the first `dropped` samples are left out.
     """
     pairs = {
         "position": (measured.position, run.position),
@@ -229,5 +261,6 @@ def percent_errors(log: EmpsLog, measured: FilteredMotion, run: EmpsRun, dropped
         "force": (log.force, run.force),
     }
     return {
-        name: 100.0 * float(np.linalg.norm((one - other)[dropped:]) / np.linalg.norm(one[dropped:])) for name, (one, other) in pairs.items()
+        name: 100.0 * float(np.linalg.norm((logged - simulated)[dropped:]) / np.linalg.norm(logged[dropped:]))
+        for name, (logged, simulated) in pairs.items()
     }

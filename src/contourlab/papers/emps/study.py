@@ -1,11 +1,11 @@
-"""Reproduction of Janot, Gautier & Brunot, "Data set and reference models of EMPS", 2019 nonlinear benchmark, from its logs."""
+"""Rows of Janot, Gautier & Brunot, "Data set and reference models of EMPS", 2019 nonlinear benchmark, from its logs."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
+from functools import cache
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 
@@ -18,13 +18,19 @@ from contourlab.analysis.identification.inverse_dynamics import (
     identify_inverse_dynamics,
 )
 from contourlab.errors import LogError
-from contourlab.papers.emps.engine import simulate_in_engine
 from contourlab.papers.emps.log import WANTED, EmpsLog, read_emps
-from contourlab.papers.emps.simulation import EmpsRun, axis_of, percent_errors, simulate_as_published, simulate_emps
-from contourlab.papers.rows import Part, Row, Stage, in_parts, ours, printed
+from contourlab.papers.emps.simulation import (
+    EmpsRun,
+    axis_of,
+    percent_errors,
+    simulate_as_published,
+    simulate_emps,
+    simulate_in_engine,
+)
+from contourlab.papers.rows import Part, Row, ours, printed
 
 SETTINGS = InverseDynamicsSettings(cutoff=100.0, order=4, decimation=10, dropped=(49, 0), lost_degrees=1)
-"""As published: samples are dropped at the start alone, and deviations are those of the residual about its mean."""
+"""As published: samples are dropped at the start only, and the residual is taken about its mean."""
 UNITS = {"M": "kg", "Fv": "N s/m", "Fc": "N", "offset": "N"}
 
 SYMMETRIC = {"M": (95.1089, 0.1085), "Fv": (203.5034, 1.1460), "Fc": (20.3935, 0.1012), "offset": (-3.1648, 0.0444)}
@@ -46,18 +52,18 @@ SIMULATED_VALIDATION = {"position": 0.0080248, "velocity": 0.47888, "acceleratio
 LAST_DIGIT = 5e-5
 """Half of the last printed digit, four decimals."""
 SOLVER = 0.005
-"""Share within which our fixed steps count as the published solver's, which chooses its own."""
+"""Relative tolerance of our fixed steps against the published solver's variable ones."""
 CLOCK = (
-    "here the clock is the log's, and the axis sticks: the published run has t_10 - t_9 for its clock, which drifts against the log "
-    "(0.4 ms over the 24.8 s for estimation), friction that chatters at rest, and pulses that rise in ramps"
+    "here the clock is that of the log, and the axis sticks; in the published run the clock is t_10 - t_9, which drifts against the log "
+    "(0.4 ms over the 24.8 s for estimation), friction chatters at rest, and pulses rise in ramps"
 )
-FROM_REST = "the axis and the controller of builtin:emps from rest, while the log starts on the way: the rest of the run is the same"
-LATE = "the published model delays the command by a tick, and the logged voltage obeys the law without (see controller law)"
+FROM_REST = "axis and controller of builtin:emps from rest, while the log starts in motion; the rest of the run is the same"
+LATE = "the published model delays the command by a tick; the logged voltage obeys the law without delay (see controller law)"
 
 
 @dataclass(frozen=True, eq=False)
 class Identified:
-    """A log, and the axis found from it with friction alike in both directions and by direction."""
+    """A log, and the axes identified from it: friction equal in both directions, and by direction."""
 
     log: EmpsLog
     symmetric: InverseDynamicsFit
@@ -65,58 +71,49 @@ class Identified:
 
 
 def identified(log: str | Path | None) -> Identified:
-    """Return the axis identified from a log.
-
-    Parameters
-    ----------
-    log : str or Path, or None
-        DATA_EMPS.mat; None is refused with what is wanted.
+    """Identify the axis from DATA_EMPS.mat.
 
     Raises
     ------
     LogError
-        If there is none, or it cannot be read.
+        If there is no log, or it cannot be read.
     """
     if log is None:
         raise LogError(f"no log given: {WANTED}", file="--log")
-    held = read_emps(log)
-    record = held.time, held.position, held.force
-    fits = (identify_inverse_dynamics(*record, replace(SETTINGS, friction=friction)) for friction in ("symmetric", "asymmetric"))
-    return Identified(held, *fits)
+    record = read_emps(log)
+    signals = record.time, record.position, record.force
+    fits = (identify_inverse_dynamics(*signals, replace(SETTINGS, friction=friction)) for friction in ("symmetric", "asymmetric"))
+    return Identified(record, *fits)
 
 
-def reproduce(log: str | Path | None = None, validation: str | Path | None = None, *, stage: Stage | None = None) -> list[dict[str, Any]]:
-    """Return every published figure beside ours: rows with the keys of `contourlab.papers.rows.Row.as_dict`.
+def parts_of(log: str | Path | None, validation: str | Path | None = None) -> list[Part]:
+    """Return the parts of the reproduction.
 
     Parameters
     ----------
     log : str or Path
         DATA_EMPS.mat.
     validation : str or Path, optional
-        DATA_EMPS_PULSES.mat, a second record with pulses on the drive: the parameters of the first are held against it.
-    stage : callable, optional
-        Told in words what is begun.
+        DATA_EMPS_PULSES.mat, a second record with pulses on the drive, to validate the parameters of the first.
 
     Raises
     ------
     LogError
-        If a log is not given or cannot be read.
+        If a log is missing or cannot be read; for `log` when the first part runs.
     """
-    second = None if validation is None else read_emps(validation)  # a file that is not there is told ahead of the work
-    if stage is not None:
-        stage("identifying")
-    found = identified(log)
+    second = None if validation is None else read_emps(validation)
+    found = cache(lambda: identified(log))
     parts: list[Part] = [
-        ("parameters", lambda: _parameters(found)),
-        ("simulating the closed loop", lambda: _simulated(found, found.log, SIMULATED, "")),
-        ("tracking in the engine", lambda: _tracking(found)),
+        ("identifying", lambda: _parameters(found())),
+        ("simulating the closed loop", lambda: _simulated(found(), found().log, SIMULATED, "")),
+        ("tracking in the engine", lambda: _tracking(found())),
     ]
     if second is not None:
         parts += [
-            ("the second record", lambda: _validated(found, second)),
-            ("simulating the second record", lambda: _simulated(found, second, SIMULATED_VALIDATION, "validation: ")),
+            ("the second record", lambda: _validated(found(), second)),
+            ("simulating the second record", lambda: _simulated(found(), second, SIMULATED_VALIDATION, "validation: ")),
         ]
-    return list(in_parts(parts, stage))
+    return parts
 
 
 def _parameters(found: Identified) -> Iterator[Row]:
@@ -134,15 +131,15 @@ def _parameters(found: Identified) -> Iterator[Row]:
     yield from _deviations(fit, ASYMMETRIC, directed)
 
 
-def _judged(told: Validation, published: tuple[float, ...], prefix: str, case: str) -> Iterator[Row]:
-    here = (told.condition_number, told.residual_norm, told.relative_error, told.residual_deviation)
+def _judged(fit: Validation, published: tuple[float, ...], prefix: str, case: str) -> Iterator[Row]:
+    here = (fit.condition_number, fit.residual_norm, fit.relative_error, fit.residual_deviation)
     for name, unit, paper, value in zip(JUDGED, JUDGED_UNITS, published, here, strict=True):
         yield printed(f"{prefix}{name}", case, paper, value, unit, LAST_DIGIT)
-    yield ours(f"{prefix}fit", case, told.fit, "%", "100 (1 - |residual|/|force - its mean|)")
+    yield ours(f"{prefix}fit", case, fit.fit, "%", "100 (1 - |residual|/|force - its mean|)")
 
 
 def _deviations(fit: InverseDynamicsFit, published: dict[str, tuple[float, float]], case: str) -> Iterator[Row]:
-    note = "allows for the correlation of the residual, which is not white: the printed ones, and ours beside them, take it for white"
+    note = "allows for the correlation of the residual; the printed figures, and ours beside them, assume it white"
     for i, (name, (_, paper)) in enumerate(published.items()):
         unit, of = UNITS[name.rstrip("+-")], f"{name}, {case}"
         yield printed("standard deviation", of, paper, fit.deviations[i], unit, LAST_DIGIT)
@@ -151,7 +148,7 @@ def _deviations(fit: InverseDynamicsFit, published: dict[str, tuple[float, float
 
 
 def _simulated(found: Identified, log: EmpsLog, published: dict[str, float], prefix: str) -> Iterator[Row]:
-    """The closed loop in simulation against the log: as published, then as the log has it."""
+    """The simulated closed loop against the log: as published, then with the log's clock and delay."""
     motion = filtered_motion(log.position, log.period, cutoff=SETTINGS.cutoff, order=SETTINGS.order)
     alike, directed = axis_of(found.symmetric), axis_of(found.asymmetric)
 
@@ -180,14 +177,13 @@ def _tracking(found: Identified) -> Iterator[Row]:
     for delay, case in ((0, "simulated, no control delay"), (1, "simulated, one tick of control delay")):
         runs[case] = simulate_emps(log, axis_of(found.symmetric), delay=delay).position
     for case, position in runs.items():
-        yield ours(
-            "tracking error rms", case, 1e3 * float(np.sqrt(np.mean((log.reference - position) ** 2))), "mm", "reference less position"
-        )
+        rms = 1e3 * float(np.sqrt(np.mean((log.reference - position) ** 2)))
+        yield ours("tracking error rms", case, rms, "mm", "reference less position")
     for case, position in runs.items():
         yield ours("tracking error peak", case, 1e3 * float(np.abs(log.reference - position).max()), "mm")
     velocity = (log.position[2:] - log.position[:-2]) / (2.0 * log.period)
     law = log.velocity_gain * (log.position_gain * (log.reference - log.position)[2:] - velocity) + log.pulses[2:]
-    note = "rms of the logged voltage less k_v (k_p (q_r - q) - v), v over two ticks: the loop that was measured has no delay of a tick"
+    note = "rms of the logged voltage less k_v (k_p (q_r - q) - v), v over two ticks: the measured loop has no delay"
     for delay, case in ((0, "no control delay"), (1, "one tick of control delay")):
         left = log.voltage[2 + delay :] - law[: law.size - delay]
         yield ours("controller law", case, 1e3 * float(np.sqrt(np.mean(left**2))), "mV", note)
@@ -197,5 +193,5 @@ def _validated(found: Identified, second: EmpsLog) -> Iterator[Row]:
     record = second.time, second.position, second.force
     case = "friction alike in both directions"
     yield from _judged(cross_validate(found.symmetric, *record), ON_VALIDATION, "cross-validation ", case)
-    told = cross_validate(found.asymmetric, *record)
-    yield ours("cross-validation relative error", "friction by direction", told.relative_error, "%", "parameters of the first log")
+    error = cross_validate(found.asymmetric, *record).relative_error
+    yield ours("cross-validation relative error", "friction by direction", error, "%", "parameters of the first log")

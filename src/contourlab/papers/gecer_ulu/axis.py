@@ -1,9 +1,11 @@
-"""Gecer Ulu et al., one axis: the loop of eq (8), the lag that it leaves, what the tables say of the axes, and Fig 4."""
+"""Gecer Ulu et al., one axis: the loop of eq (8), its lag, the mismatch of the axes, and Fig 4."""
 
 from __future__ import annotations
 
 import math
+from collections.abc import Iterator
 from dataclasses import replace
+from itertools import chain
 from typing import Any
 
 import numpy as np
@@ -20,37 +22,34 @@ from contourlab.papers.rows import Row, derived, ours, printed
 FIG_4 = {25e-9: 121.53, 1e-6: 312.14}
 """Rms of the tracking error [nm] by the encoder's resolution [m], as printed."""
 TRAVEL, FEED, QUICK = 7e-3, 12.13e-6, 0.7e-3
-"""Travel of Fig 4 [m]; the feed [m/s] chosen so that the finer encoder gives the printed figure, and one that is usual for 7 mm."""
+"""Travel of Fig 4 [m]; feedrate [m/s] chosen so that the finer encoder gives the printed figure; a usual feedrate for 7 mm."""
 COUNTS = {25e-9: "25 nm", 1e-6: "1 um"}
 
 
-def axis_rows() -> list[Row]:
-    """Return the rows of the loop, of the mismatch and of Fig 4."""
-    return [*_loop(), *_mismatch(), *_signs(), *_fig_4()]
+def axis_rows() -> Iterator[Row]:
+    """Yield the rows of one axis."""
+    return chain(_loop(), _mismatch(), _signs(), _fig_4())
 
 
-def _loop() -> list[Row]:
+def _loop() -> Iterator[Row]:
     """Eq (8) on the speed error and on the position error."""
     machine, controller = machine_of(SIMULATION), controller_of(SIMULATION, 0.0)
-    rows = []
-    for structure, note in (
-        ("speed", "u = K_I e + K_P e' + K_D e'': L = 1/(T_a s), with the pole at -1/T_a"),
-        (
-            "position",
-            "u = K_P e + K_I int e + K_D e': L = 1/(T_a s^2) has no damping, and held commands push it just over the edge",
-        ),
-    ):
+    notes = {
+        "speed": "u = K_I e + K_P e' + K_D e'': L = 1/(T_a s), with the pole at -1/T_a",
+        "position": "u = K_P e + K_I int e + K_D e': L = 1/(T_a s^2) has no damping, and held commands make it unstable",
+    }
+    for structure, note in notes.items():
         axes = {name: replace(part, controller=part.controller.replace(structure=structure)) for name, part in controller.axes.items()}
         loop = coupled_loop(machine, replace(controller, axes=axes)).axes[0].loop
-        rows.append(ours("largest pole of the sampled loop", f"eq (8) on the {structure} error", float(np.abs(loop.poles).max()), "", note))
+        yield ours("largest pole of the sampled loop", f"eq (8) on the {structure} error", float(np.abs(loop.poles).max()), "", note)
     x = machine.axis("x")
     lag = tracking(TRAVEL / 50.0, FEED, None, x.limits.acceleration)[1] / (1e9 * FEED)
-    note = "tracking error over speed in steady motion; the ends of the move take part"
-    return [*rows, derived("lag over speed", "T_a 10 ms", 10.0, 1e3 * lag, "ms", 0.5, note)]
+    note = "tracking error over speed; the ends of the move are included"
+    yield derived("lag over speed", "T_a 10 ms", 10.0, 1e3 * lag, "ms", 0.5, note)
 
 
-def _mismatch() -> list[Row]:
-    """e_i = T_i v_i: with alike axes the lag is tangential, so the printed contour error says how much the axes differ."""
+def _mismatch() -> Iterator[Row]:
+    """e_i = T_i v_i: the lag of equal axes is tangential, so the printed contour error shows how much the axes differ."""
     x, _, contour = TABLE_2["FB"]
     machine = machine_of(SIMULATION)
     plants: list[Any] = [axis.plant for axis in machine.axes]
@@ -59,17 +58,17 @@ def _mismatch() -> list[Row]:
         "slow errors are T v in each axis, and the contour error is (T_y - T_x) v_x v_y/v, at most (T_y - T_x) |v_x|: with x 11.30 and "
         "contour 29.04 nm, T_y/T_x is 1 + 29.04/11.30 or more on any path; a mass alone changes no steady speed"
     )
-    rows = [ours("smallest T_y/T_x that Table 2 allows", "any path", 1.0 + contour / x, "", note)]
-    rows.append(ours("T_y/T_x", SIMULATION, upper / lower, "", "chosen with width and feedrate so that FB gives the first row of Table 2"))
+    yield ours("smallest T_y/T_x that Table 2 allows", "any path", 1.0 + contour / x, "", note)
+    yield ours("T_y/T_x", SIMULATION, upper / lower, "", "chosen with width and feedrate so that FB gives the first row of Table 2")
     alike = replace(machine, axes=tuple(replace(axis, plant=plants[0]) for axis in machine.axes))
     run = learn(alike, controller_of(SIMULATION, 0.0), reference_of(SIMULATION), law_of(SIMULATION), trials=0, part="none")
     here = rms(run, 0)
-    note = f"x {here[0]:.4g}, y {here[1]:.4g} nm: what is left of the contour error is the path's bend within the lag"
-    return [*rows, ours("FB contour rms with axes alike", SIMULATION, here[2], "nm", note)]
+    note = f"x {here[0]:.4g}, y {here[1]:.4g} nm: the rest of the contour error is the path's bend within the lag"
+    yield ours("FB contour rms with axes alike", SIMULATION, here[2], "nm", note)
 
 
-def _signs() -> list[Row]:
-    """Eq (10) with C_i = n_i, as section 3.2 has the gains: the sign of x is turned twice. Slow errors, by statics."""
+def _signs() -> Iterator[Row]:
+    """Eq (10) with C_i = n_i as in section 3.2: the sign of x is inverted twice. Slow errors, by statics."""
     asked = reference_of(SIMULATION).block(0, reference_of(SIMULATION).n_sample)
     plants: list[Any] = [axis.plant for axis in machine_of(SIMULATION).axes]
     gains = [controller_of(SIMULATION).axes[name].controller.constants().integral for name in ("x", "y")]
@@ -85,22 +84,13 @@ def _signs() -> list[Row]:
         f"x {x:.4g}, y {y:.4g} nm: e = -n_x e_x + n_y e_y, corrected by -n_x and n_y; the contour error rises as printed, 32.36, but x "
         "falls where 15.42 nm are printed: not the whole answer"
     )
-    return [ours("FB CCC contour rms, C_i = n_i in eq (10)", "simulation, kappa 0.1, by statics", contour, "nm", note)]
+    yield ours("FB CCC contour rms, C_i = n_i in eq (10)", "simulation, kappa 0.1, by statics", contour, "nm", note)
 
 
 def tracking(travel: float, feed: float, resolution: float | None, acceleration: float = 0.1e-3) -> tuple[float, float]:
-    """Drive the upper stage along an S-curve.
+    """Drive the upper stage along an S-curve [m, m/s, m/s^2]; return the rms tracking error [nm] by the encoder and in truth.
 
-    Parameters
-    ----------
-    travel, feed, acceleration : float [m, m/s, m/s^2]
-    resolution : float [m] or None
-        Of the encoder; None without.
-
-    Returns
-    -------
-    tuple of two floats [nm]
-        Rms of the reference less what the encoder says, and less the true position.
+    Without a resolution [m] there is no encoder.
     """
     x = machine_of(SIMULATION).axis("x")
     limits = replace(x.limits, velocity=2.0 * feed, acceleration=acceleration, jerk=10.0 * acceleration)
@@ -113,21 +103,20 @@ def tracking(travel: float, feed: float, resolution: float | None, acceleration:
     return 1e9 * float(np.sqrt(np.mean(seen**2))), 1e9 * float(np.sqrt(np.mean(true**2)))
 
 
-def _fig_4() -> list[Row]:
+def _fig_4() -> Iterator[Row]:
     fine, coarse = FIG_4.values()
-    rows = []
     for resolution, paper in FIG_4.items():
         seen, true = tracking(TRAVEL, FEED, resolution)
-        note = f"as the encoder sees it; {true:.4g} nm in truth; " + (
+        note = f"as seen by the encoder; true error {true:.4g} nm; " + (
             f"no evidence: the feed of {1e6 * FEED:.4g} um/s is chosen for it"
             if paper == fine
             else "within 20 % counts as agreement; below a lag of half a count the axis also chatters at the edge of a count"
         )
         tolerance = (0.02 if paper == fine else 0.2) * paper
-        rows.append(printed("Fig 4 tracking rms", f"{COUNTS[resolution]} encoder", paper, seen, "nm", tolerance, note))
+        yield printed("Fig 4 tracking rms", f"{COUNTS[resolution]} encoder", paper, seen, "nm", tolerance, note)
     counted = math.sqrt(fine**2 + (1000.0**2 - 25.0**2) / 12.0)
-    note = "a uniform count of 1 um in place of 25 nm, of variance q^2/12: the printed difference is counting alone"
-    rows.append(printed("Fig 4 tracking rms", "1 um encoder, from the printed 121.53 nm", coarse, counted, "nm", 0.01 * coarse, note))
+    note = "counts of 1 um instead of 25 nm, variance q^2/12: the printed difference is counting alone"
+    yield printed("Fig 4 tracking rms", "1 um encoder, from the printed 121.53 nm", coarse, counted, "nm", 0.01 * coarse, note)
     quick = tracking(TRAVEL, QUICK, 25e-9, acceleration=1e-3)[0]
-    note = "the lag of eq (7) is v T_a, so the printed 121.53 nm are those of a move of minutes, or of a loop without that lag"
-    return [*rows, ours("tracking rms of 7 mm in about 10 s", "25 nm encoder", quick, "nm", note)]
+    note = "the lag of eq (7) is v T_a, so the printed 121.53 nm need a move of minutes, or a loop without that lag"
+    yield ours("tracking rms of 7 mm in about 10 s", "25 nm encoder", quick, "nm", note)

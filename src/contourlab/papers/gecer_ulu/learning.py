@@ -1,17 +1,18 @@
-"""Gecer Ulu et al., what learning does beyond the tables: over kappa, over 200 trials, at 30 ms, and with the delay."""
+"""Gecer Ulu et al., learning beyond the tables: over kappa, over 200 trials, at 30 ms, and with the delay."""
 
 from __future__ import annotations
 
 import math
+from collections.abc import Iterator
 from dataclasses import replace
-from itertools import pairwise
+from itertools import chain, pairwise
 
 import numpy as np
 from numpy.typing import NDArray
 
 from contourlab.analysis.learning.learning_frequency import FrequencyLearning, frequency_learning
 from contourlab.analysis.linear.coupled_loop import coupled_loop
-from contourlab.components.drive.delayed_saturation import DelayedSaturation
+from contourlab.components.drive.saturation import DelayedSaturation
 from contourlab.features.learn import LearningRun, learn, learning_problem
 from contourlab.features.learn.trial import record_of
 from contourlab.loop import Controller, Machine
@@ -37,51 +38,47 @@ KAPPAS = (0.1, 0.2, KAPPA, 1.0, 3.0)
 SHOWN = (0, 10, TRIALS, 60, 100, LONG)
 TRIALS_OF = {SIMULATION: LONG, EXPERIMENT: LONG, COUNTING: 60, PERIOD_30MS: LONG}
 SLOWER = 15.0
-"""T_a of the reading at 30 ms over that at 1 ms: at a feed slower by this much FB has the errors of Table 2 again."""
+"""T_a at 30 ms over T_a at 1 ms: with the feed divided by this, FB has the errors of Table 2 again."""
 STEADY = (100, 200)
-"""Trials between which the growth of the side lobe is measured."""
+"""First and last trial of the measured growth of the side lobe."""
+RATIO = "contour rms of FB CCC ILC over FB ILC, over kappa"
 DELAY, SLOW = 0.015, 0.02
-"""Delay of the identification, and the T_a [s] at which feedback bears it and learning does not."""
+"""Identified delay, and the T_a [s] at which feedback tolerates it and learning does not."""
 
 WHY = {
-    SIMULATION: "no turn: only the motion is to be learned, coupling lowers it in every trial, and the side lobes grow but little",
-    EXPERIMENT: "no turn: what stays is a non-repeatable force, which the coupling's higher gain across the path holds down in each trial",
+    SIMULATION: "never: only the motion has to be learned, coupling lowers it in every trial, and the side lobes hardly grow",
+    EXPERIMENT: "never: a non-repeatable force remains, and the coupling's higher gain across the path reduces it in each trial",
     COUNTING: (
-        "once the motion is learned, counts of 25 nm are all that is left, and the coupling answers to counts as well: its gain across the "
-        "path is 1 + kappa times as high, which lets more of them through and makes the side lobes grow faster"
+        "once the motion is learned only counts of 25 nm are left; with coupling the gain across the path is 1 + kappa times as high, "
+        "which amplifies them more and makes the side lobes grow faster"
     ),
     PERIOD_30MS: (
-        "the average is 0.69 s wide: its side lobes lie at 1.4 Hz and above, where the path's turn has content, and with coupling they "
+        "the average is 0.69 s wide: its side lobes lie at 1.4 Hz and above, where the path's turn has content, and coupling makes them "
         "grow faster (largest factor of a trial, below); at 1 ms they lie above 43 Hz, where the contour has none"
     ),
 }
 
 
-def learning_rows() -> list[Row]:
-    """Return the rows of all this."""
-    return [*_over_kappa(), *_over_trials(), *_at_30_ms(), *_forecasts(), *side_lobe_rows(), *delay_rows()]
+def learning_rows() -> Iterator[Row]:
+    """Yield the rows of learning."""
+    return chain(_over_kappa(), _over_trials(), _at_30_ms(), _forecasts(), side_lobe_rows(), delay_rows())
 
 
-def _over_kappa() -> list[Row]:
+def _over_kappa() -> Iterator[Row]:
     alone = rms(course(SIMULATION, 0.0, LONG), TRIALS)[2]
-    rows = []
     for kappa in KAPPAS:
         run = course(SIMULATION, kappa, LONG if kappa == KAPPA else TRIALS)
         case = f"simulation, kappa {kappa:g}"
         x, y, contour = rms(run, 0)
         note = f"x {x:.4g}, y {y:.4g} nm, beside 15.42 and 110.65 in Table 2"
-        rows.append(ours("FB CCC contour rms over kappa", case, contour, "nm", note))
+        yield ours("FB CCC contour rms over kappa", case, contour, "nm", note)
         coupled = rms(run, TRIALS)[2]
         note = f"{coupled:.3g} nm beside {alone:.3g} nm after 30 trials; 0.286 in the paper; 1/(1 + kappa) is {1 / (1 + kappa):.3g}"
-        rows.append(ours("contour rms of FB CCC ILC over FB ILC, over kappa", case, coupled / alone, "", note))
-    return rows
+        yield ours(RATIO, case, coupled / alone, "", note)
 
 
 def order_turns(alone: LearningRun, coupled: LearningRun) -> tuple[int, float] | None:
-    """Return the first trial in which the coupled scheme has the larger contour error, and in what part of the trials from there on it has.
-
-    None if there is no such trial.
-    """
+    """Return the first trial in which coupling gives the larger contour error, and the share of later trials; None if there is none."""
     worse = [b.contour_rms > a.contour_rms for a, b in zip(alone.trials, coupled.trials, strict=True)]
     if not any(worse):
         return None
@@ -89,26 +86,23 @@ def order_turns(alone: LearningRun, coupled: LearningRun) -> tuple[int, float] |
     return first, sum(worse[first:]) / len(worse[first:])
 
 
-def _over_trials() -> list[Row]:
-    rows = []
+def _over_trials() -> Iterator[Row]:
     for setting, trials in TRIALS_OF.items():
         runs = {"FB ILC": course(setting, 0.0, trials), "FB CCC ILC": course(setting, KAPPA, trials)}
         for scheme, run in runs.items():
             for trial in SHOWN:
                 if trial <= trials:
-                    rows.append(ours(f"{scheme} contour rms over trials", f"{setting}, trial {trial}", rms(run, trial)[2], "nm"))
+                    yield ours(f"{scheme} contour rms over trials", f"{setting}, trial {trial}", rms(run, trial)[2], "nm")
         turn = order_turns(*runs.values())
         first, part = (math.nan, math.nan) if turn is None else turn
         case = f"{setting}, {trials} trials"
-        rows.append(ours("first trial in which FB CCC ILC is worse than FB ILC", case, first, "", WHY[setting]))
+        yield ours("first trial in which FB CCC ILC is worse than FB ILC", case, first, "", WHY[setting])
         if turn is not None:
-            rows.append(ours("part of the trials since then in which it is", case, part, ""))
-    return rows
+            yield ours("part of the trials since then in which it is", case, part, "")
 
 
-def _at_30_ms() -> list[Row]:
-    """The second reading: what learning leaves of the contour error, at the same feed and at the feed at which FB has the same error."""
-    rows = []
+def _at_30_ms() -> Iterator[Row]:
+    """At 30 ms: the contour error after learning, at the same feed and at the feed with the same FB error."""
     for slower, words in ((1.0, "feed as at 1 ms"), (SLOWER, f"feed {SLOWER:g} times slower")):
         trials = LONG if slower == 1.0 else TRIALS
         for scheme, kappa in (("FB", 0.0), ("FB CCC", KAPPA)):
@@ -116,37 +110,34 @@ def _at_30_ms() -> list[Row]:
             for trial, name in ((0, scheme), (TRIALS, f"{scheme} ILC")):
                 x, y, contour = rms(run, trial)
                 note = f"x {x:.4g}, y {y:.4g} nm; T_a 150 ms, delay 15 ms, noise-free"
-                rows.append(ours(f"{name} contour rms at 30 ms", words, contour, "nm", note))
+                yield ours(f"{name} contour rms at 30 ms", words, contour, "nm", note)
             note = "Table 2: 10.6 without and 41.5 with coupling"
             gain = rms(run, 0)[2] / rms(run, TRIALS)[2]
-            rows.append(ours("contour rms over that after 30 trials, at 30 ms", f"{scheme}, {words}", gain, "", note))
-    return rows
+            yield ours("contour rms over that after 30 trials, at 30 ms", f"{scheme}, {words}", gain, "", note)
 
 
 def forecast(machine: Machine, controller: Controller) -> FrequencyLearning:
-    """Return what a trial of eq (9), gamma = 0.2 and M = 11, makes of each frequency."""
+    """Return the factor of a trial of eq (9) at each frequency, with gamma = 0.2 and M = 11."""
     return frequency_learning(coupled_loop(machine, controller), law_of(SIMULATION))
 
 
-def _forecasts() -> list[Row]:
-    """Largest |1 - gamma H T|, or spectral radius with coupling, of what is used above."""
-    rows = []
+def _forecasts() -> Iterator[Row]:
+    """Largest |1 - gamma H T|, or spectral radius with coupling, of the settings above."""
     settings = [(SIMULATION, kappa) for kappa in (0.0, *KAPPAS)] + [(PERIOD_30MS, kappa) for kappa in (0.0, KAPPA)]
     for setting, kappa in settings:
         w, factor = forecast(machine_of(setting), controller_of(setting, kappa)).worst_radius
         note = f"at {w / (2.0 * math.pi):.3g} Hz, beyond the first zero of H: {factor**TRIALS:.2g} times in 30, {factor**LONG:.2g} in 200"
-        rows.append(ours("largest factor of a trial", f"{setting}, kappa {kappa:g}", factor, "", note))
-    return rows
+        yield ours("largest factor of a trial", f"{setting}, kappa {kappa:g}", factor, "", note)
 
 
-def side_lobe_rows() -> list[Row]:
-    """The side lobe's growth, measured at the worst frequency where the rest has long been learned."""
+def side_lobe_rows() -> Iterator[Row]:
+    """The side lobe's growth at the worst frequency, long after the rest has been learned."""
     low, high = STEADY
     w, factor = forecast(machine_of(PERIOD_30MS), controller_of(PERIOD_30MS, 0.0)).worst_radius
     before, after = (_amplitude(error, w) for error in _errors(STEADY))
     grown = (after / before) ** (1.0 / (high - low))
     note = f"forecast {factor:.5f}; the amplitude of x at {w / (2.0 * math.pi):.3g} Hz"
-    return [ours("growth in a trial, measured", f"{PERIOD_30MS}, FB ILC, trials {low} to {high}", grown, "", note)]
+    yield ours("growth in a trial, measured", f"{PERIOD_30MS}, FB ILC, trials {low} to {high}", grown, "", note)
 
 
 def _errors(wanted: tuple[int, ...]) -> list[Array]:
@@ -155,43 +146,41 @@ def _errors(wanted: tuple[int, ...]) -> list[Array]:
     law, runner = law_of(PERIOD_30MS), Trials(machine, controller, reference)
     problem = learning_problem(machine, controller, reference, law.target, runner.arc_length)
     beforehand = feedforward_command(machine, controller, reference)
-    table, found = np.zeros_like(beforehand), []
+    table, errors = np.zeros_like(beforehand), []
     for trial in range(wanted[-1] + 1):
         record = record_of(runner.run(table, trial), runner, table, beforehand)
         if trial in wanted:
-            found.append(record.tracking_error[:, 0].copy())
+            errors.append(record.tracking_error[:, 0].copy())
         table = law.update(table, record, problem)
-    return found
+    return errors
 
 
 def _amplitude(signal: Array, frequency: float) -> float:
-    """Return the amplitude of a signal (n,) about a frequency [rad/s], behind a window, since a trial does not end where it began."""
+    """Return the amplitude of a signal (n,) at a frequency [rad/s], windowed because a trial does not end where it began."""
     time = np.arange(len(signal)) * machine_of(PERIOD_30MS).servo_period
     return float(abs(np.sum(np.hanning(len(signal)) * signal * np.exp(-1j * frequency * time))))
 
 
-def delay_rows() -> list[Row]:
-    """M = 11 at 1 ms with the delay of 15 ms: at T_a = 10 ms feedback has no margin left, at 20 ms learning diverges."""
-    rows = []
+def delay_rows() -> Iterator[Row]:
+    """1 ms, M = 11, delay 15 ms: at T_a = 10 ms feedback has no margin left, at 20 ms learning diverges."""
     for time_constant in (0.01, SLOW):
         machine, controller = _late(time_constant)
         loop = coupled_loop(machine, controller)
         largest = max(float(abs(axis.loop.poles).max()) for axis in loop.axes)
         case = f"1 ms, delay 15 ms, T_a {1e3 * time_constant:g} ms"
-        rows.append(ours("largest pole of feedback alone", case, largest, "", "above 1 unstable" if largest > 1.0 else "stable"))
+        yield ours("largest pole of feedback alone", case, largest, "", "above 1 unstable" if largest > 1.0 else "stable")
     w, factor = forecast(machine, controller).worst_radius
-    note = f"at {w / (2.0 * math.pi):.3g} Hz, where T has turned its sign: eq (9) drives it the wrong way"
-    rows.append(ours("largest factor of a trial", case, factor, "", note))
+    note = f"at {w / (2.0 * math.pi):.3g} Hz, where T has changed its sign: eq (9) acts in the wrong direction"
+    yield ours("largest factor of a trial", case, factor, "", note)
     run = learn(machine, controller, reference_of(SIMULATION), law_of(SIMULATION), trials=TRIALS, part="none")
     merits = [trial.contour_rms for trial in run.trials]
     steepest = max(b / a for a, b in pairwise(merits))
-    rows.append(ours("best trial before it diverges", case, float(run.best), "", f"{run.status}: {run.reason}"))
-    rows.append(ours("largest growth of contour rms in a trial", case, steepest, "", f"{1e9 * merits[run.best]:.3g} nm at best"))
-    return rows
+    yield ours("best trial before it diverges", case, float(run.best), "", f"{run.status}: {run.reason}")
+    yield ours("largest growth of contour rms in a trial", case, steepest, "", f"{1e9 * merits[run.best]:.3g} nm at best")
 
 
 def _late(time_constant: float) -> tuple[Machine, Controller]:
-    """Return machine and feedback at 1 ms with the delay of the identification, counted in steps of 25 nm."""
+    """Return machine and feedback at 1 ms with the identified delay and counts of 25 nm."""
     machine, controller = machine_of(COUNTING), controller_of(COUNTING, 0.0)
     late = tuple(replace(axis, drive=DelayedSaturation(delay=DELAY)) for axis in machine.axes)
     axes = {name: replace(part, controller=part.controller.replace(time_constant=time_constant)) for name, part in controller.axes.items()}

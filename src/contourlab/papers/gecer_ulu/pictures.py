@@ -1,90 +1,41 @@
-"""Gecer Ulu et al., what Figs 9 and 10 are drawn from, and rows of Fig 9."""
+"""Figs 9 and 10 of Gecer Ulu et al., and the gain of coupling over kappa."""
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from collections.abc import Mapping, Sequence
+from pathlib import Path
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from contourlab.papers.gecer_ulu.setup import EXPERIMENT, KAPPA, SIMULATION, course, reference_of
-from contourlab.papers.gecer_ulu.tables import LONG, TRIALS
-from contourlab.papers.rows import Row, ours
+from contourlab.papers.gecer_ulu.convergence import convergence, turn
+from contourlab.papers.gecer_ulu.learning import RATIO
+from contourlab.papers.gecer_ulu.setup import EXPERIMENT, SIMULATION, TABLE_2
+from contourlab.report.charts import traces_chart
+from contourlab.report.plots import write_charts
 
 Array = NDArray[np.float64]
-SHOWN = (0, 1, 2, 5, 10, 15, 20, 25, 30)
 
 
-@dataclass(frozen=True, eq=False)
-class Turn:
-    """Fig 10: the path and the tool around the tight turn.
-
-    Attributes
-    ----------
-    setting : str
-    time : ndarray (n,) [s]
-        0 where the reference is in the turn.
-    reference : ndarray (n, 2) [m]
-    feedback, learned : ndarray (n, 2) [m]
-        True positions under FB, and under FB CCC ILC in its best trial.
-    feedback_contour, learned_contour : ndarray (n,) [m]
-        Their contour errors, positive to the left.
-    """
-
-    setting: str
-    time: Array
-    reference: Array
-    feedback: Array
-    learned: Array
-    feedback_contour: Array
-    learned_contour: Array
-
-
-def convergence(setting: str, kappa: float = KAPPA, trials: int = TRIALS, seed: int = 0) -> Array:
-    """Return Fig 9: the contour rms [m] of each trial (trials + 1,), from the one that has learned nothing."""
-    return np.array([found.contour_rms for found in course(setting, kappa, trials, seed).trials])
-
-
-def turn(setting: str, around: float = 2.0, trials: int = TRIALS) -> Turn:
-    """Return Fig 10 for a setting.
-
-    Parameters
-    ----------
-    setting : str
-        SIMULATION or EXPERIMENT.
-    around : float [s], > 0
-        How long before and after the turn.
-    trials : int, >= 0
-        Of learning; the best of them is shown.
-    """
-    reference = reference_of(setting)
-    asked = reference.block(0, reference.n_sample)
-    middle = int(np.argmax(asked.position[:, 0]))
-    half = round(around / reference.servo_period)
-    cut = slice(max(middle - half, 0), middle + half + 1)
-    alone, learned = course(setting, 0.0, trials), course(setting, KAPPA, trials)
-    time = (np.arange(reference.n_sample)[cut] - middle) * reference.servo_period
-    return Turn(
-        setting,
-        time.astype(float),
-        asked.position[cut],
-        alone.first_position[cut],
-        learned.best_position[cut],
-        alone.first_contour[cut],
-        learned.best_contour[cut],
+def draw(rows: Sequence[Mapping[str, Any]], folder: str | Path, formats: Sequence[str]) -> tuple[Path, ...]:
+    """Write the figures into a folder; `rows` are those of the reproduction. Return the files."""
+    courses: dict[str, tuple[Array, Array]] = {}
+    for setting in (SIMULATION, EXPERIMENT):
+        rms = convergence(setting)
+        courses[setting] = np.arange(len(rms), dtype=float), rms * 1e9
+    title = "Fig 9: contour rms over trials, FB CCC ILC"
+    labels, caption = ("trial", "contour rms [nm]"), "Trial 0 has learned nothing."
+    charts = [traces_chart("fig-9", title, labels, courses, caption=caption, level=None, log_y=True)]
+    labels, caption = ("time from the turn [s]", "contour error [nm]"), "Positive to the left of the direction of travel."
+    for setting in (SIMULATION, EXPERIMENT):
+        seen = turn(setting)
+        errors = {"FB": (seen.time, seen.feedback_contour * 1e9), "FB CCC ILC": (seen.time, seen.learned_contour * 1e9)}
+        charts.append(traces_chart(f"fig-10-{setting}", f"Fig 10: around the tight turn, {setting}", labels, errors, caption=caption))
+    ratios = {float(row["case"].rpartition(" ")[2]): row["here"] for row in rows if row["name"] == RATIO}
+    kappa, paper = np.array(list(ratios)), TABLE_2["FB CCC ILC"][2] / TABLE_2["FB ILC"][2]
+    curves = {"here, 30 trials": (kappa, np.array(list(ratios.values()))), f"paper: {paper:.3g}": (kappa[[0, -1]], np.full(2, paper))}
+    charts.append(
+        traces_chart("kappa", "Contour rms of FB CCC ILC over that of FB ILC", ("kappa", "ratio"), curves, level=None, log_x=True)
     )
-
-
-def convergence_rows() -> list[Row]:
-    """Return some trials of Fig 9, and the largest contour error before and after the turn of Fig 10."""
-    rows = []
-    for setting, limit in ((SIMULATION, "very close to zero"), (EXPERIMENT, "around 30 nm")):
-        found = 1e9 * convergence(setting, trials=LONG)
-        note = f"FB CCC ILC; the paper's converges to a value {limit}"
-        rows += [ours("Fig 9 contour rms", f"{setting}, trial {trial}", found[trial], "nm", note) for trial in SHOWN]
-        seen = turn(setting, trials=LONG)
-        for words, part in (("before", seen.time < 0.0), ("after", seen.time >= 0.0)):
-            size, left = (1e9 * np.abs(error[part]).max() for error in (seen.feedback_contour, seen.learned_contour))
-            note = f"{left:.3g} nm under FB CCC ILC; within 2 s; the paper finds control worse just after the turn"
-            rows.append(ours("Fig 10 largest contour error under FB", f"{setting}, {words} the turn", size, "nm", note))
-    return rows
+    return write_charts(charts, folder, formats)

@@ -1,6 +1,6 @@
-"""Machines, controllers, contour and tables of Gecer Ulu, Ulu & Cakmakci, and the runs over trials that the reproduction is made of.
+"""Setup of Gecer Ulu, Ulu & Cakmakci: tables, machines, controllers, contour, and runs over trials.
 
-What is not in the paper, and how it is read, stands in the shipped files ``gecer-ulu/*.toml`` and in docs/gecer-ulu.md.
+The shipped files ``gecer-ulu/*.toml`` and docs/gecer-ulu.md say what the paper leaves open and how it is read here.
 """
 
 from __future__ import annotations
@@ -9,9 +9,6 @@ from dataclasses import replace
 from functools import cache
 from typing import Any
 
-import numpy as np
-from numpy.typing import NDArray
-
 from contourlab.components.learning.law import LearningLaw
 from contourlab.components.sensor.encoder import Encoder
 from contourlab.features.learn import LearningRun, Stopping, learn
@@ -19,7 +16,6 @@ from contourlab.feed import Reference
 from contourlab.loop import Controller, Machine
 from contourlab.scenario import BUILTIN, Case, load_scenario
 
-Array = NDArray[np.float64]
 Triple = tuple[float, float, float]
 """Rms of x, y and contour error [nm]."""
 
@@ -45,43 +41,10 @@ TABLE_3: dict[str, Triple] = {
     "FB ILC": (25.81, 79.14, 39.33),
     "FB CCC ILC": (21.28, 66.69, 27.52),
 }
-"""The paper's figures; Table 2 has no unit, and is read in nm."""
+"""Printed figures; Table 2 has no unit and is read in nm."""
 
 TO_THE_END = Stopping(improvement=0.0, divergence=1e12, growth=10**9)
-"""No verdict: the paper's number of trials is run, whatever comes of them."""
-
-
-def turning_points(width: float = 17.02e-6, height: float = 90e-6, radius: float = 1e-6, bend: float = 0.3, half: int = 60) -> Array:
-    """Return points of two bent legs that meet in one tight turn, from (0, 0) over (width, height/2) to (0, height).
-
-    A hyperbola has straight legs and a turn of any tightness; a parabola added to it bends the legs.
-
-    Parameters
-    ----------
-    width, height, radius : float [m]
-        Excursions, and the radius of curvature in the turn.
-    bend : float, 0 to 1
-        Share of the parabola.
-    half : int
-        Points on a leg; they lie dense where the curve turns.
-
-    Returns
-    -------
-    ndarray (2 half + 1, 2) [m]
-    """
-    tip = _tip(height**2 / (4.0 * width * radius), bend)
-    along = tip * np.sinh(np.linspace(-1.0, 1.0, 2 * half + 1) * np.arcsinh(1.0 / tip))
-    along[0], along[-1] = -1.0, 1.0
-    legs = (np.sqrt(along**2 + tip**2) - tip) / (np.sqrt(1.0 + tip**2) - tip)
-    x = width * ((1.0 - bend) * (1.0 - legs) + bend * (1.0 - along**2))
-    return np.column_stack([x, 0.5 * height * (along + 1.0)])
-
-
-def _tip(curvature: float, bend: float) -> float:
-    """Return the size of the hyperbola's tip at which the curve has a curvature there, both in parts of width and half height."""
-    wanted = (curvature - 2.0 * bend) / (1.0 - bend)
-    # 1/(t (sqrt(1 + t^2) - t)) = wanted, with its root in closed form: sqrt(1 + t^2) = t + 1/(wanted t).
-    return 1.0 / (wanted * np.sqrt(1.0 - 2.0 / wanted))  # type: ignore[no-any-return]
+"""Never stop: run the paper's number of trials whatever happens."""
 
 
 @cache
@@ -105,7 +68,7 @@ def reference_of(setting: str, slower: float = 1.0) -> Reference:
 
 
 def controller_of(setting: str, kappa: float = KAPPA) -> Controller:
-    """Return the controller with C_cc = kappa C_fb; without coupling for a kappa of 0."""
+    """Return the controller with C_cc = kappa C_fb; for kappa 0 without coupling."""
     controller = case_of(setting).controller
     coupling: Any = controller.coupling
     if kappa == 0.0:
@@ -121,10 +84,7 @@ def law_of(setting: str) -> LearningLaw:
 
 
 def course(setting: str, kappa: float, trials: int, seed: int = 0, slower: float = 1.0) -> LearningRun:
-    """Learn over a number of trials, of which trial 0 has learned nothing: FB and FB ILC with a kappa of 0, FB CCC and FB CCC ILC above.
-
-    What has been run before is not run again.
-    """
+    """Learn over trials 0 (nothing learned) to `trials`, with coupling if kappa > 0; each course runs once."""
     return _course(setting, float(kappa), trials, seed, float(slower))
 
 
@@ -136,6 +96,5 @@ def _course(setting: str, kappa: float, trials: int, seed: int, slower: float) -
 
 def rms(run: LearningRun, trial: int) -> Triple:
     """Return the figures of a trial."""
-    found = run.trials[trial]
-    x, y = found.tracking_rms
-    return 1e9 * x, 1e9 * y, 1e9 * found.contour_rms
+    x, y = run.trials[trial].tracking_rms
+    return 1e9 * x, 1e9 * y, 1e9 * run.trials[trial].contour_rms

@@ -1,6 +1,8 @@
-"""Gecer Ulu et al., Tables 2 and 3: all entries beside ours, what learning and coupling bring, and the spread over seeds."""
+"""Gecer Ulu et al., Tables 2 and 3: all entries, the effect of learning and coupling, and the spread over seeds."""
 
 from __future__ import annotations
+
+from collections.abc import Iterator
 
 import numpy as np
 
@@ -12,7 +14,7 @@ SEEDS = (0, 1, 2)
 COLUMNS = ("x", "y", "contour")
 TABLES = {SIMULATION: TABLE_2, EXPERIMENT: TABLE_3}
 FITTED, PREDICTED = 0.02, 0.2
-"""Parts of the printed figure within which ours agrees: where a number was chosen for it, and elsewhere."""
+"""Relative tolerances: of figures for which a number was chosen, and of the others."""
 
 CHOSEN = {
     (SIMULATION, "FB", "x"): "no evidence: width of the contour, feedrate and mismatch of the axes are chosen for this row",
@@ -23,20 +25,20 @@ CHOSEN = {
     (EXPERIMENT, "FB ILC", "x"): "no evidence: the non-repeatable disturbance is chosen for it",
 }
 _RATE = (
-    "trial after trial 1 - gamma = 0.8 of what is slow is left, 0.8^30 = 0.0012, and at 1 ms the average of eq (9) is 23 ms wide, so that "
-    "all of this contour is slow; the printed rests are those of a quicker contour, of a wider average (0.69 s at 30 ms) or of fewer trials"
+    "each trial leaves 1 - gamma = 0.8 of slow errors, 0.8^30 = 0.0012, and at 1 ms the average of eq (9) is 23 ms wide, so that all of "
+    "this contour is slow; the printed errors fit a faster contour, a wider average (0.69 s at 30 ms) or fewer trials"
 )
 _NOISE = (
-    "printed, learning takes only 30 % off y here, with the gamma and M that take 98 % off it in Table 2; what it leaves would have to "
-    "be non-repeatable: 79 nm beside the lag of 111 nm of Table 2 make 137 nm under FB, not 113, if the two are independent"
+    "as printed, learning removes only 30 % of y here, with the gamma and M that remove 98 % in Table 2; the rest would have to be "
+    "non-repeatable: 79 nm with Table 2's lag of 111 nm give 137 nm under FB, not 113, if the two are independent"
 )
-_ALONG = "the coupling acts along the normal, which is mostly x here, and moves y little; so it does in Table 2 (0.6 %)"
-_SHORT = "short of the printed one by as much as under FB; their ratio is what kappa is chosen for"
-_ACROSS = "0.93 x and 0.36 y are across this path, so the y printed makes up for the difference: "
+_ALONG = "the coupling acts along the normal, which is mostly x here, and changes y little, as in Table 2 (0.6 %)"
+_SHORT = "as far below the printed figure as under FB; kappa is chosen for their ratio"
+_ACROSS = "0.93 x and 0.36 y are across this path, so the printed y explains the difference: "
 REASONS = {
     (SIMULATION, "FB CCC", "contour"): (
-        "slow errors go with 1/(1 + kappa T), so a coupling of the right sign lowers them: both axes move as printed (x up, y down), which "
-        "by itself lowers the contour error; the printed rise does not follow from eqs (13)-(22)"
+        "slow errors scale with 1/(1 + kappa T), so a coupling of the right sign lowers them: both axes change as printed (x up, y down), "
+        "which alone lowers the contour error; the printed rise does not follow from eqs (13)-(22)"
     ),
     **{(SIMULATION, scheme, column): _RATE for scheme in ("FB ILC", "FB CCC ILC") for column in COLUMNS},
     (EXPERIMENT, "FB", "contour"): (
@@ -53,23 +55,22 @@ REASONS = {
 
 
 def figures(setting: str, seed: int = 0) -> dict[str, Triple]:
-    """Return the four schemes of a setting, as the tables have them [nm]: 30 trials of learning."""
+    """Return the figures [nm] of the four schemes of a setting after 30 trials of learning."""
     trials = LONG if seed == 0 else TRIALS
     alone, coupled = course(setting, 0.0, trials, seed), course(setting, KAPPA, trials, seed)
     return {"FB": rms(alone, 0), "FB CCC": rms(coupled, 0), "FB ILC": rms(alone, TRIALS), "FB CCC ILC": rms(coupled, TRIALS)}
 
 
-def table_rows() -> list[Row]:
-    """Return the rows of both tables, and what is drawn from them."""
+def table_rows() -> Iterator[Row]:
+    """Yield the rows of both tables, of ratios and of the spread."""
     found = {SIMULATION: [figures(SIMULATION)], EXPERIMENT: [figures(EXPERIMENT, seed) for seed in SEEDS]}
-    rows = []
     for setting, table in TABLES.items():
         for scheme, line in table.items():
             for i, column in enumerate(COLUMNS):
-                rows.append(_entry(setting, scheme, column, line[i], [run[scheme][i] for run in found[setting]]))
+                yield _entry(setting, scheme, column, line[i], [run[scheme][i] for run in found[setting]])
     for setting, runs in found.items():
-        rows += _ratios(setting, runs)
-    return [*rows, *_spread(found[EXPERIMENT])]
+        yield from _ratios(setting, runs)
+    yield from _spread(found[EXPERIMENT])
 
 
 def _entry(setting: str, scheme: str, column: str, paper: float, here: list[float]) -> Row:
@@ -79,32 +80,28 @@ def _entry(setting: str, scheme: str, column: str, paper: float, here: list[floa
     return printed(f"{scheme} {column} rms", setting, paper, float(np.mean(here)), "nm", part * paper, note, reason=REASONS.get(key, ""))
 
 
-def _ratios(setting: str, runs: list[dict[str, Triple]]) -> list[Row]:
-    """What learning takes off the contour error, and coupling beside learning."""
+def _ratios(setting: str, runs: list[dict[str, Triple]]) -> Iterator[Row]:
+    """Contour errors of the schemes over one another."""
     table = TABLES[setting]
 
     def ratio(of: dict[str, Triple], above: str, below: str) -> float:
         return of[above][2] / of[below][2]
 
-    rows = []
     for name, above, below, note in (
-        ("contour rms of FB over FB ILC", "FB", "FB ILC", "how often learning divides the contour error in 30 trials"),
+        ("contour rms of FB over FB ILC", "FB", "FB ILC", "factor by which 30 trials of learning divide the contour error"),
         ("contour rms of FB over FB CCC ILC", "FB", "FB CCC ILC", "the same, with coupling"),
         ("contour rms of FB over FB CCC", "FB", "FB CCC", "1 + kappa for slow errors; kappa = 0.3 is chosen for Table 3's 1.31"),
-        ("contour rms of FB CCC ILC over FB ILC", "FB CCC ILC", "FB ILC", "below 1: coupling helps beside learning"),
+        ("contour rms of FB CCC ILC over FB ILC", "FB CCC ILC", "FB ILC", "below 1: coupling helps in addition to learning"),
     ):
         here = float(np.mean([ratio(run, above, below) for run in runs]))
         paper = ratio(table, above, below)
-        rows.append(ours(name, setting, here, "", f"{paper:.3g} in the paper; {note}"))
-    return rows
+        yield ours(name, setting, here, "", f"{paper:.3g} in the paper; {note}")
 
 
-def _spread(runs: list[dict[str, Triple]]) -> list[Row]:
-    """How far apart the seeds of the noise are."""
-    rows = []
+def _spread(runs: list[dict[str, Triple]]) -> Iterator[Row]:
+    """Spread over the seeds of the noise."""
     for scheme in TABLE_3:
         for i, column in enumerate(COLUMNS):
             values = [run[scheme][i] for run in runs]
             note = f"{min(values):.4g} to {max(values):.4g} nm over seeds {', '.join(map(str, SEEDS))}"
-            rows.append(ours("standard deviation over seeds", f"{scheme} {column} rms", float(np.std(values, ddof=1)), "nm", note))
-    return rows
+            yield ours("standard deviation over seeds", f"{scheme} {column} rms", float(np.std(values, ddof=1)), "nm", note)

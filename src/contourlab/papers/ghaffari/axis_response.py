@@ -12,7 +12,7 @@ from numpy.typing import ArrayLike, NDArray
 from contourlab.analysis.linear.sampled_loop import AxisResponse, sampled_loop
 from contourlab.components.conformance import SLOTS
 from contourlab.components.contract import Component, LinearModel
-from contourlab.components.velocity.true import TrueVelocity
+from contourlab.components.ideal import TrueVelocity
 from contourlab.errors import ComponentError, ParameterError
 from contourlab.loop.machine import Axis, AxisController
 

@@ -1,23 +1,24 @@
-"""Ghaffari & Ulsoy, section III: what is measured on the stage, measured on the simulated axes tick by tick, the position loop open."""
+"""Ghaffari & Ulsoy, section III: measurements with the position loop open, repeated on the simulated axes."""
 
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
+from itertools import chain
 
 import numpy as np
 from numpy.typing import NDArray
 
 from contourlab.components.contract import Component
 from contourlab.components.controller.position import PositionController
-from contourlab.components.disturbance.table import TableLoad
-from contourlab.components.friction.none import NoFriction
-from contourlab.components.sensor.ideal import IdealSensor
+from contourlab.components.disturbance.loads import TableLoad
+from contourlab.components.friction.laws import NoFriction
+from contourlab.components.ideal import IdealSensor
 from contourlab.engine.runner import make_group
 from contourlab.geometry import Line, Path
 from contourlab.loop.axis_parts import Limits
-from contourlab.loop.machine import AxisController, Controller, Machine
+from contourlab.loop.machine import Axis, AxisController, Controller, Machine
 from contourlab.loop.simulate import jit_enabled
 from contourlab.loop.template import build
 from contourlab.papers.ghaffari.setup import AXES, TABLE_2, TABLE_3, Gains, Reading, axis, axis_controller
@@ -28,9 +29,33 @@ PERIOD = Reading().servo_period
 _PER_MM = 1e3
 
 
-def bench_rows() -> list[Row]:
-    """Return the rows of the open-loop comparison, of stiction, and of the observer in the sampled loop."""
-    return [*_comparison(), *_stiction(), *_observer()]
+def bench_rows() -> Iterator[Row]:
+    """Yield the rows of the open-loop comparison, of stiction, and of the sampled observer."""
+    return chain(_comparison(), _stiction(), _observer())
+
+
+def run_bench(
+    axes: Sequence[Axis], controllers: Mapping[str, AxisController], period: float, derivative: int, values: Array, signals: tuple[str, str]
+) -> tuple[Array, Array]:
+    """Run axes side by side, tick by tick; return two signals (n, n_axis).
+
+    Parameters
+    ----------
+    axes, controllers
+    period : float [s]
+    derivative : int
+        Derivative of the reference that all axes receive; the others are 0.
+    values : ndarray (n,)
+    signals : (str, str)
+    """
+    n = len(axes)
+    path = Path([Line(np.zeros(n), np.ones(n))])
+    loop = build(Machine("bench", tuple(axes), period), Controller(dict(controllers)), path, np.zeros(n))
+    fed = np.zeros((len(values), 3 * n + 2))
+    fed[:, derivative * n : (derivative + 1) * n] = values[:, None]
+    rows = [loop.schedule.row(signal) for name in signals for signal in loop.signals[name]]
+    log = make_group(loop.schedule, 1, slice(0, 1), jit_enabled()).run(fed, rows)[:, :, 0]
+    return log[:, :n], log[:, n:]
 
 
 def drive_open_loop(
@@ -41,73 +66,63 @@ def drive_open_loop(
     Parameters
     ----------
     command : ndarray (n,) [full scale]
-        What each axis is given, ahead of its observer.
+        Of each axis, ahead of its observer.
     friction : bool
-        Whether the stiction of section III acts.
+        Include the stiction of section III.
     observed : mapping of int to Gains, optional
-        With the observers of a table; without observers if not given.
+        Table of the observers; none by default.
     load : Component, optional
         Disturbance on every axis.
 
     Returns
     -------
     position, velocity : ndarray (n, 3) [m], [m/s]
-        Reached before the command of the same row is given.
+        Before the command of the same row acts.
     """
     axes, controllers = [], {}
     for number in AXES:
         plain = replace(axis(number, Reading()), sensor=IdealSensor(), limits=Limits(following_error=math.inf), disturbance=load)
         axes.append(plain if friction else replace(plain, friction=NoFriction()))
-        # A model gain of 1 and no other gain: what is fed as acceleration of the reference goes out as the command.
+        # With a model gain of 1 and no other gain the acceleration of the reference is the command.
         observer = axis_controller(observed[number], Reading()).observer if observed else None
         controllers[str(number)] = AxisController(PositionController(model_gain=1.0), observer=observer)
-    n = len(axes)
-    path = Path([Line(np.zeros(n), np.ones(n))])
-    loop = build(Machine("bench", tuple(axes), PERIOD), Controller(controllers), path, np.zeros(n))
-    fed = np.zeros((len(command), 3 * n + 2))
-    fed[:, 2 * n : 3 * n] = command[:, None]
-    wanted = [loop.schedule.row(signal) for name in ("axis_position", "axis_velocity") for signal in loop.signals[name]]
-    log = make_group(loop.schedule, 1, slice(0, 1), jit_enabled()).run(fed, wanted)[:, :, 0]
-    return log[:, :n], log[:, n:]
+    return run_bench(axes, controllers, PERIOD, 2, command, ("axis_position", "axis_velocity"))
 
 
-def _comparison() -> list[Row]:
-    """A step on each axis without friction: how fast, and how far, axis 1 answers beside axis 2."""
+def _comparison() -> Iterator[Row]:
+    """Step response of axes 1 and 2 without friction."""
     step = 0.1
     _, velocity = drive_open_loop(np.full(4000, step))
     steady = velocity[-1] / step
     time = [rise_time(column / column[-1]) for column in velocity.T]
     faster, larger = 100.0 * (time[1] / time[0] - 1.0), 100.0 * (steady[0] / steady[1] - 1.0)
     note = "time to 63 % after a step of the command"
-    found = [printed("response of axis 1 faster than axis 2", "open loop", 55.0, faster, "%", 0.5, note)]
+    yield printed("response of axis 1 faster than axis 2", "open loop", 55.0, faster, "%", 0.5, note)
     note = "steady velocity after a step of the command; the paper rounds to tens"
-    return [*found, printed("DC gain of axis 1 larger than axis 2", "open loop", 70.0, larger, "%", 5.0, note)]
+    yield printed("DC gain of axis 1 larger than axis 2", "open loop", 70.0, larger, "%", 5.0, note)
 
 
 def rise_time(response: Array) -> float:
-    """Return the time [s] at which a step response first passes 1 - 1/e, linear between the ticks."""
+    """Return the time [s] at which a step response first passes 1 - 1/e, interpolated linearly."""
     level = 1.0 - math.exp(-1.0)
     k = int(np.argmax(response >= level))
     return PERIOD * (k - float((response[k] - level) / (response[k] - response[k - 1])))
 
 
-def _stiction() -> list[Row]:
+def _stiction() -> Iterator[Row]:
     rate = 0.019  # per second; no stiction is a whole number of its steps
     command = rate * PERIOD * np.arange(6000.0)
     position, _ = drive_open_loop(command, friction=True)
     moved = np.argmax(position != 0.0, axis=0)
-    found = []
     for column, (number, percent) in enumerate(((1, 5.5), (2, 8.8), (3, 7.7))):
-        # The command that has moved the axis is the one given a tick before it is seen elsewhere.
+        # The command of the tick before the first motion.
         here = 100.0 * float(command[moved[column] - 1])
         note = "slow ramp of the command, as in Fig 5(a): the command at which the axis first moves"
-        found.append(printed("stiction", f"axis {number}", percent, here, "% of full scale", 0.05, note))
-    return found
+        yield printed("stiction", f"axis {number}", percent, here, "% of full scale", 0.05, note)
 
 
-def _observer() -> list[Row]:
-    """The observer at the servo period: steady gains of a command and of a load, and what a slow load leaves."""
-    found = []
+def _observer() -> Iterator[Row]:
+    """The sampled observer: steady gains of command and load, and attenuation of a slow load."""
     ticks, step, rate = 4000, 0.1, 0.05
     duration, still = ticks * PERIOD, np.zeros(ticks)
     wd = Reading().bandwidth
@@ -120,11 +135,10 @@ def _observer() -> list[Row]:
         for column, (number, gains) in enumerate(table.items()):
             case, ratio = f"axis {number}, {name}", gains.observer_gain / gains.observer_damping
             note = "a_hat/b_hat, whatever the plant; velocity after 4 s of a step"
-            found.append(derived("DC gain u_c to v", case, ratio, float(driven[column]), "mm/s/full_scale", 1e-6 * ratio, note))
+            yield derived("DC gain u_c to v", case, ratio, float(driven[column]), "mm/s/full_scale", 1e-6 * ratio, note)
             note = "velocity after 4 s of a load that stays"
-            found.append(derived("DC gain d to v", case, 0.0, abs(float(loaded[column])), "mm/s/full_scale", 1e-6 * ratio, note))
+            yield derived("DC gain d to v", case, 0.0, abs(float(loaded[column])), "mm/s/full_scale", 1e-6 * ratio, note)
             reason = f"sampled every 1 ms, T/(1 - exp(-w_d T)) stands in place of 1/w_d: {lengthened:.4f} times as much"
             level, name_here = ratio / wd, "attenuation of disturbance, sampled"
             here = float(slow[column])
-            found.append(derived(name_here, case, level, here, "mm/full_scale", 1e-3 * level, reason=reason))
-    return found
+            yield derived(name_here, case, level, here, "mm/full_scale", 1e-3 * level, reason=reason)

@@ -1,11 +1,12 @@
-"""Ghaffari & Ulsoy, the position loop without simulation: gains, poles, Bode under variation, and where it oscillates."""
+"""Ghaffari & Ulsoy, the position loop without simulation: gains, poles, variation of the plant, and stability limits."""
 
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from dataclasses import replace
-from itertools import product
+from itertools import chain, product
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -13,9 +14,9 @@ from numpy.typing import NDArray
 from contourlab.analysis.linear.tick_map import spectral_radius
 from contourlab.components.controller.position import PositionController
 from contourlab.components.drive.saturation import Saturation
-from contourlab.components.friction.none import NoFriction
+from contourlab.components.friction.laws import NoFriction
+from contourlab.components.ideal import IdealSensor
 from contourlab.components.plant.rigid_axis import RigidAxis
-from contourlab.components.sensor.ideal import IdealSensor
 from contourlab.geometry import Line, Path
 from contourlab.loop.machine import Axis, AxisController, Controller, Machine
 from contourlab.loop.template import build
@@ -28,25 +29,24 @@ _MM = 1e-3
 PARTS = ("real pole", "pair, real part", "pair, imaginary part")
 
 
-def linear_rows() -> list[Row]:
-    """Return the rows of Tables II and III, of Fig 8, and of the gains at which the loop oscillates."""
-    return [*_table_2(), *_poles(), *_fig_8(), *_oscillation_limit()]
+def linear_rows() -> Iterator[Row]:
+    """Yield the rows of Tables II and III, of Fig 8, and of the stability limits."""
+    return chain(_table_2(), _poles(), _fig_8(), _oscillation_limit())
 
 
 DIGITS = {"velocity_gain": 1e-3, "position_gain": 1e-2, "integral_gain": 1e-2}
-"""One unit of the last printed digit, lengths in mm: the paper cuts K_V off instead of rounding it."""
+"""One unit of the last printed digit, lengths in mm: the paper truncates K_V."""
 
 
 def placed(printed_gains: Gains) -> Gains:
-    """Return a line of Table II with the gains that our controller finds for its a' and b'."""
+    """Return a line of Table II with the gains that our controller places for its a' and b'."""
     a, b = printed_gains.model_gain, printed_gains.model_damping
     found = PositionController.place(**PLACED_POLES, model_gain=a * _MM, model_damping=b)
     velocity, position = found["velocity_gain"] * _MM, found["position_gain"] * _MM
     return replace(printed_gains, velocity_gain=velocity, position_gain=position, integral_gain=found["integral_gain"])
 
 
-def _table_2() -> list[Row]:
-    found = []
+def _table_2() -> Iterator[Row]:
     words = {
         "velocity_gain": ("K_V", "full_scale*s/mm", "eqs 21-23; the paper truncates"),
         "position_gain": ("K_P", "full_scale/mm", "eqs 21-23"),
@@ -55,8 +55,7 @@ def _table_2() -> list[Row]:
     for number, gains in TABLE_2.items():
         for name, (symbol, unit, note) in words.items():
             here = getattr(placed(gains), name)
-            found.append(printed(f"Table II {symbol}", f"axis {number}", getattr(gains, name), here, unit, DIGITS[name], note))
-    return found
+            yield printed(f"Table II {symbol}", f"axis {number}", getattr(gains, name), here, unit, DIGITS[name], note)
 
 
 def ideal_loop(gains: Gains) -> tuple[RigidAxis, PositionController]:
@@ -66,27 +65,28 @@ def ideal_loop(gains: Gains) -> tuple[RigidAxis, PositionController]:
     return RigidAxis(gain=gains.model_gain * _MM, damping=gains.model_damping), controller
 
 
-def closed_loop_poles(gains: Gains) -> tuple[float, float, float]:
-    """Return the real pole, and the real and imaginary part of the pair [1/s], of our controller joined with the ideal axis."""
-    plant, control = (part.linearize() for part in ideal_loop(gains))
-    seen = [control.inputs.index("position"), control.inputs.index("velocity")]
-    push = plant.b[:, [plant.inputs.index("command")]]
-    matrix = np.block([[plant.a + push @ control.d[:, seen], push @ control.c], [control.b[:, seen], control.a]])
-    poles = np.linalg.eigvals(matrix)
+def _split(poles: NDArray[Any]) -> tuple[float, float, float]:
+    """Return the real one of three poles, and real and imaginary part of the pair [1/s]."""
     pair = poles[np.argmax(poles.imag)]
     return float(poles[np.argmin(np.abs(poles.imag))].real), float(pair.real), float(pair.imag)
 
 
+def closed_loop_poles(gains: Gains) -> tuple[float, float, float]:
+    """Return the real pole, and the real and imaginary part of the pair [1/s], of our controller with the ideal axis."""
+    plant, control = (part.linearize() for part in ideal_loop(gains))
+    seen = [control.inputs.index("position"), control.inputs.index("velocity")]
+    push = plant.b[:, [plant.inputs.index("command")]]
+    matrix = np.block([[plant.a + push @ control.d[:, seen], push @ control.c], [control.b[:, seen], control.a]])
+    return _split(np.linalg.eigvals(matrix))
+
+
 def characteristic_roots(gains: Gains) -> tuple[float, float, float]:
-    """Return the same of the denominator of eq (16)."""
+    """Return the same for the denominator of eq (16)."""
     a, b, v, p, i = gains.model_gain, gains.model_damping, gains.velocity_gain, gains.position_gain, gains.integral_gain
-    roots = np.roots([1.0, b + a * v, a * p, a * p * i])
-    pair = roots[np.argmax(roots.imag)]
-    return float(roots[np.argmin(np.abs(roots.imag))].real), float(pair.real), float(pair.imag)
+    return _split(np.roots([1.0, b + a * v, a * p, a * p * i]))
 
 
-def _poles() -> list[Row]:
-    found = []
+def _poles() -> Iterator[Row]:
     w, zeta = PLACED_POLES["natural_frequency"], PLACED_POLES["damping"]
     wanted = (-PLACED_POLES["pole"], -zeta * w, w * math.sqrt(1.0 - zeta**2))
     for number, gains in TABLE_2.items():
@@ -94,38 +94,35 @@ def _poles() -> list[Row]:
         slack = np.abs(np.array([closed_loop_poles(corner) for corner in _corners(placed(gains))]) - wanted).max(axis=0)
         note = "our controller on a'/(s (s + b')) with the printed gains, beside alpha, w_n and zeta; within what their last digits move"
         for part, paper, pole, most in zip(PARTS, wanted, here, slack, strict=True):
-            found.append(derived(f"Table II {part}", f"axis {number}", paper, pole, "1/s", float(most), note))
+            yield derived(f"Table II {part}", f"axis {number}", paper, pole, "1/s", float(most), note)
     for number, gains in TABLE_3.items():
         identified = replace(gains, model_gain=TABLE_2[number].model_gain, model_damping=TABLE_2[number].model_damping)
         note = "Table III gains on the identified a', b': our controller beside the roots of eq 16"
         for part, paper, pole in zip(PARTS, characteristic_roots(identified), closed_loop_poles(identified), strict=True):
-            found.append(derived(f"Table III {part}", f"axis {number}", paper, pole, "1/s", 1e-6, note))
-    return found
+            yield derived(f"Table III {part}", f"axis {number}", paper, pole, "1/s", 1e-6, note)
 
 
 def _corners(gains: Gains) -> list[Gains]:
-    """Return the gains moved by one unit of the last printed digit, every way."""
+    """Return all gains that differ by up to one unit of the last printed digit."""
     moves = product(*((-digit, 0.0, digit) for digit in DIGITS.values()))
     return [replace(gains, **{name: getattr(gains, name) + step for name, step in zip(DIGITS, move, strict=True)}) for move in moves]
 
 
-def _fig_8() -> list[Row]:
+def _fig_8() -> Iterator[Row]:
     """Closed loop of eq (16) with K_V 0.1, K_P 4, K_I 11.8 and 25 % on a' = 800, b' = 20: ours beside the equation."""
     w = np.geomspace(1.0, 25.0, 200)
     base = Gains(1.0, 0.0, 0.1, 4.0, 11.8, 800.0, 20.0)
     note = "largest to 25 rad/s, eight times the circle's frequency: our controller beside eq 16; Fig 8 shows curves that lie together"
-    found = []
     for a, b in product((600.0, 800.0, 1000.0), (15.0, 20.0, 25.0)):
         varied, case = replace(base, model_gain=a, model_damping=b), f"a' {a:g}, b' {b:g}"
         apart = float(np.abs(closed_loop(varied, w) / equation_16(varied, w) - 1.0).max())
         words = "our controller on a'/(s (s + b')), 1 to 25 rad/s"
-        found.append(derived("Fig 8 P/R', eq 16: largest relative difference", case, 0.0, apart, "", 1e-9, words))
+        yield derived("Fig 8 P/R', eq 16: largest relative difference", case, 0.0, apart, "", 1e-9, words)
         if varied == base:
             continue
         paper, here = (_change(closed(varied, w) / closed(base, w)) for closed in (equation_16, closed_loop))
         for name, unit, said, got in zip(("magnitude", "phase"), ("dB", "deg"), paper, here, strict=True):
-            found.append(derived(f"Fig 8 change of {name}", case, said, got, unit, 1e-6, note))
-    return found
+            yield derived(f"Fig 8 change of {name}", case, said, got, unit, 1e-6, note)
 
 
 def equation_16(gains: Gains, w: NDArray[np.float64]) -> Complex:
@@ -156,9 +153,8 @@ def sampled_radius(gains: Gains, number: int) -> float:
     return spectral_radius(loop.schedule)
 
 
-def _oscillation_limit() -> list[Row]:
-    """Where large K_P or K_I make the loop oscillate: the sampled loop with observer, against Routh on eq (16)."""
-    found = []
+def _oscillation_limit() -> Iterator[Row]:
+    """K_P and K_I at which the sampled loop with observer oscillates, and Routh on eq (16)."""
     for number, start in TABLE_3.items():
         for name, symbol, unit in (("position_gain", "K_P", "full_scale/mm"), ("integral_gain", "K_I", "1/s")):
 
@@ -170,12 +166,11 @@ def _oscillation_limit() -> list[Row]:
                 routh = start.model_damping + start.model_gain * start.velocity_gain
                 note += f"; eq 16 alone oscillates from K_I = b' + a' K_V = {routh:g} 1/s on"
             limit = crossing(beyond, getattr(start, name), 1e4)
-            found.append(ours(f"{symbol} at which the loop oscillates", f"axis {number}, Table III", limit, unit, note))
-    return found
+            yield ours(f"{symbol} at which the loop oscillates", f"axis {number}, Table III", limit, unit, note)
 
 
 def crossing(function: Callable[[float], float], low: float, high: float) -> float:
-    """Return where a function passes from negative to positive, to 1e-6 of the place, by bisection in the logarithm."""
+    """Return where a function changes from negative to positive, to 1e-6, by bisection in the logarithm."""
     while high > low * (1.0 + 1e-6):
         middle = math.sqrt(low * high)
         low, high = (middle, high) if function(middle) < 0.0 else (low, middle)

@@ -1,16 +1,18 @@
-"""Ghaffari & Ulsoy, everything that is simulated: Fig 9, what the paper leaves open, and the weight lambda over shapes and feeds."""
+"""Ghaffari & Ulsoy, simulated circles: Fig 9, other readings of the paper, and the weight lambda over shapes and feeds."""
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import replace
+from itertools import chain
 
 import numpy as np
 
 from contourlab.feed import Reference, uniform
-from contourlab.geometry import Path, contour
-from contourlab.loop import Controller, simulate, simulate_batch
+from contourlab.geometry import contour
+from contourlab.loop import simulate, simulate_batch
 from contourlab.metrics import Metrics, judge, reversal_spikes, summarise
-from contourlab.papers.ghaffari.setup import TABLE_2, TABLE_3, Gains, Reading, controller, machine
+from contourlab.papers.ghaffari.setup import TABLE_2, TABLE_3, Gains, Reading, circle, controller, machine
 from contourlab.papers.rows import Row, derived, ours, printed
 from contourlab.result import Result
 
@@ -23,14 +25,14 @@ WEIGHTS = np.array([0.0, 0.25, 0.5, 0.75, 0.9])
 _MICRO = 1e6
 
 
-def run_rows() -> list[Row]:
-    """Return the rows of Fig 9, of the reading, and of lambda."""
-    return [*_fig_9(), *_readings(), *_weights()]
+def run_rows() -> Iterator[Row]:
+    """Yield the rows of Fig 9, of the readings, and of lambda."""
+    return chain(_fig_9(), _readings(), _weights())
 
 
 def run(first: int, table: dict[int, Gains], reading: Reading) -> tuple[Result, Reference, Metrics]:
-    """Run two laps of the circle of 20 mm at 0.5 Hz in a configuration; the second lap counts, as in Fig 9."""
-    reference = uniform(contour("circle", radius=0.02), 0.5, 2, reading.servo_period)
+    """Run the circle in a configuration; the second lap counts, as in Fig 9."""
+    reference = circle(reading)
     judged = judge(simulate(machine(first, reading), controller(first, table, reading), reference), reference)
     return judged, reference, summarise(judged, reference)
 
@@ -40,8 +42,7 @@ def integral(first: int, reading: Reading, table: dict[int, Gains] = TABLE_3) ->
     return _MICRO * run(first, table, reading)[2].contour_error.integral
 
 
-def _fig_9() -> list[Row]:
-    found = []
+def _fig_9() -> Iterator[Row]:
     integrals = {}
     for first in (1, 2):
         case = f"A3-A{first}, Table III"
@@ -49,47 +50,44 @@ def _fig_9() -> list[Row]:
         error = figures.contour_error
         here = integrals[first] = _MICRO * error.integral
         note = "one period of 2 s; 5 % of the printed figure counts as agreement, since the paper leaves several numbers open"
-        found.append(printed(f"contour error integral A3-A{first}", case, PRINTED[first], here, "um s", 0.05 * PRINTED[first], note))
+        yield printed(f"contour error integral A3-A{first}", case, PRINTED[first], here, "um s", 0.05 * PRINTED[first], note)
         note = "positive to the left, so the circle is too small: a radius error from the feedforward gain a', not friction"
-        found.append(ours("signed mean of contour error", case, _MICRO * error.signed_mean, "um", note))
-        note = "what friction, mismatch and counting leave when the radius error is taken out"
-        found.append(ours("integral without the signed mean", case, _MICRO * error.integral_without_mean, "um s", note))
-        found += _spikes(judged, reference, case)
+        yield ours("signed mean of contour error", case, _MICRO * error.signed_mean, "um", note)
+        note = "from friction, mismatch and counting, without the radius error"
+        yield ours("integral without the signed mean", case, _MICRO * error.integral_without_mean, "um s", note)
+        yield from _spikes(judged, reference, case)
     for first in (1, 2):
         off = integral(first, replace(Reading(), observer=False))
         note = f"{off / integrals[first]:.1f} times as large; the paper gives no figure"
-        found.append(ours("contour error integral, observer off", f"A3-A{first}, Table III", off, "um s", note))
+        yield ours("contour error integral, observer off", f"A3-A{first}, Table III", off, "um s", note)
         initial = integral(first, Reading(), TABLE_2)
-        found.append(ours("contour error integral, initial gains", f"A3-A{first}, Table II", initial, "um s", "before the calibration"))
-    return found
+        yield ours("contour error integral, initial gains", f"A3-A{first}, Table II", initial, "um s", "before the calibration")
 
 
-def _spikes(judged: Result, reference: Reference, case: str) -> list[Row]:
-    """When and how high the contour error peaks where an axis turns: the paper prints the times."""
-    found = []
+def _spikes(judged: Result, reference: Reference, case: str) -> Iterator[Row]:
+    """Time and height of the contour error's peaks at reversals; the paper prints the times."""
     start, stop = reference.laps[-1]
     for spike, time in zip(reversal_spikes(judged, (start - 5, stop)), SPIKES, strict=True):
         note = f"axis {spike.axis} turns; the error peaks a little later"
-        found.append(printed(f"time of the spike at {time:g} s", case, time, spike.peak_time, "s", 0.05, note))
+        yield printed(f"time of the spike at {time:g} s", case, time, spike.peak_time, "s", 0.05, note)
         note = f"axis {spike.axis} turns; {1e3 * spike.width:.0f} ms wide at half height"
-        found.append(ours(f"reversal spike at {time:g} s", case, _MICRO * spike.height, "um", note))
-    return found
+        yield ours(f"reversal spike at {time:g} s", case, _MICRO * spike.height, "um", note)
 
 
 def _gap(values: dict[tuple[str, int], float]) -> Row:
-    """How much larger the integral of A3-A2 is, with the last printed digits as its tolerance."""
+    """Compare the integrals of A3-A2 and A3-A1, with the last printed digits as tolerance."""
     gaps = {words: 100.0 * (values[words, 2] / values[words, 1] - 1.0) for words in readings()}
     paper = 100.0 * (PRINTED[2] / PRINTED[1] - 1.0)
     digits = 100.0 * 2.0 * 0.005 / PRINTED[1]
     reason = (
-        f"one and the same controller, nearly identical as the paper says; how nearly hangs on what it leaves open: "
+        "with the same controller nearly identical, as the paper says; how nearly depends on the reading: "
         f"{min(gaps.values()):.1f} to {max(gaps.values()):.1f} % over the readings"
     )
     return derived("difference between configurations", "A3-A2 beyond A3-A1", paper, gaps[AS_READ], "%", digits, reason=reason)
 
 
 def readings() -> dict[str, Reading]:
-    """Return what the paper does not say, one number changed at a time."""
+    """Return readings of the paper, one parameter changed at a time."""
     base = Reading()
     return {
         AS_READ: base,
@@ -112,55 +110,44 @@ NOTES = {
 }
 
 
-def _readings() -> list[Row]:
-    """What the integral does over the numbers that the paper does not give."""
+def _readings() -> Iterator[Row]:
+    """The integral over readings of the paper."""
     values = {(words, first): integral(first, reading) for words, reading in readings().items() for first in (1, 2)}
     name = "integral over what the paper leaves open"
-    found = [ours(name, f"A3-A{first}, {words}", value, "um s", NOTES.get(words, "")) for (words, first), value in values.items()]
+    for (words, first), value in values.items():
+        yield ours(name, f"A3-A{first}, {words}", value, "um s", NOTES.get(words, ""))
     kept = {key: value for key, value in values.items() if key[0] != SLOW_OBSERVER}
-    for case, among, pick in (
-        ("smallest", values, min),
-        ("largest", values, max),
-        (f"largest without {SLOW_OBSERVER}", kept, max),
-    ):
+    for case, among, pick in (("smallest", values, min), ("largest", values, max), (f"largest without {SLOW_OBSERVER}", kept, max)):
         words, first = pick(among, key=lambda key: values[key])
-        found.append(ours("bounds of these", case, values[words, first], "um s", f"A3-A{first}, {words}"))
-    return [*found, _gap(values), *_raised_feedforward()]
+        yield ours("bounds of these", case, values[words, first], "um s", f"A3-A{first}, {words}")
+    yield _gap(values)
+    yield from _raised_feedforward()
 
 
-def _raised_feedforward() -> list[Row]:
-    """The same circle with a larger a' in the feedforward alone."""
-    found = []
+def _raised_feedforward() -> Iterator[Row]:
+    """The circle with a larger a' in the feedforward only."""
     base = Reading()
     for first in (1, 2):
         made = controller(first, TABLE_3, base)
         raised = {name: replace(part, controller=part.controller.replace(model_gain=0.96)) for name, part in made.axes.items()}
-        reference = uniform(contour("circle", radius=0.02), 0.5, 2, base.servo_period)
+        reference = circle(base)
         judged = judge(simulate(machine(first, base), replace(made, axes=raised), reference), reference)
         value = _MICRO * summarise(judged, reference).contour_error.integral
         note = "a' = 960 instead of 900 mm/s^2 on both axes: the feedforward alone decides most of the integral"
-        found.append(ours("contour error integral with a' = 960", f"A3-A{first}", value, "um s", note))
-    return found
+        yield ours("contour error integral with a' = 960", f"A3-A{first}", value, "um s", note)
 
 
-def _weights() -> list[Row]:
-    """Lambda over shape and feed: contour and tracking error of each weight."""
-    found = []
-    shapes: dict[str, Path] = {
-        "circle": contour("circle"),
-        "ellipse": contour("ellipse", a=0.03, b=0.015),
-        "lemniscate": contour("lemniscate", a=0.025),
-    }
+def _weights() -> Iterator[Row]:
+    """Contour and tracking error over lambda, shape and feed."""
+    ellipse, lemniscate = contour("ellipse", a=0.03, b=0.015), contour("lemniscate", a=0.025)
     reading = Reading()
-    made: Controller = controller(1, TABLE_3, reading)
-    for shape, path in shapes.items():
+    made = controller(1, TABLE_3, reading)
+    for shape, path in {"circle": contour("circle"), "ellipse": ellipse, "lemniscate": lemniscate}.items():
         for frequency in (0.25, 0.5):
             reference = uniform(path, frequency, 2, reading.servo_period)
             batch = simulate_batch(machine(1, reading), made, reference, {"controller.coupling.weight": WEIGHTS})
-            for weight, contouring, tracking in zip(
-                WEIGHTS, batch.figures["contour_error_rms"], batch.figures["tracking_error_rms"], strict=True
-            ):
+            errors = batch.figures["contour_error_rms"], batch.figures["tracking_error_rms"]
+            for weight, contouring, tracking in zip(WEIGHTS, *errors, strict=True):
                 case = f"A3-A1, {shape}, {60e3 * path.length * frequency:.0f} mm/min, lambda {weight:g}"
-                found.append(ours("contour error, rms", case, _MICRO * contouring, "um"))
-                found.append(ours("tracking error, rms", case, _MICRO * tracking, "um"))
-    return found
+                yield ours("contour error, rms", case, _MICRO * contouring, "um")
+                yield ours("tracking error, rms", case, _MICRO * tracking, "um")

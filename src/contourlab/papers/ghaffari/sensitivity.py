@@ -1,22 +1,24 @@
-"""Ghaffari & Ulsoy, Figs 6 and 7: the contour error over each parameter of eq 19 around Table III, and where it is smallest.
+"""Ghaffari & Ulsoy, Figs 6 and 7: contour error over each parameter of eq 19 around Table III, and its minima.
 
-The figures have no numbers in print; what they led to is Table III, "obtained from the empirical sensitivity analysis". Axis 1 is studied
-in configuration A3-A1, axes 2 and 3 in A3-A2, in which the paper calibrates them.
+The figures print no numbers; they led to Table III, "obtained from the empirical sensitivity analysis". Axis 1 is studied in configuration
+A3-A1, axes 2 and 3 in A3-A2, where the paper calibrates them.
 """
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import astuple, replace
 from functools import cache
+from itertools import chain
 
 import numpy as np
 from numpy.typing import NDArray
 
 from contourlab.design import Evaluator, Space
-from contourlab.features.sensitivity import Curve, Runs, Slope, curves, figure_called, local
-from contourlab.feed import uniform
-from contourlab.geometry import contour
-from contourlab.papers.ghaffari.setup import TABLE_3, Gains, Reading, controller, machine
+from contourlab.features.sensitivity.curves import Curve, curves
+from contourlab.features.sensitivity.local import Slope, local
+from contourlab.features.sensitivity.runs import FIGURES, Runs
+from contourlab.papers.ghaffari.setup import TABLE_3, Gains, Reading, circle, controller, machine
 from contourlab.papers.rows import Row, ours, printed
 
 Array = NDArray[np.float64]
@@ -29,20 +31,20 @@ BOUNDS = {
     "controller.position_gain": ("K_P", "0.5 full_scale/mm..100 full_scale/mm"),
     "controller.integral_gain": ("K_I", "1 1/s..300 1/s"),
 }
-"""Parameters of eq 19: the paper's letters, and how far they are moved; feedforward and observer about a factor of three each way."""
+"""Parameters of eq 19: symbol and range; feedforward and observer about a factor of three each way."""
 NAMES = tuple(name for name, _ in BOUNDS.values())
 MODEL = NAMES[:4]
 WITH = {1: 1, 2: 2, 3: 2}
-"""The axis beside axis 3 in the configuration that each axis is studied in."""
+"""Partner of axis 3 in the configuration in which each axis is studied."""
 AGREES = 0.05
-"""Part of the printed figure that counts as agreement, as for the integrals of Fig 9."""
+"""Relative tolerance, as for the integrals of Fig 9."""
 _MICRO = 1e6
-FIGURE = figure_called("integral")
+FIGURE = FIGURES["integral"]
 
 
-def sensitivity_rows() -> list[Row]:
-    """Return the rows of Figs 6 and 7."""
-    return [*_minima(), *_ratios(), *_same_curves(), *_slopes(), *_flat(), *_large_gains()]
+def sensitivity_rows() -> Iterator[Row]:
+    """Yield the rows of Figs 6 and 7."""
+    return chain(_minima(), _ratios(), _same_curves(), _slopes(), _flat(), _large_gains())
 
 
 @cache
@@ -50,14 +52,13 @@ def _studied(number: int) -> tuple[Space, Runs]:
     """Return the parameters of an axis around Table III, and the runs of its configuration."""
     reading, first = Reading(), WITH[number]
     made, stage = controller(first, TABLE_3, reading), machine(first, reading)
-    reference = uniform(contour("circle", radius=0.02), 0.5, 2, reading.servo_period)
     texts = [f"controller.axes.{number}.{name}={bounds}" for name, (_, bounds) in BOUNDS.items()]
-    return Space.chosen(stage, made, texts), Runs(Evaluator(stage, made, reference, effort=False))
+    return Space.chosen(stage, made, texts), Runs(Evaluator(stage, made, circle(reading), effort=False))
 
 
 @cache
 def axis_curves(number: int) -> dict[str, Curve]:
-    """Return the curves of an axis by the paper's letters: the integral of the contour error [m s] over each parameter [SI], 41 values."""
+    """Return the curves of an axis by symbol: the integral of the contour error [m s] over 41 values of each parameter [SI]."""
     space, runs = _studied(number)
     return dict(zip(NAMES, curves(space, runs.judge(FIGURE.key)), strict=True))
 
@@ -69,13 +70,13 @@ def _axis_slopes(number: int) -> dict[str, Slope]:
 
 
 def _gains(number: int) -> dict[str, float]:
-    """Return the line of Table III by the paper's letters."""
+    """Return the line of Table III by symbol."""
     a_hat, b_hat, k_v, k_p, k_i, a, b = astuple(TABLE_3[number])
     return {"a_hat": a_hat, "b_hat": b_hat, "a'": a, "b'": b, "K_V": k_v, "K_P": k_p, "K_I": k_i}
 
 
 def _ratio(values: dict[str, float]) -> float:
-    """Return what the observer makes of the axis over what the feedforward takes it for, in their steady gains."""
+    """Return the steady gain that the observer gives the axis over the one that the feedforward inverts."""
     return values["a_hat"] / values["b_hat"] / (values["a'"] / values["b'"])
 
 
@@ -83,82 +84,72 @@ def _moved(number: int, name: str) -> dict[str, float]:
     """Return the line of Table III with one parameter at its minimum."""
     curve = axis_curves(number)[name]
     assert curve.minimum is not None
-    return _gains(number) | {name: curve.number.shown(curve.minimum.value)}
+    return _gains(number) | {name: curve.variable.shown(curve.minimum.value)}
 
 
-def _minima() -> list[Row]:
-    """Where the error is smallest over each parameter of observer and feedforward, the others as in Table III."""
-    found = []
+def _minima() -> Iterator[Row]:
+    """Minimum of the error over each parameter of observer and feedforward, the others as in Table III."""
     for number in TABLE_3:
         for name in MODEL:
             curve, paper = axis_curves(number)[name], _gains(number)[name]
             assert curve.minimum is not None
             here, lowest = _moved(number, name)[name], _MICRO * curve.minimum.figure
-            at_paper = _MICRO * float(np.interp(curve.number.value, curve.values, curve.figures))
+            at_paper = _MICRO * float(np.interp(curve.variable.value, curve.values, curve.figures))
             case = f"axis {number} in A3-A{WITH[number]}, the others as in Table III"
             note = f"integral {lowest:.3g} um s there, {at_paper:.3g} at Table III"
             reason = (
                 f"{note}. In the model the four act as one ratio of steady gains, (a_hat/b_hat)/(a'/b'): {_ratio(_gains(number)):.3f} in "
-                f"Table III, {_ratio(_moved(number, name)):.3f} at this minimum. Between the two lies a radius error, of one sign all "
-                "round, that Table III leaves in the model; on the stage it may have been another, and its values are round"
+                f"Table III, {_ratio(_moved(number, name)):.3f} at this minimum. The difference is a radius error of constant sign "
+                "that Table III leaves in the model; on the stage it may have differed, and its values are rounded"
             )
-            unit = curve.number.display
-            found.append(printed(f"minimum over {name}", case, paper, here, unit, AGREES * paper, note, reason=reason))
-    return found
+            unit = curve.variable.display
+            yield printed(f"minimum over {name}", case, paper, here, unit, AGREES * paper, note, reason=reason)
 
 
-def _ratios() -> list[Row]:
+def _ratios() -> Iterator[Row]:
     """The ratio of steady gains at each of these minima."""
-    found = []
     for number in TABLE_3:
         note = "a_hat/b_hat is the steady gain that the observer gives the axis, a'/b' the one that the feedforward inverts"
         case = f"axis {number}, Table III"
-        found.append(ours("(a_hat/b_hat)/(a'/b')", case, _ratio(_gains(number)), "", note))
+        yield ours("(a_hat/b_hat)/(a'/b')", case, _ratio(_gains(number)), "", note)
         for name in MODEL:
             note = "one ratio for all four: calibrating one of them is calibrating all"
-            found.append(ours("(a_hat/b_hat)/(a'/b')", f"axis {number}, {name} at its minimum", _ratio(_moved(number, name)), "", note))
-    return found
+            yield ours("(a_hat/b_hat)/(a'/b')", f"axis {number}, {name} at its minimum", _ratio(_moved(number, name)), "", note)
 
 
-def _same_curves() -> list[Row]:
-    """How far the curves of axes 1 and 2 lie apart, which the paper's simulations find the same."""
-    found = []
+def _same_curves() -> Iterator[Row]:
+    """Largest difference between the curves of axes 1 and 2, which are equal in the paper's simulations."""
     for name in MODEL:
-        one, two = (axis_curves(number)[name].figures for number in (1, 2))
-        apart = 100.0 * float(np.max(np.abs(one / two - 1.0)))
+        first, second = (axis_curves(number)[name].figures for number in (1, 2))
+        apart = 100.0 * float(np.max(np.abs(first / second - 1.0)))
         note = 'the paper of its simulations: "the same sensitivity curves for the feedforward parameters of Axis-1"'
-        found.append(ours("curves of axis 1 and axis 2 apart, at most", name, apart, "%", note))
-    return found
+        yield ours("curves of axis 1 and axis 2 apart, at most", name, apart, "%", note)
 
 
-def _slopes() -> list[Row]:
+def _slopes() -> Iterator[Row]:
     """Normalised local sensitivities at Table III."""
-    found = []
     for number in TABLE_3:
         for name, slope in _axis_slopes(number).items():
-            note = slope.remark or f"percent of the integral for one percent of the parameter; step {100.0 * slope.step:.2g} %"
-            found.append(ours("local sensitivity at Table III", f"axis {number}, {name}", slope.sensitivity, "%/%", note))
-    return found
+            step = f"percent of the integral for one percent of the parameter; step {100.0 * slope.step:.2g} %"
+            note = slope.doubt.text if slope.doubt else step
+            yield ours("local sensitivity at Table III", f"axis {number}, {name}", slope.sensitivity, "%/%", note)
 
 
-def _flat() -> list[Row]:
-    """From which gain of the position loop on the error hardly changes."""
-    found = []
+def _flat() -> Iterator[Row]:
+    """Gains of the position loop from which on the error hardly changes."""
     for number in TABLE_3:
         for name in ("K_V", "K_P", "K_I"):
             curve = axis_curves(number)[name]
             if curve.flat is not None:
-                low, high = (curve.number.shown(value) for value in (curve.flat.low, curve.flat.high))
+                low, high = (curve.variable.shown(value) for value in (curve.flat.low, curve.flat.high))
                 beyond = "" if curve.flat.last else ", beyond which the error grows"
                 note = f"up to {high:.3g}{beyond}; the longest stretch of the curve"
                 case = f"axis {number}, {name}"
-                found.append(ours("integral changes by less than 5 % from", case, low, curve.number.display, note))
-    return found
+                yield ours("integral changes by less than 5 % from", case, low, curve.variable.display, note)
 
 
-def _large_gains() -> list[Row]:
-    """What doubling K_P and K_I does: at Table III, and where the feedforward fits the axis."""
-    found = []
+def _large_gains() -> Iterator[Row]:
+    """Effect of doubling K_P and K_I: at Table III, and with a feedforward that fits the axis."""
     fitting = {n: replace(TABLE_3[n], model_gain=_moved(n, "a'")["a'"]) for n in TABLE_3}
     for number in TABLE_3:
         for words, table in (("Table III", TABLE_3), ("a' at its minimum on both axes", fitting)):
@@ -167,19 +158,17 @@ def _large_gains() -> list[Row]:
                 case = f"axis {number}, {words}, {name} doubled"
                 note = (
                     f"of {before:.3g} um s; the paper: K_P and K_I, if chosen large enough, have a negligible effect. "
-                    "They lower what the feedforward leaves, and change little where that fits"
+                    "They reduce what the feedforward leaves, and have little effect where it fits"
                 )
-                found.append(ours("change of the integral", case, value - before, "um s", note))
-    return found
+                yield ours("change of the integral", case, value - before, "um s", note)
 
 
 def _integrals(number: int, table: dict[int, Gains]) -> list[float]:
-    """Return the integral [um s] as it is, with K_P doubled, and with K_I doubled."""
+    """Return the integral [um s] unchanged, with K_P doubled, and with K_I doubled."""
     reading, first = Reading(), WITH[number]
     made, stage = controller(first, table, reading), machine(first, reading)
-    reference = uniform(contour("circle", radius=0.02), 0.5, 2, reading.servo_period)
     part = made.axes[str(number)].controller
     head = f"controller.axes.{number}.controller"
     factors = {"position_gain": [1.0, 2.0, 1.0], "integral_gain": [1.0, 1.0, 2.0]}
     columns = {f"{head}.{name}": float(getattr(part, name)) * np.array(factor) for name, factor in factors.items()}
-    return [float(value) for value in _MICRO * Evaluator(stage, made, reference, effort=False)(columns)[FIGURE.key]]
+    return [float(value) for value in _MICRO * Evaluator(stage, made, circle(reading), effort=False)(columns)[FIGURE.key]]

@@ -1,9 +1,9 @@
-"""The modular stage of Ghaffari & Ulsoy: its axes and gains, as printed and as read.
+"""Setup of Ghaffari & Ulsoy: axes and gains of the modular stage, as printed and as read.
 
-The paper leaves open the observer's bandwidths, the servo period, how the velocity is had, how filters are sampled, and whether stiction is
-in parts of full scale. The reading used here, by default: u in parts of full scale; Coulomb friction of 5.5, 8.8 and 7.7 % of it with true
-sticking; servo period 1 ms; w_d = 200 rad/s, w_z = 2000 rad/s; velocity as the difference of encoder counts behind 800 rad/s; low-passes
-sampled by pole matching; lambda = 0.75.
+The paper leaves open the observer's bandwidths, the servo period, how velocity is measured, how filters are sampled, and the unit of
+stiction. The default reading: u as a share of full scale; Coulomb friction of 5.5, 8.8 and 7.7 % of it with true sticking; servo period
+1 ms; w_d = 200 rad/s, w_z = 2000 rad/s; velocity as the filtered (800 rad/s) difference of encoder counts; low-passes sampled by pole
+matching; lambda = 0.75.
 """
 
 from __future__ import annotations
@@ -14,18 +14,20 @@ from contourlab.components.controller.position import PositionController
 from contourlab.components.coupling.modified_reference import ModifiedReference
 from contourlab.components.drive.saturation import Saturation
 from contourlab.components.estimator.newton import Newton
-from contourlab.components.friction.coulomb import Coulomb
+from contourlab.components.friction.laws import Coulomb
 from contourlab.components.observer.disturbance_observer import DisturbanceObserver
 from contourlab.components.plant.rigid_axis import RigidAxis
 from contourlab.components.sensor.encoder import Encoder
 from contourlab.components.velocity.filtered_difference import FilteredDifference
+from contourlab.feed import Reference, uniform
+from contourlab.geometry import contour
 from contourlab.loop.axis_parts import Limits
 from contourlab.loop.machine import Axis, AxisController, Controller, Machine
 
 
 @dataclass(frozen=True)
 class Identified:
-    """Open-loop identification and stiction of an axis (section III): a [mm/s^2], b [1/s], stiction in parts of full scale."""
+    """Open-loop identification and stiction of an axis (section III): a [mm/s^2], b [1/s], stiction as a share of full scale."""
 
     gain: float
     damping: float
@@ -47,7 +49,7 @@ class Gains:
 
 @dataclass(frozen=True)
 class Reading:
-    """What the paper does not say."""
+    """What the paper leaves open."""
 
     servo_period: float = 1e-3
     bandwidth: float = 200.0
@@ -79,11 +81,11 @@ _MM = 1e-3
 
 def axis(number: int, reading: Reading, sticking: bool = True) -> Axis:
     """Return an axis of the stage."""
-    found = AXES[number]
+    identified = AXES[number]
     return Axis(
         name=str(number),
-        plant=RigidAxis(gain=found.gain * _MM, damping=found.damping),
-        friction=Coulomb(coulomb=found.stiction if sticking else 0.0),
+        plant=RigidAxis(gain=identified.gain * _MM, damping=identified.damping),
+        friction=Coulomb(coulomb=identified.stiction if sticking else 0.0),
         drive=Saturation(limit=1.0),
         sensor=Encoder(resolution=reading.resolution),
         limits=Limits(velocity=0.15),
@@ -121,3 +123,8 @@ def controller(first: int, table: dict[int, Gains], reading: Reading) -> Control
     if not reading.coupling:
         return Controller(axes)
     return Controller(axes, Newton(), ModifiedReference(weight=reading.weight))
+
+
+def circle(reading: Reading) -> Reference:
+    """Return two laps of the 20 mm circle at 0.5 Hz, as in Fig 9."""
+    return uniform(contour("circle", radius=0.02), 0.5, 2, reading.servo_period)

@@ -1,8 +1,6 @@
-"""Reproduction of Ghaffari & Ulsoy, "Component swapping modularity for distributed precision contouring"."""
+"""Parts of Ghaffari & Ulsoy, "Component swapping modularity for distributed precision contouring"."""
 
 from __future__ import annotations
-
-from typing import Any
 
 from contourlab.papers.ghaffari.bench import bench_rows
 from contourlab.papers.ghaffari.calibration import calibration_rows
@@ -12,7 +10,7 @@ from contourlab.papers.ghaffari.observer import observer_rows
 from contourlab.papers.ghaffari.runs import run_rows
 from contourlab.papers.ghaffari.sensitivity import sensitivity_rows
 from contourlab.papers.ghaffari.swap import swap_rows
-from contourlab.papers.rows import Part, Stage, in_parts
+from contourlab.papers.rows import Part
 
 PARTS: tuple[Part, ...] = (
     ("gains and poles", linear_rows),
@@ -24,14 +22,3 @@ PARTS: tuple[Part, ...] = (
     ("Table III from Table II", calibration_rows),
     ("the swap", swap_rows),
 )
-
-
-def reproduce(stage: Stage | None = None) -> list[dict[str, Any]]:
-    """Return every figure of the paper beside ours: rows with the keys of `contourlab.papers.rows.Row.as_dict`.
-
-    Parameters
-    ----------
-    stage : callable, optional
-        Told in words what is begun.
-    """
-    return list(in_parts(PARTS, stage))

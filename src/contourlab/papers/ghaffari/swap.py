@@ -1,7 +1,8 @@
-"""Ghaffari & Ulsoy, the verdict itself: is one controller enough for A3-A1 and A3-A2, with the disturbance observer and without?"""
+"""Ghaffari & Ulsoy, the verdict: does one controller serve A3-A1 and A3-A2, with and without the disturbance observer?"""
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import replace
 
 from contourlab.design import Space
@@ -10,33 +11,30 @@ from contourlab.features.swap.settings import SwapSettings
 from contourlab.features.swap.study import SwapStudy, swap_study
 from contourlab.features.swap.variants import variants_of
 from contourlab.features.swap.verdict import verdict
-from contourlab.feed import uniform
-from contourlab.geometry import contour
 from contourlab.loop import parameter_names
-from contourlab.papers.ghaffari.setup import TABLE_3, Reading, axis, controller, machine
+from contourlab.papers.ghaffari.setup import TABLE_3, Reading, axis, circle, controller, machine
 from contourlab.papers.rows import Row, ours, printed
 from contourlab.scenario import load_controller
 
 CASE = "A3-A1 against A3-A2"
 BUDGET = {True: 600, False: 2000}
-"""Candidates a search, with the observer and without: what fits into a reproduction."""
+"""Candidates per search, with and without the observer: few enough for a reproduction."""
 KNOWN = (("shared",), ("own-a3a1",), ("own-a3a2",), ("swapped-a3a1", "swapped-a3a2"))
-"""Shipped controllers, found by searches a hundred times as long. Those with the observer start from them, and run them again."""
+"""Shipped controllers from searches a hundred times as long; searches with the observer start from them."""
 LOCAL = {
     True: (("velocity_gain",),),
     False: (("model_gain",), ("model_gain", "model_damping")),
 }
-"""Smallest sets that searches came to among all numbers of axis 1, with the observer and without; looked at again."""
+"""Smallest local sets found by searches among all parameters of axis 1, with and without the observer; tested again."""
 _MICRO = 1e6
 
 
 def swap_of(observer: bool, settings: SwapSettings | None = None) -> SwapStudy:
-    """Return the study of axis 1 against axis 2 on the paper's circle, from Table III."""
+    """Study the swap of axis 1 for axis 2 on the paper's circle, from Table III."""
     reading = Reading(observer=observer)
     stage, made = machine(1, reading), controller(1, TABLE_3, reading)
     variants = variants_of(stage, {"1": [("axis2", replace(axis(2, reading), name="1"))]})
-    circle = uniform(contour("circle", radius=0.02), 0.5, 2, reading.servo_period)
-    fleet = Fleet(variants, made, circle, Space.chosen(stage, made))
+    fleet = Fleet(variants, made, circle(reading), Space.chosen(stage, made))
     known = tuple(tuple(map(_gains, names)) for names in KNOWN) if observer else ()
     candidates = tuple(name for name in fleet.space.names if variants[0].module(name))
     head = "controller.axes.1.controller."
@@ -45,7 +43,7 @@ def swap_of(observer: bool, settings: SwapSettings | None = None) -> SwapStudy:
 
 
 def _gains(name: str) -> dict[str, float]:
-    """Return the numbers of a shipped controller, those of axis 2 under the name of axis 1, whose place it takes."""
+    """Return the parameters of a shipped controller; axis 2 appears under the name of axis 1, which it replaces."""
     first = 2 if name.endswith("a3a2") else 1
     stage = machine(first, Reading())
     made = load_controller(f"builtin:ghaffari/{name}.toml", stage)
@@ -55,32 +53,25 @@ def _gains(name: str) -> dict[str, float]:
     return {dotted.replace(f".axes.{first}.", ".axes.1."): value for dotted, value in numbers.items()}
 
 
-def swap_rows() -> list[Row]:
-    """Return the rows of the verdict."""
-    found = []
+def swap_rows() -> Iterator[Row]:
+    """Yield the rows of the verdict."""
     for observer, words in ((True, "with observer"), (False, "without observer")):
         study = swap_of(observer)
         best, values = study.recommended, study.base.design.values * _MICRO
         needed = float(best.effort) if best is not None else float("nan")
         star = study.fleet.best * _MICRO
-        told = (
+        note = (
             f"{verdict(study)}; J {values[0]:.3g} and {values[1]:.3g} um s against J* {star[0]:.3g} and {star[1]:.3g}, J_tol 2 um s; "
             f"{study.fleet.runs} runs, gain margin 6 dB and phase margin 30 deg kept, bounds a factor of 4 around Table III"
         )
         if observer:
-            said = "the paper finds full modularity near 18.4 um s; here J* is far below, and 3 % of J_tol is a mean of 0.03 um"
-            found.append(printed("local parameters needed with observer", CASE, 0.0, needed, "", 0.0, told, reason=f"{said}: {told}"))
+            reason = f"the paper finds full modularity near 18.4 um s; here J* is far below, and 3 % of J_tol is a mean of 0.03 um: {note}"
+            yield printed("local parameters needed with observer", CASE, 0.0, needed, "", 0.0, note, reason=reason)
         else:
-            found.append(ours("local parameters needed without observer", CASE, needed, "", told))
-        spread = (
-            "; searches of 4000 to 300 000 candidates came to 0.029 to 0.137, as J* falls with the length of the search too"
-            if observer
-            else ""
-        )
-        note = f"of 1; nothing local, the controller shared{spread}"
-        found.append(ours(f"swap loss {words}", CASE, study.base.loss, "", note))
-        found.append(ours(f"swap loss {words}, all of the axis local", CASE, study.choices[-1].loss, "", "of 1"))
+            yield ours("local parameters needed without observer", CASE, needed, "", note)
+        searches = "; searches of 4000 to 300 000 candidates gave 0.029 to 0.137, since longer searches also lower J*" if observer else ""
+        yield ours(f"swap loss {words}", CASE, study.base.loss, "", f"of 1; nothing local, the controller shared{searches}")
+        yield ours(f"swap loss {words}, all of the axis local", CASE, study.choices[-1].loss, "", "of 1")
         given = study.given.design.values * _MICRO
-        note = f"of 1; {given[0]:.4g} and {given[1]:.4g} um s: nearly equal, and both far from the best of a model without noise"
-        found.append(ours(f"swap loss {words}, Table III as printed", CASE, study.given.loss, "", note))
-    return found
+        note = f"of 1; {given[0]:.4g} and {given[1]:.4g} um s: nearly equal, and both far from the optimum of a model without noise"
+        yield ours(f"swap loss {words}, Table III as printed", CASE, study.given.loss, "", note)

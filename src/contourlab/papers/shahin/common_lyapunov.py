@@ -1,32 +1,31 @@
 """Common quadratic Lyapunov functions of switched linear systems: found and proved, or refuted with a certificate.
 
-P > 0 with A_i' P + P A_i < 0 for all i exists if and only if there are no Z_i >= 0, not all zero, with sum(A_i Z_i + Z_i A_i') >= 0
-(theorem of alternatives). A solver proposes P or the Z_i; whether they are what they claim is then decided in rational arithmetic, on the
-floats as they were given, so that no verdict rests on a solver's status or on rounding.
+P > 0 with A_i' P + P A_i < 0 for all i exists only if there are no Z_i >= 0, not all zero, with sum(A_i Z_i + Z_i A_i') >= 0. A vector v
+with A_i v = 0 gives such a certificate, Z_i = v v'. Otherwise a solver proposes P. Rational arithmetic on the given floats proves or
+rejects it, so that no verdict depends on a solver's status or on rounding.
 """
 
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
+from fractions import Fraction
+from typing import Any
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import NDArray
 
-from contourlab.errors import ParameterError
-from contourlab.papers.shahin import lyapunov_lmi
-from contourlab.papers.shahin.exact_arithmetic import Rational, add, is_hurwitz, is_positive_definite, kernel, lyapunov, rational, transpose
+from contourlab.analysis.linear.modular_design import solved
+from contourlab.extras import extra_module
 
 Array = NDArray[np.float64]
-
-LARGEST = 24
-"""States beyond which the proofs would take longer than anyone waits."""
+Rational = tuple[tuple[Fraction, ...], ...]
 
 
 @dataclass(frozen=True, eq=False)
 class CommonLyapunov:
-    """The answer.
+    """Verdict of `common_quadratic`.
 
     Attributes
     ----------
@@ -34,12 +33,11 @@ class CommonLyapunov:
     p : ndarray (n, n) or None
         V = x' P x, in the states as given, scaled to a largest eigenvalue of 1.
     overshoot, rate : float
-        alpha_1 and alpha_2 [1/s] of |x(t)| <= alpha_1 exp(-alpha_2 t) |x(0)|, eq (17) of Shahin, ElMaraghy & ElBeheiry, under any
-        switching; nan unless feasible. The norm is that of the states as given, so alpha_1 depends on their units.
+        alpha_1 and alpha_2 [1/s] of |x(t)| <= alpha_1 exp(-alpha_2 t) |x(0)|, eq (17) of the paper, under any switching; nan unless
+        feasible. The norm is that of the states as given, so alpha_1 depends on their units.
     certificate : tuple of ndarray (n, n)
         Z_i, one for each matrix, if infeasible.
     explanation : str
-        What is proved, in words.
     """
 
     verdict: str
@@ -53,53 +51,37 @@ class CommonLyapunov:
         return f"{self.verdict}: {self.explanation}"
 
 
-def common_quadratic(matrices: Sequence[ArrayLike], names: Sequence[str] = (), states: Sequence[str] = ()) -> CommonLyapunov:
+def common_quadratic(matrices: Sequence[Array], names: Sequence[str] = (), states: Sequence[str] = ()) -> CommonLyapunov:
     """Decide whether switched linear systems x' = A_i x have a common quadratic Lyapunov function.
 
     Parameters
     ----------
-    matrices : sequence of array_like (n, n)
-        A_i [1/s]; their floats are taken for exact.
+    matrices : sequence of ndarray (n, n)
+        A_i [1/s], taken as exact.
     names : sequence of str, optional
-        Of the matrices, as "gap" and "contact".
+        Of the matrices, for example "gap" and "contact".
     states : sequence of str, optional
         Names of the states.
 
     Returns
     -------
     CommonLyapunov
-        "undecided" where neither answer could be proved: at the border between the two.
-
-    Raises
-    ------
-    ParameterError
-        For matrices of different shapes, with inf or nan, or with more than 24 states.
+        "undecided" if neither answer could be proved.
     """
-    given = _checked(matrices)
+    given = list(matrices)
     labels = tuple(names) or tuple(f"matrix {i + 1}" for i in range(len(given)))
     exact = [rational(a) for a in given]
     for i, (name, matrix) in enumerate(zip(labels, exact, strict=True)):
-        if not is_hurwitz(matrix):
-            return _not_hurwitz(given, i, name, matrix, states)
-    scaled, scale = lyapunov_lmi.balanced(given)
-    for candidate in lyapunov_lmi.candidates(scaled):
+        resting = kernel(matrix)
+        if resting:
+            return _with_zero(given, i, name, np.array([float(x) for x in resting[0]]), states)
+    scaled, scale = _balanced(given)
+    for candidate in _candidates(scaled):
         p = candidate / scale[:, None] / scale
         if _proves(exact, p):
             return _feasible(given, exact, scaled, scale, p, labels)
-    return _refuted(exact, lyapunov_lmi.alternatives(scaled), scale, labels)
-
-
-def _checked(matrices: Sequence[ArrayLike]) -> list[Array]:
-    given = [np.asarray(matrix, dtype=float) for matrix in matrices]
-    if not given:
-        raise ParameterError("matrices", "none", "at least one")
-    n = len(np.atleast_1d(given[0]))
-    for i, a in enumerate(given):
-        if a.shape != (n, n) or not np.isfinite(a).all():
-            raise ParameterError(f"matrices[{i}]", f"an array of shape {a.shape}", f"finite and of shape {(n, n)}, as the first")
-    if n > LARGEST:
-        raise ParameterError("matrices", f"{n} states", f"{LARGEST} states at most")
-    return given
+    text = f"no common P could be proved for {_joined(labels)}"
+    return CommonLyapunov("undecided", None, math.nan, math.nan, (), text)
 
 
 def _proves(exact: list[Rational], p: Array) -> bool:
@@ -119,8 +101,8 @@ def _negative(matrix: Rational) -> Rational:
 def _feasible(
     given: list[Array], exact: list[Rational], scaled: list[Array], scale: Array, p: Array, labels: tuple[str, ...]
 ) -> CommonLyapunov:
-    """Return P, made better for a fast rate as long as it stays proved, with the constants of eq (17)."""
-    for candidate in lyapunov_lmi.faster(scaled):
+    """Return the proved P with the fastest rate found, and the constants of eq (17)."""
+    for candidate in _faster(scaled):
         tried = candidate / scale[:, None] / scale
         if _proves(exact, tried) and _rate(given, tried, scale) > _rate(given, p, scale):
             p = tried
@@ -135,7 +117,7 @@ def _feasible(
 
 
 def _rate(given: list[Array], p: Array, scale: Array) -> float:
-    """Return the largest alpha with A' P + P A <= -2 alpha P for all A, a little on the safe side of rounding."""
+    """Return the largest alpha with A' P + P A <= -2 alpha P for all A, rounded to the safe side."""
     from scipy.linalg import solve_triangular
 
     balanced = p * scale * scale[:, None]
@@ -153,28 +135,13 @@ def _rate(given: list[Array], p: Array, scale: Array) -> float:
     return max(worst, 0.0)
 
 
-def _not_hurwitz(given: list[Array], i: int, name: str, exact: Rational, states: Sequence[str]) -> CommonLyapunov:
-    """Return the certificate Z = Re(v v*) of a matrix that does not decay by itself."""
-    zero = np.zeros_like(given[i])
-    resting = kernel(exact)
-    if resting:
-        v = np.array([float(x) for x in resting[0]])
-        words = _named(v, states)
-        text = (
-            f"the {name} matrix takes the vector {words} to zero exactly (eigenvalue 0): along it nothing moves, so x'Px cannot fall "
-            f"there, whatever P. No strict common quadratic Lyapunov function exists"
-        )
-        z = np.outer(v, v)
-    else:
-        values, vectors = np.linalg.eig(given[i])
-        at = int(np.argmax(values.real))
-        vector, value = vectors[:, at], complex(values[at])
-        z = np.outer(vector, vector.conj()).real
-        text = (
-            f"the {name} matrix is not Hurwitz (Routh's table in rational arithmetic; eigenvalue {value.real:.4g} {value.imag:+.4g}j): its "
-            f"motion along that eigenvector does not decay, so x'Px cannot fall there. No strict common quadratic Lyapunov function exists"
-        )
-    certificate = tuple(z if j == i else zero for j in range(len(given)))
+def _with_zero(given: list[Array], i: int, name: str, v: Array, states: Sequence[str]) -> CommonLyapunov:
+    """Return the certificate Z = v v' of a matrix that maps v to zero."""
+    text = (
+        f"the {name} matrix maps {_named(v, states)} to zero exactly (eigenvalue 0): nothing moves along it, so x'Px cannot fall there for "
+        "any P. No strict common quadratic Lyapunov function exists"
+    )
+    certificate = tuple(np.outer(v, v) if j == i else np.zeros_like(a) for j, a in enumerate(given))
     return CommonLyapunov("infeasible", None, math.nan, math.nan, certificate, text)
 
 
@@ -184,32 +151,189 @@ def _named(v: Array, states: Sequence[str]) -> str:
     return "(" + ", ".join(parts) + ")"
 
 
-def _refuted(exact: list[Rational], proposed: list[Array], scale: Array, labels: tuple[str, ...]) -> CommonLyapunov:
-    """Return the solver's certificate if it is one; a verdict of "undecided" if not."""
-    certificate = tuple(0.5 * (z + z.T) for z in (z * scale[:, None] * scale for z in proposed))
-    if certificate and _refutes(exact, certificate):
-        text = (
-            f"there are Z_i > 0 with sum(A_i Z_i + Z_i A_i') > 0 over {_joined(labels)} (proved in rational arithmetic): for any P > 0 the "
-            "traces of (A_i'P + PA_i) Z_i add up to more than 0, so they cannot all be negative. No common quadratic Lyapunov function "
-            "exists, though each matrix decays by itself"
-        )
-        return CommonLyapunov("infeasible", None, math.nan, math.nan, certificate, text)
-    text = f"neither a common P nor a certificate against one could be proved for {_joined(labels)}: too close to the border"
-    return CommonLyapunov("undecided", None, math.nan, math.nan, (), text)
-
-
-def _refutes(exact: list[Rational], certificate: tuple[Array, ...]) -> bool:
-    """Whether all Z_i > 0 and sum(A_i Z_i + Z_i A_i') > 0, in rational arithmetic."""
-    if not all(np.isfinite(z).all() for z in certificate):
-        return False
-    fractions = [rational(z) for z in certificate]
-    if not all(is_positive_definite(z) for z in fractions):
-        return False
-    total = lyapunov(transpose(exact[0]), fractions[0])
-    for a, z in zip(exact[1:], fractions[1:], strict=True):
-        total = add(total, lyapunov(transpose(a), z))
-    return is_positive_definite(total)
-
-
 def _joined(labels: tuple[str, ...]) -> str:
     return labels[0] if len(labels) == 1 else ", ".join(labels[:-1]) + " and " + labels[-1]
+
+
+def _balanced(matrices: list[Array]) -> tuple[list[Array], Array]:
+    """Return the matrices over states divided by powers of 2 (n,) that balance rows and columns, and those powers."""
+    from scipy.linalg import matrix_balance
+
+    sizes = np.sum([np.abs(a) / max(float(np.abs(a).max()), 1e-300) for a in matrices], axis=0)
+    _, (scale, _) = matrix_balance(sizes, permute=False, separate=True)
+    return [a * scale / scale[:, None] for a in matrices], np.asarray(scale, dtype=float)
+
+
+def _candidates(matrices: list[Array]) -> Iterator[Array]:
+    """Yield proposals for P: closed forms first, then the solver's in the coordinates of each."""
+    coordinates = list(_frames(matrices))
+    for frame in coordinates:
+        yield frame.T @ frame
+    for frame in coordinates:
+        inverse = np.linalg.inv(frame)
+        p = _margin([_unit(frame @ a @ inverse) for a in matrices])
+        if p is not None:
+            yield frame.T @ p @ frame
+
+
+def _faster(matrices: list[Array]) -> Iterator[Array]:
+    """Yield proposals for P with increasing rates, up to that of the slowest eigenvalue."""
+    bound = min(float(-np.linalg.eigvals(a).real.max()) for a in matrices)
+    for share in (0.1, 0.5, 0.75, 0.9, 0.97):
+        shifted = [a + share * bound * np.eye(len(a)) for a in matrices]
+        for frame in _frames(shifted):
+            yield frame.T @ frame
+            inverse = np.linalg.inv(frame)
+            p = _margin([_unit(frame @ a @ inverse) for a in shifted])
+            if p is not None:
+                yield frame.T @ p @ frame
+                break
+
+
+def _unit(matrix: Array) -> Array:
+    """Return a matrix over its largest entry, which does not change the inequalities."""
+    return np.asarray(matrix / max(float(np.abs(matrix).max()), 1e-300))
+
+
+def _frames(matrices: list[Array]) -> Iterator[Array]:
+    """Yield coordinates in which a matrix, or the mean, contracts: factors of solutions of its Lyapunov equation."""
+    from scipy.linalg import LinAlgError, solve_continuous_lyapunov
+
+    units = [_unit(a) for a in matrices]
+    yield np.eye(len(units[0]))
+    for a in (np.sum(units, axis=0), np.sum(matrices, axis=0), *units):
+        values, vectors = np.linalg.eig(a)
+        if values.real.max() >= 0.0:
+            continue
+        rights = [np.eye(len(a))]
+        if np.linalg.cond(vectors) < 1e12:
+            # Weighted by each mode's rate, so that slow and fast modes count equally.
+            weights = np.linalg.inv(vectors)
+            rights.insert(0, ((weights.conj().T * np.abs(values.real)) @ weights).real)
+        for q in rights:
+            try:
+                p = solve_continuous_lyapunov(a.T, -q)
+                yield np.asarray(np.linalg.cholesky(0.5 * (p + p.T)).T, dtype=np.float64)
+            except (LinAlgError, np.linalg.LinAlgError):
+                continue
+
+
+def _margin(matrices: list[Array]) -> Array | None:
+    """Return the P between 0 and 1 with the largest margin of contraction."""
+    cvxpy = extra_module("cvxpy")
+
+    n = len(matrices[0])
+    p: Any = cvxpy.Variable((n, n), symmetric=True)
+    margin: Any = cvxpy.Variable()
+    floor = margin * np.eye(n)
+    rules = [p >> floor, p << np.eye(n)] + [a.T @ p + p @ a << -floor for a in matrices]
+    if not solved(cvxpy.Problem(cvxpy.Maximize(margin), rules)):
+        return None
+    return np.asarray(p.value, dtype=float) if float(margin.value) > 0.0 else None
+
+
+def rational(matrix: Array) -> Rational:
+    """Return a matrix in exact fractions, so that all that follows is proof and not estimate."""
+    return tuple(tuple(Fraction(float(value)) for value in row) for row in matrix)
+
+
+def product(left: Rational, right: Rational) -> Rational:
+    """Return the matrix product."""
+    columns = tuple(zip(*right, strict=True))
+    return tuple(tuple(sum((x * y for x, y in zip(row, column, strict=True)), Fraction(0)) for column in columns) for row in left)
+
+
+def transpose(matrix: Rational) -> Rational:
+    """Return the transpose."""
+    return tuple(zip(*matrix, strict=True))
+
+
+def lyapunov(a: Rational, p: Rational) -> Rational:
+    """Return a' p + p a for a symmetric p."""
+    half = product(p, a)
+    return tuple(tuple(x + y for x, y in zip(*rows, strict=True)) for rows in zip(half, transpose(half), strict=True))
+
+
+def is_positive_definite(matrix: Rational) -> bool:
+    """Whether a symmetric matrix is positive definite: all pivots of its elimination are above 0.
+
+    >>> is_positive_definite(rational(np.array([[2.0, 1.0], [1.0, 1.0]])))
+    True
+    """
+    if matrix != transpose(matrix):
+        return False
+    rows = [list(row) for row in matrix]
+    for k, pivot_row in enumerate(rows):
+        pivot = pivot_row[k]
+        if pivot <= 0:
+            return False
+        for row in rows[k + 1 :]:
+            share = row[k] / pivot
+            if share:
+                row[k:] = [x - share * y for x, y in zip(row[k:], pivot_row[k:], strict=True)]
+    return True
+
+
+def has_hurwitz_roots(polynomial: tuple[Fraction, ...]) -> bool:
+    """Whether all roots of a monic polynomial, highest power first, have negative real parts, by Routh's table.
+
+    >>> has_hurwitz_roots(characteristic(rational(np.array([[0.0, 1.0], [-1.0, -1e-300]]))))
+    True
+    >>> has_hurwitz_roots(characteristic(rational(np.array([[0.0, 1.0], [-1.0, 0.0]]))))
+    False
+    """
+    upper, lower = polynomial[0::2], polynomial[1::2]
+    if any(value <= 0 for value in polynomial):
+        return False
+    while lower:
+        if lower[0] <= 0:
+            return False
+        share = upper[0] / lower[0]
+        padded = (*lower[1:], *[Fraction(0)] * (len(upper) - len(lower)))
+        upper, lower = lower, tuple(x - share * y for x, y in zip(upper[1:], padded, strict=False))
+    return True
+
+
+def characteristic(matrix: Rational) -> tuple[Fraction, ...]:
+    """Return the characteristic polynomial, highest power first: Faddeev and LeVerrier."""
+    n = len(matrix)
+    coefficients = [Fraction(1)]
+    m: Rational = tuple(tuple(Fraction(0) for _ in range(n)) for _ in range(n))
+    for k in range(1, n + 1):
+        m = product(matrix, m)
+        m = tuple(tuple(value + (coefficients[-1] if i == j else 0) for j, value in enumerate(row)) for i, row in enumerate(m))
+        trace = sum((row[i] for i, row in enumerate(product(matrix, m))), Fraction(0))
+        coefficients.append(-trace / k)
+    return tuple(coefficients)
+
+
+def kernel(matrix: Rational) -> tuple[tuple[Fraction, ...], ...]:
+    """Return a basis of the vectors that a matrix takes to 0, by row reduction; empty for a regular matrix.
+
+    >>> [[float(x) for x in v] for v in kernel(rational(np.array([[0.0, 1.0], [0.0, 0.0]])))]
+    [[1.0, 0.0]]
+    """
+    rows, n = [list(row) for row in matrix], len(matrix[0])
+    pivots: list[int] = []
+    for column in range(n):
+        at = next((i for i in range(len(pivots), len(rows)) if rows[i][column] != 0), None)
+        if at is None:
+            continue
+        here = len(pivots)
+        rows[here], rows[at] = rows[at], rows[here]
+        lead = rows[here][column]
+        rows[here] = [value / lead for value in rows[here]]
+        for i, row in enumerate(rows):
+            if i != here and row[column] != 0:
+                rows[i] = [x - row[column] * y for x, y in zip(row, rows[here], strict=True)]
+        pivots.append(column)
+    free = [column for column in range(n) if column not in pivots]
+    return tuple(_vector(rows, pivots, column, n) for column in free)
+
+
+def _vector(rows: list[list[Fraction]], pivots: list[int], free: int, n: int) -> tuple[Fraction, ...]:
+    vector = [Fraction(0)] * n
+    vector[free] = Fraction(1)
+    for row, pivot in zip(rows, pivots, strict=False):
+        vector[pivot] = -row[free]
+    return tuple(vector)

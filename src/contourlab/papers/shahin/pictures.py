@@ -1,64 +1,57 @@
-"""Shahin, ElMaraghy & ElBeheiry: what Figs 7 to 13 are drawn from."""
+"""Figs 7 to 13 of Shahin, ElMaraghy & ElBeheiry."""
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-from functools import cache
+from collections.abc import Mapping, Sequence
+from pathlib import Path
 
 import numpy as np
 from numpy.typing import NDArray
 
-from contourlab.loop import simulate
-from contourlab.papers.shahin import setup as setup
-from contourlab.papers.shahin.runs import controller_of
+from contourlab.papers.shahin import setup
+from contourlab.papers.shahin.runs import third_lap
 from contourlab.papers.shahin.setup import Setting
+from contourlab.report.charts import Chart, Curve, PolarChart, ring_spacing, traces_chart
+from contourlab.report.plots import write_charts
+from contourlab.report.style import scheme_style
 
 Array = NDArray[np.float64]
-STRIDE = 100
-"""Samples of 2 us from one point of a picture to the next: sixty in a period of the shaft."""
-SIGNALS = ("axis_position", "axis_velocity", "reference", "reference_velocity")
 
 
-@dataclass(frozen=True, eq=False)
-class Trace:
-    """The third lap of a circular test.
+def draw(folder: str | Path, formats: Sequence[str]) -> tuple[Path, ...]:
+    """Write the figures into a folder; return the files."""
+    gap, none = Setting(), Setting(gap=0.0)
+    baselines = {
+        "on the motors, no backlash": third_lap("PI", none),
+        "on the motors, 25 um": third_lap("PI", gap),
+        "closed over the loads, 25 um": third_lap("PI on the load", gap),
+    }
+    charts: list[Chart | PolarChart] = [_circle("fig-7-8", "Figs 7, 8: PI on the circle at 8000 mm/min", baselines)]
+    schemes = {name: third_lap(name, gap) for name in setup.SCHEMES}
+    feeds = {
+        f"scheme {name}": (run["time"], (run["reference_velocity"] - run["axis_velocity"])[:, 0] * 60.0) for name, run in schemes.items()
+    }
+    charts.append(traces_chart("fig-9", "Fig 9: feedrate error of x", ("time [s]", "feedrate error [m/min]"), feeds))
+    errors = {
+        f"scheme {name}, {axis}": (run["time"], (run["reference"] - run["axis_position"])[:, j] * 1e6)
+        for name, run in list(schemes.items())[1:]
+        for j, axis in enumerate(setup.AXES)
+    }
+    charts.append(traces_chart("fig-10", "Fig 10: axis errors of schemes II and III", ("time [s]", "axis error [um]"), errors))
+    for number, (name, run) in zip((11, 12, 13), schemes.items(), strict=True):
+        rate = {f"scheme {name}": (run["time"], np.hypot(*run["axis_velocity"].T) * 60.0)}
+        title = f"Fig {number}: overall feedrate, scheme {name}"
+        charts.append(traces_chart(f"fig-{number}", title, ("time [s]", "feedrate [m/min]"), rate, level=8.0))
+    return write_charts(charts, folder, formats)
 
-    Attributes
-    ----------
-    time : ndarray (n,) [s]
-        From the start of the run.
-    angle : ndarray (n,) [rad]
-        Of the loads around the centre, in [0, 2 pi).
-    radial : ndarray (n,) [m]
-        Deviation from the radius.
-    axis_error, axis_feed_error : ndarray (n, 2) [m], [m/s]
-        Reference less load, axis by axis, and of their velocities.
-    feedrate : ndarray (n,) [m/s]
-        Overall.
-    """
 
-    time: Array
-    angle: Array
-    radial: Array
-    axis_error: Array
-    axis_feed_error: Array
-    feedrate: Array
-
-
-@cache
-def trace(name: str, setting: Setting) -> Trace:
-    """Return the third lap under a scheme or a baseline, as named in `contourlab.papers.shahin.runs.circular`."""
-    period = setup.servo_period()
-    reference = setup.circle(3, period)
-    run = simulate(setup.machine(setting, period), controller_of(name, setting), reference, signals=SIGNALS, moving=True)
-    start, stop = reference.laps[-1]
-    part = {name: run[name][start:stop:STRIDE] for name in SIGNALS}
-    x, y = part["axis_position"].T
-    return Trace(
-        time=period * np.arange(start, stop, STRIDE, dtype=np.float64),
-        angle=np.mod(np.arctan2(y, x), 2.0 * np.pi),
-        radial=np.hypot(x, y) - setup.RADIUS,
-        axis_error=part["reference"] - part["axis_position"],
-        axis_feed_error=part["reference_velocity"] - part["axis_velocity"],
-        feedrate=np.hypot(*part["axis_velocity"].T),
-    )
+def _circle(key: str, title: str, runs: Mapping[str, Mapping[str, Array]]) -> PolarChart:
+    """Return the radial deviations around the circle."""
+    curves = []
+    for i, (name, run) in enumerate(runs.items()):
+        x, y = run["axis_position"].T
+        deviation = (np.hypot(x, y) - setup.RADIUS) * 1e6
+        curves.append(Curve(np.degrees(np.unwrap(np.arctan2(y, x))), deviation, name, *scheme_style(i, len(runs))))
+    division, span = ring_spacing(max(float(np.abs(curve.y).max()) for curve in curves))
+    caption = f"One ring is {division:g} um of radial deviation."
+    return PolarChart(key, title, caption, tuple(curves), division, (-2.0 * span, span), setup.RADIUS)

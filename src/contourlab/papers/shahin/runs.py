@@ -1,4 +1,4 @@
-"""Runs of the feed drives of Shahin, ElMaraghy & ElBeheiry, reduced to the figures that the paper gives while they run."""
+"""Runs of Shahin, ElMaraghy & ElBeheiry: circular tests reduced to the paper's figures, traces for pictures, ramps."""
 
 from __future__ import annotations
 
@@ -8,38 +8,45 @@ from collections.abc import Sequence
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, field
 from functools import cache
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from contourlab.feed import Reference
-from contourlab.loop import Controller, Machine, simulate_blocks
-from contourlab.papers.shahin import setup as setup
+from contourlab.feed import AxisLimits, Reference, plan, route_from_path
+from contourlab.geometry import Line, Path
+from contourlab.loop import Controller, Machine, simulate, simulate_blocks
+from contourlab.papers.shahin import setup
+from contourlab.papers.shahin.setup import Setting
 
 Array = NDArray[np.float64]
 WINDOW = (1.0, 10.0)
-"""Time that the paper looks at [s]."""
-SIGNALS = ("axis_position", "axis_velocity", "reference", "reference_velocity", "active_controller")
+"""Time that the paper evaluates [s]."""
+SIGNALS = ("axis_position", "axis_velocity", "reference", "reference_velocity")
+STRIDE = 100
+"""Samples of 2 us between points of a picture: sixty in a period of the shaft."""
+LENGTH, ACCELERATION = 0.2, 2.0
+"""Length of the ramp [m] and acceleration of its run-up [m/s^2]."""
+STEADY = (0.5, 1.4)
+"""Time of the ramp's steady motion [s]."""
 
 
 @dataclass
 class Figures:
-    """What is seen of a run from 1 s on.
+    """Figures of a run, from 1 s on.
 
     Attributes
     ----------
     axis_error : ndarray (n_axis,) [m]
-        Largest distance of the load from its reference, axis by axis.
+        Largest distance of the load from its reference.
     contour_error : float [m]
         Largest distance from the circle.
-    feed_ripple : float [m/s]
-        Largest deviation of the overall feedrate from that asked for.
-    axis_feed_error : float [m/s]
-        Largest deviation of an axis' feedrate.
+    feed_ripple, axis_feed_error : float [m/s]
+        Largest deviation of the path's feedrate, and of an axis velocity.
     switches : int
-        How often a controller was switched, all axes together.
+        Controller switches of all axes.
     diverged : float [s]
-        When the following error passed its limit; infinite where it did not.
+        Time at which the following error passed its limit; infinite if it did not.
     """
 
     axis_error: Array = field(default_factory=lambda: np.zeros(2))
@@ -51,64 +58,80 @@ class Figures:
 
     @property
     def largest(self) -> float:
-        """Largest axis error [m]; infinite where the run diverged."""
+        """Largest axis error [m]; infinite if the run diverged."""
         return float(self.axis_error.max()) if math.isinf(self.diverged) else math.inf
 
-    def take(self, block: dict[str, Array], first: int, feed: float) -> None:
-        """Take in a block, from sample `first` of it on."""
-        part = {name: data[first:] for name, data in block.items()}
-        if not len(part["reference"]):
+    def take(self, block: dict[str, Array], feed: float) -> None:
+        """Add a block of samples."""
+        if not len(block["reference"]):
             return
-        self.axis_error = np.maximum(self.axis_error, np.abs(part["axis_position"] - part["reference"]).max(axis=0))
-        radius = np.hypot(*part["axis_position"].T)
+        self.axis_error = np.maximum(self.axis_error, np.abs(block["axis_position"] - block["reference"]).max(axis=0))
+        radius = np.hypot(*block["axis_position"].T)
         self.contour_error = max(self.contour_error, float(np.abs(radius - setup.RADIUS).max()))
-        speed = np.hypot(*part["axis_velocity"].T)
+        speed = np.hypot(*block["axis_velocity"].T)
         self.feed_ripple = max(self.feed_ripple, float(np.abs(speed - feed).max()))
-        apart = np.abs(part["axis_velocity"] - part["reference_velocity"]).max()
-        self.axis_feed_error = max(self.axis_feed_error, float(apart))
-        if "active_controller" in part:
-            self.switches += int(np.count_nonzero(np.diff(part["active_controller"], axis=0)))
+        difference = np.abs(block["axis_velocity"] - block["reference_velocity"]).max()
+        self.axis_feed_error = max(self.axis_feed_error, float(difference))
+        if "active_controller" in block:
+            self.switches += int(np.count_nonzero(np.diff(block["active_controller"], axis=0)))
 
 
 def measured(machine: Machine, controller: Controller, reference: Reference, feed: float = setup.FEED, until: float = WINDOW[1]) -> Figures:
-    """Run a machine along a reference, from a moving start, and return its figures from 1 s to `until` [s]."""
-    found, done, period = Figures(), 0, machine.servo_period
+    """Simulate from a moving start and return the figures from 1 s to `until` [s]."""
+    figures, done, period = Figures(), 0, machine.servo_period
     supervised = any(part.supervisor is not None for part in controller.axes.values())
-    signals = SIGNALS if supervised else SIGNALS[:-1]
+    signals = (*SIGNALS, "active_controller") if supervised else SIGNALS
     for block, status in simulate_blocks(machine, controller, reference, signals=signals, moving=True):
-        last = min(len(block["reference"]), max(0, round(until / period) - done))
-        found.take({name: data[:last] for name, data in block.items()}, max(0, round(WINDOW[0] / period) - done), feed)
-        done += len(block["reference"])
+        count = len(block["reference"])
+        window = slice(*(min(count, max(0, round(time / period) - done)) for time in (WINDOW[0], until)))
+        figures.take({name: data[window] for name, data in block.items()}, feed)
+        done += count
         if not status.ok:
-            found.diverged = status.sample * period
-    return found
+            figures.diverged = status.sample * period
+    return figures
 
 
-def controller_of(name: str, setting: setup.Setting) -> Controller:
-    """Return a scheme, or a baseline: "PI", "PI with feedforward", "PI on the load"."""
-    baselines = {
-        "PI": setup.baseline(),
-        "PI with feedforward": setup.baseline(forward=True),
-        "PI on the load": setup.baseline(feedback="load"),
-    }
-    return baselines[name] if name in baselines else setup.scheme(name, setting)
+def controller_of(name: str, setting: Setting) -> Controller:
+    """Return scheme "I", "II" or "III", or a baseline: "PI", "PI with feedforward", "PI on the load"."""
+    baselines: dict[str, dict[str, Any]] = {"PI": {}, "PI with feedforward": {"forward": True}, "PI on the load": {"feedback": "load"}}
+    return setup.baseline(**baselines[name]) if name in baselines else setup.scheme(name, setting)
 
 
-def prepare(tests: Sequence[tuple[str, setup.Setting, float, float]]) -> None:
-    """Run circular tests on all processors, so that `circular` has them; the machine code is made by the first one."""
-    if tests:
-        circular(*tests[0])
+def prepare(tests: Sequence[tuple[Any, ...]]) -> None:
+    """Run circular tests on all processors, so that `circular` finds them in its cache; the first one compiles."""
+    circular(*tests[0])
     with ThreadPoolExecutor(os.cpu_count() or 1) as pool:
         list(pool.map(lambda test: circular(*test), dict.fromkeys(tests)))
 
 
-def circular(name: str, setting: setup.Setting, feed: float = setup.FEED, until: float = WINDOW[1]) -> Figures:
-    """Return the figures of the circular test under a controller as of `controller_of`, from 1 s to `until` [s]; each is run once."""
-    return _circular(name, setting, feed, until)
-
-
 @cache
-def _circular(name: str, setting: setup.Setting, feed: float, until: float) -> Figures:
+def circular(name: str, setting: Setting, feed: float = setup.FEED, until: float = WINDOW[1]) -> Figures:
+    """Return the figures of a circular test from 1 s to `until` [s]; `name` as in `controller_of`."""
     period = setup.servo_period(feed)
     laps = max(1, math.ceil(until * feed / (2.0 * math.pi * setup.RADIUS)))
     return measured(setup.machine(setting, period), controller_of(name, setting), setup.circle(laps, period, feed), feed, until)
+
+
+def third_lap(name: str, setting: Setting) -> dict[str, Array]:
+    """Return `SIGNALS` and the time [s] of the third lap of a circular test, for pictures; `name` as in `controller_of`."""
+    period = setup.servo_period()
+    reference = setup.circle(3, period)
+    run = simulate(setup.machine(setting, period), controller_of(name, setting), reference, signals=SIGNALS, moving=True)
+    start, stop = reference.laps[-1]
+    return {"time": period * np.arange(start, stop, STRIDE, dtype=np.float64)} | {name: run[name][start:stop:STRIDE] for name in SIGNALS}
+
+
+@cache
+def _ramp() -> Reference:
+    """Return a straight motion of x at the feedrate after a run-up at constant acceleration; y stands still."""
+    limits = AxisLimits([1.0, 1.0], [ACCELERATION, ACCELERATION], [math.inf, math.inf])
+    return plan(route_from_path(Path([Line((0.0, 0.0), (LENGTH, 0.0))]), setup.FEED), limits, setup.SERVO_PERIOD)
+
+
+def ramp(name: str, setting: Setting) -> tuple[float, float]:
+    """Return largest error [m] and feedrate deviation [m/s] of the x load in the ramp's steady part; `name` as in `controller_of`."""
+    machine = setup.machine(setting, setup.SERVO_PERIOD)
+    run = simulate(machine, controller_of(name, setting), _ramp(), signals=("axis_position", "axis_velocity", "reference"))
+    steady = slice(*(round(time / setup.SERVO_PERIOD) for time in STEADY))
+    error = np.abs(run["axis_position"] - run["reference"])[steady, 0].max()
+    return float(error), float(np.abs(run["axis_velocity"][steady, 0] - setup.FEED).max())

@@ -1,4 +1,4 @@
-"""The system of Shahin, ElMaraghy & ElBeheiry as it is run here: drive, schemes, baselines, references."""
+"""Setup of Shahin, ElMaraghy & ElBeheiry: drives, switching schemes, baselines, reference."""
 
 from __future__ import annotations
 
@@ -9,12 +9,7 @@ from typing import Any
 import numpy as np
 
 from contourlab.components.controller.cascade import Cascade
-from contourlab.components.controller.contact_zone_1 import ContactZone1
-from contourlab.components.controller.contact_zone_2 import ContactZone2
-from contourlab.components.controller.contact_zone_3 import ContactZone3
-from contourlab.components.controller.gap_zone_1 import GapZone1
-from contourlab.components.controller.gap_zone_2 import GapZone2
-from contourlab.components.controller.gap_zone_3 import GapZone3
+from contourlab.components.controller.zone_law import ContactZone1, ContactZone2, ContactZone3, GapZone1, GapZone2, GapZone3
 from contourlab.components.plant.two_inertia import TwoInertia
 from contourlab.components.supervisor.performance import Performance
 from contourlab.feed import Reference, uniform
@@ -28,19 +23,19 @@ RADIUS = 0.025
 FEED = 8.0 / 60.0
 """8000 mm/min."""
 SERVO_PERIOD = 2e-6
-"""About; a lap is made a whole number of periods. K_1'/J_m = 1.92e5 1/s wants less than 10.4 us."""
+"""Nominal; a lap is a whole number of periods. K_1'/J_m = 1.92e5 1/s needs less than 10.4 us."""
 
 SCHEMES = ("I", "II", "III")
 PRINTED_PI = 946.3e-6
 VELOCITY_LOOP = 300.0
-"""Natural frequency of the baseline's velocity loop [rad/s]: below the shaft's 464.7 rad/s with the motor held."""
+"""Natural frequency of the baseline's velocity loop [rad/s], below the shaft's 464.7 rad/s with the motor held."""
 
 _GAINS: dict[str, dict[str, float]] = {
     "I": {"rate_gain": 1e4, "position_gain": 2e3},
     "II": {"rate_gain": 1e3, "position_gain": 200.0},
     "III": {"rate_gain": 1e3, "position_gain": 200.0, "integral_gain": 25.0},
 }
-"""Table 2: K_1 and K_4, K_2 and K_5, K_3 and K_6, those of both zones being equal."""
+"""Table 2: K_1 = K_4, K_2 = K_5, K_3 = K_6 (contact and gap)."""
 _ZONES: dict[str, tuple[Any, Any]] = {"I": (ContactZone1, GapZone1), "II": (ContactZone2, GapZone2), "III": (ContactZone3, GapZone3)}
 
 
@@ -51,15 +46,15 @@ class Setting:
     Attributes
     ----------
     gap : float [m]
-        Free travel in all.
+        Total free travel.
     start_in_gap : float
-        1: the motors start on the forward flanks; 0: midway.
+        1: the motors start on the forward flanks; 0: in mid-gap.
     direction : str
-        What tells the flank, as of the zone laws.
+        Signal that selects the flank, a parameter of the zone laws.
     exchanged : bool
-        Whether the two columns of Table 2's gains, rate and position, are exchanged.
+        Exchange the columns of rate and position gains in Table 2.
     follows_load : bool
-        Whether the gap controller of type I follows the load, as printed.
+        Let the gap controller of scheme I follow the load, as printed.
     shaft_damping : float [N m s/rad]
         The paper has none.
     """
@@ -73,7 +68,7 @@ class Setting:
 
 
 def servo_period(feed: float = FEED) -> float:
-    """Return the servo period [s] nearest to 2 us that a lap is a whole number of."""
+    """Return the servo period [s] nearest to 2 us that divides a lap."""
     lap = 2.0 * math.pi * RADIUS / feed
     return lap / round(lap / SERVO_PERIOD)
 
@@ -94,7 +89,7 @@ def machine(setting: Setting, period: float) -> Machine:
 
 
 def scheme(name: str, setting: Setting) -> Controller:
-    """Return switching scheme I, II or III with the gains of Table 2, switched by the measured difference of motor and load."""
+    """Return switching scheme I, II or III with the gains of Table 2; the measured motor-load difference switches."""
     common = {"motor_inertia": MOTOR_INERTIA, "lead": LEAD, "backlash_gap": setting.gap, "direction": setting.direction}
     gains = dict(_GAINS[name])
     if setting.exchanged:
@@ -110,9 +105,13 @@ def scheme(name: str, setting: Setting) -> Controller:
 
 
 def baseline(*, forward: bool = False, feedback: str = "motor") -> Controller:
-    """Return the P-PI cascade whose K_v is that of the printed error, v/946.3 um, with or without feedforward of velocity and acceleration.
+    """Return the P-PI cascade with K_v = v/946.3 um, from the printed error; its velocity loop has damping 0.7 on J_m + J_l.
 
-    The velocity loop has the damping 0.7 on J_m + J_l.
+    Parameters
+    ----------
+    forward : bool
+        Feed velocity and acceleration forward.
+    feedback : {"motor", "load"}
     """
     turn = 2.0 * math.pi / LEAD
     gains = Cascade.tune(VELOCITY_LOOP, 0.7, 1.0 / ((MOTOR_INERTIA + LOAD_INERTIA) * turn), 0.0, FEED / PRINTED_PI)
@@ -123,10 +122,10 @@ def baseline(*, forward: bool = False, feedback: str = "motor") -> Controller:
 
 
 def free_flight(gap: float, feed: float = FEED) -> float:
-    """Return the speed [m/s] at which a load without friction is caught that was left free where its axis is fastest.
+    """Return the impact speed [m/s] of a frictionless load that was released where its axis is fastest.
 
-    The reference falls behind the straight motion by v w^2 t^3/6, to first order; that is the gap where the load is caught, and the speeds
-    differ by v w^2 t^2/2 there.
+    To first order the reference lags straight motion by v w^2 t^3/6. Impact is where this equals the gap; the speed difference is then
+    v w^2 t^2/2.
     """
     jerk = feed * (feed / RADIUS) ** 2
     time = float(np.cbrt(6.0 * gap / jerk))
@@ -134,5 +133,5 @@ def free_flight(gap: float, feed: float = FEED) -> float:
 
 
 def circle(laps: int, period: float, feed: float = FEED) -> Reference:
-    """Return laps of the circle of 25 mm at one feedrate, eq (19)."""
+    """Return laps of the 25 mm circle at a constant feedrate, eq (19)."""
     return uniform(contour("circle", radius=RADIUS), 1.0 / (round(2.0 * math.pi * RADIUS / feed / period) * period), laps, period)

@@ -1,15 +1,16 @@
-"""What can be proved of the switched feed drives of Shahin, ElMaraghy & ElBeheiry, eq (17), and where their loops hunt."""
+"""Rows of Shahin, ElMaraghy & ElBeheiry on stability, eq (17), servo periods and limit cycles."""
 
 from __future__ import annotations
 
 import math
 from collections.abc import Iterator
 from dataclasses import replace
+from itertools import chain
 
 import numpy as np
 
 from contourlab.papers.rows import Row, derived, ours
-from contourlab.papers.shahin import setup as setup
+from contourlab.papers.shahin import setup
 from contourlab.papers.shahin.circle_criterion import circle_criterion
 from contourlab.papers.shahin.common_lyapunov import common_quadratic
 from contourlab.papers.shahin.limit_cycle_cases import CASES, CASES_WITHOUT, compare
@@ -25,11 +26,8 @@ DAMPED = TwoInertias(setup.MOTOR_INERTIA, setup.LOAD_INERTIA, setup.STIFFNESS, H
 
 
 def theory_rows() -> Iterator[Row]:
-    """Yield what is proved of stability, the servo periods that hold, and the limit cycles."""
-    yield from _stability()
-    yield from _pi_of_position()
-    yield from _periods()
-    yield from _limit_cycles()
+    """Yield the rows."""
+    return chain(_stability(), _pi_of_position(), _periods(), _limit_cycles())
 
 
 def _stability() -> Iterator[Row]:
@@ -40,13 +38,12 @@ def _stability() -> Iterator[Row]:
     energy = energy_function(loop)
     yield ours("Lur'e-Postnikov function", "scheme II: 1 found, nan not", 1.0 if energy.p is not None else math.nan, "", str(energy))
     if energy.p is not None:
-        # The shaft wound up by as much as the gap is wide, all at rest.
+        # At rest, the shaft wound up by one gap width.
         start = np.zeros(loop.n)
         start[0] = 2.0 * HALF_GAP
         bound = energy.difference_bound(start) * setup.LEAD / (2.0 * math.pi)
-        yield ours(
-            "bound of motor less load", "scheme II, from the motor one whole gap ahead, at rest", bound * 1e6, "um", "by that function"
-        )
+        case = "scheme II, from the motor one whole gap ahead, at rest"
+        yield ours("bound of motor less load", case, bound * 1e6, "um", "by that function")
     linear = two_inertia_loop(DAMPED, SCHEME_II)
     alone = common_quadratic([linear.contact_matrix], ("contact",), linear.names)
     words = "contact mode with 0.01 N m s/rad on the load and 0.1 in the shaft"
@@ -68,23 +65,20 @@ def _pi_of_position() -> Iterator[Row]:
     inertia = setup.MOTOR_INERTIA + setup.LOAD_INERTIA
     for gain, integral in ((200.0, 25.0), (1000.0, 5000.0)):
         growth = float(np.roots([inertia, 0.0, gain, integral]).real.max())
-        note = "the three roots sum to zero: the baseline has to be a cascade"
+        note = "the three roots sum to zero: the baseline must be a cascade"
         yield ours("growth of PI on the position alone, eq (9)", f"K_P {gain:g} N m/rad, K_I {integral:g} N m/(rad s)", growth, "1/s", note)
 
 
 def _periods() -> Iterator[Row]:
     gap, contact = servo_period_limit(DRIVE, SCHEME_II)
     held = 2.0 * setup.MOTOR_INERTIA / 1000.0
-    said = "2 J_m/K_1': a held command turns the motor's rate round in each period beyond it"
-    yield derived("largest stable servo period", "scheme II in the gap", held * 1e6, gap.largest * 1e6, "us", 0.01, said)
-    yield ours("largest stable servo period", "scheme II in contact", contact.largest * 1e6, "us")
-    for name, feedback in (
-        ("I", motor_pid(2e3 * setup.MOTOR_INERTIA, 1e4 * setup.MOTOR_INERTIA)),
-        ("III", motor_pid(200.0, 1000.0, 25.0)),
-    ):
-        for found in servo_period_limit(DRIVE, feedback):
-            words = "in the gap" if found.mode == "gap" else "in contact"
-            yield ours("largest stable servo period", f"scheme {name} {words}", found.largest * 1e6, "us")
+    note = "2 J_m/K_1': above it a held command reverses the motor's rate in each period"
+    yield derived("largest stable servo period", "scheme II in the gap", held * 1e6, gap * 1e6, "us", 0.01, note)
+    yield ours("largest stable servo period", "scheme II in contact", contact * 1e6, "us")
+    others = {"I": motor_pid(2e3 * setup.MOTOR_INERTIA, 1e4 * setup.MOTOR_INERTIA), "III": motor_pid(200.0, 1000.0, 25.0)}
+    for name, feedback in others.items():
+        for mode, largest in zip(("in the gap", "in contact"), servo_period_limit(DRIVE, feedback), strict=True):
+            yield ours("largest stable servo period", f"scheme {name} {mode}", largest * 1e6, "us")
 
 
 def _limit_cycles() -> Iterator[Row]:
@@ -93,5 +87,5 @@ def _limit_cycles() -> Iterator[Row]:
         ratio = 0.0 if found.orbit is None else found.orbit.ratio
         off = "" if math.isnan(found.amplitude_error) else f" ({100.0 * found.amplitude_error:+.2g} %)"
         predicted = "none" if found.predicted is None else f"{found.predicted.ratio:.4g}{off}"
-        note = f"by simulation {found.simulated_ratio:.4g}; by the describing function {predicted}"
+        note = f"by the describing function {predicted}"
         yield ours("limit cycle, amplitude over half of the gap", case.name, ratio, "", note)

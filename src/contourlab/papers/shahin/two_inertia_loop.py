@@ -1,6 +1,6 @@
-"""Two inertias with a gap between them, and the linear controllers around them, as matrices.
+"""Two inertias with a gap, and linear controllers around them, as matrices.
 
-States are motor position, motor velocity, load position, load velocity, then what the controller integrates::
+States: motor position, motor velocity, load position, load velocity, then the controller's integrals::
 
     J_m w_m' = u - c_m w_m - T,      J_l w_l' = T - c_l w_l
 
@@ -36,7 +36,7 @@ class TwoInertias:
     half_gap : float, > 0
         Half of the total gap, beta of eq (4) [rad] (or [m]).
     motor_damping, load_damping, shaft_damping : float, >= 0
-        Viscous friction c_m and c_l of either side, and damping of the shaft [N m s/rad] (or [N s/m]).
+        Viscous friction c_m and c_l, and damping of the shaft [N m s/rad] (or [N s/m]).
     """
 
     motor_inertia: float
@@ -69,12 +69,12 @@ class TwoInertias:
 
     @property
     def command(self) -> Array:
-        """What the command does (4,)."""
+        """Input vector of the command (4,)."""
         return np.array([0.0, 1.0 / self.motor_inertia, 0.0, 0.0])
 
     @property
     def torque(self) -> Array:
-        """What the transmitted torque does, its sign turned (4,)."""
+        """Input vector of the transmitted torque, its sign inverted (4,)."""
         return np.array([0.0, 1.0 / self.motor_inertia, 0.0, -1.0 / self.load_inertia])
 
     @property
@@ -84,7 +84,7 @@ class TwoInertias:
 
     @property
     def contact_a(self) -> Array:
-        """Dynamics (4, 4) without command, in contact, about the point of rest."""
+        """Dynamics (4, 4) without command in contact, about the point of rest."""
         rate = np.array([0.0, 1.0, 0.0, -1.0])
         return self.a - np.outer(self.torque, self.stiffness * self.difference + self.shaft_damping * rate)
 
@@ -100,7 +100,7 @@ class Feedback:
     reference : tuple (3,) of float
         On the reference, its velocity and its acceleration.
     integral : tuple (n_z,) of tuples (4 + n_z,) of float
-        What is integrated.
+        Rows of the integrands.
     integral_reference : tuple (n_z,) of tuples (3,) of float
     """
 
@@ -108,15 +108,6 @@ class Feedback:
     reference: tuple[float, ...] = (0.0, 0.0, 0.0)
     integral: tuple[tuple[float, ...], ...] = ()
     integral_reference: tuple[tuple[float, ...], ...] = ()
-
-    def __post_init__(self) -> None:
-        n = len(MECHANICAL) + len(self.integral)
-        rows = (self.gain, *self.integral)
-        references = (self.reference, *self.integral_reference)
-        if any(len(row) != n for row in rows):
-            raise ParameterError("gain and integral", [len(row) for row in rows], f"rows of {n}: 4 states and the integrals")
-        if any(len(row) != N_REFERENCE for row in references) or len(references) != len(rows):
-            raise ParameterError("reference", references, "rows of 3 (reference, velocity, acceleration), one for u and for each integral")
 
     @property
     def n_integral(self) -> int:
@@ -127,8 +118,8 @@ class Feedback:
 def motor_pid(proportional: float, derivative: float, integral: float = 0.0, acceleration: float = 0.0) -> Feedback:
     """Return u = acceleration r'' - derivative (w_m - r') - proportional (theta_m - r) - integral times the integral of (theta_m - r).
 
-    Eqs (12), (13), (15) and (16) of Shahin, ElMaraghy & ElBeheiry about a target r, which has the shift by beta in it: K_1' or K_4' is
-    `derivative`, K_2' or K_5' is `proportional`, K_3 or K_6 is `integral`, J_m is `acceleration`.
+    Eqs (12), (13), (15) and (16) of the paper about a target r that includes the shift by beta: `derivative` is K_1' or K_4',
+    `proportional` K_2' or K_5', `integral` K_3 or K_6, `acceleration` J_m.
     """
     gain, reference = (proportional, derivative, 0.0, 0.0), (proportional, derivative, acceleration)
     if integral == 0.0:
@@ -152,14 +143,12 @@ def p_pi_cascade(
     velocity_gain : float [N m s/rad]
         K_p of the velocity loop.
     integral_gain : float [N m/rad]
-        K_i of the velocity loop; without it there is no integral state.
+        K_i of the velocity loop; 0 leaves out the integral state.
     position_from : "motor" or "load"
-        Which side the position loop closes over.
+        Side that the position loop measures.
     velocity_feedforward : float
-        Share of the reference's velocity added to the velocity wanted.
+        Share of the reference velocity added to the commanded velocity.
     """
-    if position_from not in ("motor", "load"):
-        raise ParameterError("position_from", position_from, "'motor' or 'load'")
     at = (position_gain, 0.0) if position_from == "motor" else (0.0, position_gain)
     wanted, follow = (at[0], 1.0, at[1], 0.0), (position_gain, velocity_feedforward, 0.0)
     gain, reference = tuple(velocity_gain * x for x in wanted), tuple(velocity_gain * x for x in follow)
@@ -170,15 +159,15 @@ def p_pi_cascade(
 
 
 def two_inertia_loop(drive: TwoInertias, feedback: Feedback, contact_feedback: Feedback | None = None) -> BacklashLoop:
-    """Return two inertias under a linear controller as a loop around a gap.
+    """Join two inertias and a linear controller to a loop around a gap.
 
     Parameters
     ----------
     drive : TwoInertias
     feedback : Feedback
-        In the gap; and in contact, if nothing else is given for it.
+        In the gap, and in contact by default.
     contact_feedback : Feedback, optional
-        In contact, of a scheme that switches; it has the same integrals.
+        In contact, for a scheme that switches; with as many integrals.
 
     Raises
     ------

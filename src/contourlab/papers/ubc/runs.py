@@ -1,12 +1,12 @@
-"""The line-circle runs of the UBC XY table: logs, the library's machine along them, and fits that leave something out."""
+"""Line-circle runs of the UBC XY table: logs, the library's machine along them, and fits validated on unseen data."""
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass, replace
 from pathlib import Path
 
 import numpy as np
-from numpy.typing import NDArray
 
 from contourlab.analysis.identification.gauss_newton import DescentSettings
 from contourlab.design.values import with_values
@@ -15,18 +15,15 @@ from contourlab.features.refine.log_run import Agreement, LogRun, log_run
 from contourlab.features.refine.study import RefineSettings, Window, refine
 from contourlab.logs import load_log
 from contourlab.loop import Machine
-from contourlab.papers.rows import Stage
 from contourlab.scenario import load_scenario
-
-Array = NDArray[np.float64]
 
 FILES = {"lead-lag": "line_circle_lli.mat", "pole-placement": "line_circle_pp.mat"}
 WANTED = (
-    "wanted is a folder with line_circle_lli.mat and line_circle_pp.mat, the line-circle runs of November 2020 of the course MECH 467 of "
+    "give a folder with line_circle_lli.mat and line_circle_pp.mat, the line-circle runs of November 2020 of the course MECH 467 of "
     "the University of British Columbia (Gigahawk/mech467, Labs). They are not part of contourlab"
 )
 LINES = 0.07
-"""Metres along the path at which the circle begins, behind lines of 50 and 20 mm."""
+"""Arc length at which the circle begins [m], after lines of 50 and 20 mm."""
 PHYSICS = (
     "axes.*.plant.damping",
     "axes.*.friction.coulomb",
@@ -40,23 +37,23 @@ CONTROLLERS = {
     "pole-placement": tuple(f"controller.axes.*.controller.{name}" for name in ("position_gain", "velocity_gain")),
 }
 QUICK = RefineSettings(starts=1, rounds=1, descent=DescentSettings(least_gain=1e-3))
-"""Of fits whose parameters nobody keeps: they say what such a fit is worth elsewhere."""
+"""Settings of fits that only serve validation."""
 
 
 @dataclass(frozen=True)
 class Unseen:
-    """What a fit is worth on something that it was not made with.
+    """Agreement of a fit with data that it has not seen.
 
     Attributes
     ----------
     case : str
         What was fitted, and what was not.
     agreement : tuple of Agreement
-        Tracking errors of both axes, over what was not fitted.
+        Tracking errors of both axes over the unseen part.
     rms, largest : float [m]
-        Contour error that the model says there.
+        Simulated contour error of the unseen part.
     measured_rms, measured_largest : float [m]
-        And that was measured there.
+        Measured contour error of the unseen part.
     """
 
     case: str
@@ -68,57 +65,51 @@ class Unseen:
 
 
 def read_runs(folder: str | Path | None) -> dict[str, LogRun]:
-    """Return the library's machine along both logs, by the name of the controller.
-
-    Parameters
-    ----------
-    folder : str or Path, or None
-        Where the logs are; None is refused with what is wanted.
+    """Return the library's machine along both logs, by name of the controller.
 
     Raises
     ------
     LogError
-        If there is none, or a log is not there or cannot be read.
+        If there is no folder, or a log is missing or cannot be read.
     """
     if folder is None:
         raise LogError(f"no folder given: {WANTED}", file="--log-folder")
     missing = [name for name in FILES.values() if not (Path(folder) / name).is_file()]
     if missing:
         raise LogError(f"holds no {' and no '.join(missing)}: {WANTED}", file=folder)
-    found = {}
+    runs = {}
     for name, file in FILES.items():
         scenario = load_scenario(f"builtin:ubc/{name}")
-        found[name] = log_run(scenario.machine, scenario.controller, load_log(Path(folder) / file).result, name)
-    return found
+        runs[name] = log_run(scenario.machine, scenario.controller, load_log(Path(folder) / file).result, name)
+    return runs
 
 
-def unseen(runs: dict[str, LogRun], stage: Stage | None = None) -> list[Unseen]:
-    """Return what fits that leave something out are worth on what they leave out.
+def unseen(runs: dict[str, LogRun], stage: Callable[[str], object] | None = None) -> list[Unseen]:
+    """Fit parts of the runs and validate on the rest.
 
-    Halves: physics and gains from the lines of both runs, held against both circles, and the other way round. Other runs: physics from one
-    run alone; of the other run only the gains, which nobody has recorded, from its lines, and its circle is what was not seen. Friction and
-    ripple begin as if these logs were not known; the gains begin at the library's, and which orders of ripple there are is taken from it.
-    `stage` is told what each fit is.
+    Halves: physics and gains from the lines of both runs, validated on both circles, and vice versa. Runs: physics from one run; the gains
+    of the other, which were not recorded, from its lines; its circle is unseen. Friction and ripple start as if these logs were unknown.
+    Gains and the orders of the ripple start from the library. `stage` receives the name of each fit.
     """
     begun = {name: _forgotten(run) for name, run in runs.items()}
-    tell = stage or (lambda words: None)
+    begin = stage or (lambda name: None)
     found = []
     for words, take in (("lines fitted, circle unseen", _lines), ("circle fitted, lines unseen", _circle)):
-        tell(words)
+        begin(words)
         wanted = [*PHYSICS, *CONTROLLERS["lead-lag"], *CONTROLLERS["pole-placement"]]
         fit = refine(list(begun.values()), wanted, windows=[take(run) for run in runs.values()], settings=QUICK)
         found += [_judged(f"{run.label}, {words}", run, _other(run, take(run))) for run in fit.runs]
-    for one, other in (("pole-placement", "lead-lag"), ("lead-lag", "pole-placement")):
-        tell(f"physics of the {one} run, held against the other")
-        physics = refine([begun[one]], [*PHYSICS, *CONTROLLERS[one]], settings=QUICK).runs[0].machine
+    for fitted, other in (("pole-placement", "lead-lag"), ("lead-lag", "pole-placement")):
+        begin(f"physics of the {fitted} run, held against the other")
+        physics = refine([begun[fitted]], [*PHYSICS, *CONTROLLERS[fitted]], settings=QUICK).runs[0].machine
         gains = refine([replace(runs[other], machine=physics)], CONTROLLERS[other], windows=[_lines(runs[other])], settings=QUICK)
-        words = f"{other}, physics of the {one} run, gains of its lines, circle unseen"
+        words = f"{other}, physics of the {fitted} run, gains of its lines, circle unseen"
         found.append(_judged(words, gains.runs[0], _circle(runs[other])))
     return found
 
 
 def _forgotten(run: LogRun) -> LogRun:
-    """Return the run with friction as the course's jog test has it, and no ripple: what was known before these logs."""
+    """Return the run with the friction of the course's jog test and no ripple: the knowledge before these logs."""
     jog = {"plant.damping": 1630.0, "friction.coulomb": 103.0, "friction.breakaway": 103.0, "friction.stiffness": 3e7}
     none = dict.fromkeys((f"disturbance.{name}" for name in ("offset", "sine", "cosine", "order_sine", "order_cosine")), 0.0)
     values = {f"axes.{axis}.{name}": value for axis in run.machine.axis_names for name, value in (jog | none).items()}
@@ -153,21 +144,3 @@ def _judged(case: str, run: LogRun, window: Window) -> Unseen:
         error = run.judged(signals).result["contour_error"][rows]
         figures += [float(np.sqrt(np.mean(error**2))), float(np.abs(error).max())]
     return Unseen(case, run.agreement(simulated, rows), *figures)
-
-
-def tracking_errors(run: LogRun) -> dict[str, dict[str, tuple[Array, Array]]]:
-    """Return for each axis, over time [s], its tracking error [um] as measured and as simulated."""
-    times, simulated = run.times(), run.once()
-    return {
-        axis: {"measured": (times, 1e6 * run.measured[:, j]), "simulated": (times, 1e6 * simulated[:, j])}
-        for j, axis in enumerate(run.machine.axis_names)
-    }
-
-
-def contour_errors(run: LogRun) -> dict[str, tuple[Array, Array]]:
-    """Return over the place along the path [mm] the contour error [um] as measured and as simulated."""
-    found = {}
-    for name, signals in (("measured", None), ("simulated", run.once())):
-        judged = run.judged(signals).result
-        found[name] = 1e3 * judged["foot_arc_length"], 1e6 * judged["contour_error"]
-    return found

@@ -10,7 +10,7 @@ import pytest
 from numpy.typing import NDArray
 
 import contourlab as cl
-from contourlab.components.link.ideal import IdealLink
+from contourlab.components.ideal import IdealLink
 from contourlab.components.link.network import Network
 from contourlab.errors import DivergenceError, ParameterError
 from contourlab.features.link.division import allowed_error, division_cost, link_limit, message_rate, undivided_error

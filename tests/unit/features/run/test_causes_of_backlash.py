@@ -10,7 +10,7 @@ import pytest
 import contourlab as cl
 from contourlab.components.compensation.backlash_offset import BacklashOffset
 from contourlab.components.controller.cascade import Cascade
-from contourlab.components.friction.coulomb import Coulomb
+from contourlab.components.friction.laws import Coulomb
 from contourlab.components.plant.two_inertia import TwoInertia
 from contourlab.features.run.causes.causes import causes
 from contourlab.features.run.causes.idealise import without_backlash

@@ -10,9 +10,9 @@ from scipy.stats import norm, spearmanr, truncnorm
 
 from contourlab.components.controller.cascade import Cascade
 from contourlab.components.controller.position import PositionController
-from contourlab.components.disturbance.constant import ConstantLoad
+from contourlab.components.disturbance.loads import ConstantLoad
 from contourlab.components.drive.saturation import Saturation
-from contourlab.components.friction.coulomb import Coulomb
+from contourlab.components.friction.laws import Coulomb
 from contourlab.components.gap_observer.multiple_model import MultipleModel
 from contourlab.components.origin import Origin
 from contourlab.components.plant.mass_damper import MassDamper
@@ -21,7 +21,7 @@ from contourlab.features.run.trust.provenance import numbers_of
 from contourlab.feed import Reference
 from contourlab.geometry import Line, Path
 from contourlab.loop import Axis, AxisController, Controller, Limits, Machine, simulate_batch
-from contourlab.report.trust import Rank
+from contourlab.report.judgement import Rank
 
 PERIOD = 1e-3
 GAIN, FORCE_CONSTANT = 4000.0, 50.0

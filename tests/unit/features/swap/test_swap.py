@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 from contourlab.components.controller.position import PositionController
-from contourlab.components.friction.none import NoFriction
+from contourlab.components.friction.laws import NoFriction
 from contourlab.components.plant.mass_damper import MassDamper
 from contourlab.components.plant.rigid_axis import RigidAxis
 from contourlab.design import Space

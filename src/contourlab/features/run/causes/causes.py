@@ -25,7 +25,7 @@ from contourlab.features.run.causes import idealise
 from contourlab.feed import Reference
 from contourlab.loop import Controller, Machine, simulate
 from contourlab.metrics import judge
-from contourlab.report.shapes import Cause
+from contourlab.report.judgement import Cause
 from contourlab.result import Result, Signal
 
 Array = NDArray[np.float64]

@@ -7,8 +7,8 @@ from dataclasses import replace
 from typing import Any
 
 from contourlab.components.contract import Component
-from contourlab.components.friction.none import NoFriction
-from contourlab.components.sensor.ideal import IdealSensor
+from contourlab.components.friction.laws import NoFriction
+from contourlab.components.ideal import IdealSensor
 from contourlab.loop.axis_parts import AxisError
 from contourlab.loop.machine import AxisController, Controller, Machine
 

@@ -17,7 +17,7 @@ from contourlab.features.run.trust.provenance import numbers_of
 from contourlab.feed import Reference
 from contourlab.findings import Finding, finding
 from contourlab.loop import Controller, Learned, Machine, parameter_names, simulate_batch
-from contourlab.report.trust import Interval, Number, Rank, Spread
+from contourlab.report.judgement import Interval, Number, Rank, Spread
 
 Array = NDArray[np.float64]
 

@@ -1,0 +1,160 @@
+"""Random forces, and ripple over the position."""
+
+from __future__ import annotations
+
+import math
+from functools import cache
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from contourlab.components.contract import NOISE_STREAM, param
+from contourlab.components.disturbance.loads import Disturbance
+from contourlab.engine.step import Port
+from contourlab.errors import ParameterError
+from contourlab.primitives import cos, floor, lookup, normal, select, sin, sqrt
+
+
+def next_noise(last: float, rms: float, keep: float, stream: float, k: float) -> float:
+    """Return the next value of normal noise of a given rms with the autocorrelation keep**|n|, stationary from tick 0 on."""
+    fresh = rms * normal(stream, k)
+    return select(k == 0.0, fresh, keep * last + sqrt(1.0 - keep * keep) * fresh)
+
+
+class LowPassedNoise(Disturbance):
+    """Normal noise behind a low-pass of first order: E[F(t) F(t + T)] = rms^2 exp(-w |T|) at the ticks, held between them.
+
+    It has its rms at any servo period and from the first tick on. Other axes, seeds and trials give other noise: it is the non-repeatable
+    disturbance of learning, beside which all other disturbances repeat. Where both act, "force-ripple" takes noise along.
+
+    References
+    ----------
+    Ornstein-Uhlenbeck process, sampled exactly: Gillespie, Physical Review E 54 (1996), eq (1.9).
+    """
+
+    kind = "low-passed-noise"
+    reference = "Ornstein-Uhlenbeck process, sampled exactly: Gillespie 1996, eq 1.9"
+    example = {"rms": 2.0, "bandwidth": 200.0, "stream": 7.0}
+    states = (Port("noise"),)
+    derived = ("keep",)
+
+    rms: float = param(unit="{force}", minimum=0.0, doc="root mean square of the force")
+    bandwidth: float = param(unit="rad/s", minimum=0.0, exclusive=True, doc="corner of the low-pass, w")
+    stream: float = NOISE_STREAM
+
+    def derive(self, par: Any, dt: float) -> tuple[Any, ...]:
+        return (np.exp(-par.bandwidth * dt),)
+
+    @staticmethod
+    def step(par: Any, x: Any, inp: Any, clock: Any) -> Any:
+        force = next_noise(x.noise, par.rms, par.keep, par.stream, clock.k)
+        return (force,), (force,)
+
+
+_TURN = 2.0 * math.pi
+
+
+@cache
+def _force_ripple_step(n: int) -> Any:
+    def step(par: Any, x: Any, inp: Any, clock: Any) -> Any:
+        turns = inp.position * par.inverse_pitch
+        angle = _TURN * (turns - floor(turns))
+        c, s = cos(angle), sin(angle)
+        # Horner's rule for the sum of a_k exp(i phi_k) z^k with |z| = 1: one sine and one cosine for any number of harmonics.
+        re, im = 0.0, 0.0
+        for k in range(n - 1, -1, -1):
+            re, im = re + lookup(par.in_phase, k), im + lookup(par.quadrature, k)
+            re, im = re * c - im * s, re * s + im * c
+        noise = next_noise(x.noise, par.noise, par.keep, par.stream, clock.k)
+        return (noise,), (im + noise,)
+
+    return step
+
+
+class ForceRipple(Disturbance):
+    """Ripple of a motor's force over its magnets' pitch: F = sum of a_k sin(2 pi k p/P + phi_k), k = 1 ... n, and noise.
+
+    The ripple is the same in every trial, as the reluctance of iron and the unevenness of magnets are. Noise, where its rms is given, is
+    that of "low-passed-noise": other in every trial.
+
+    References
+    ----------
+    Gecer Ulu, Ulu & Cakmakci name ripple forces and neglect them in their model (section 2); as a Fourier series over position: Tan, Huang
+    & Lee, "Robust adaptive numerical compensation for friction and force ripple in permanent-magnet linear motors", IEEE Trans. Magnetics
+    38 (2002).
+    """
+
+    kind = "force-ripple"
+    reference = "Tan, Huang & Lee 2002: Fourier series over position"
+    example = {
+        "pitch": 0.7,
+        "amplitudes": (1.0, 0.4, 0.2),
+        "phases": (0.3, -1.0, 2.0),
+        "noise": 0.3,
+        "noise_bandwidth": 200.0,
+        "stream": 7.0,
+    }
+    unbounded = ("phases",)
+    states = (Port("noise"),)
+    derived = ("inverse_pitch", "keep")
+    tables = ("in_phase", "quadrature")
+
+    pitch: float = param(unit="m", minimum=0.0, exclusive=True, display="mm", doc="travel after which the ripple repeats, P")
+    amplitudes: tuple[float, ...] = param(unit="{force}", minimum=0.0, vector=True, doc="of the harmonics, the fundamental first, a_k")
+    phases: tuple[float, ...] = param(unit="rad", vector=True, doc="of the harmonics at position 0, phi_k; as many")
+    noise: float = param(default=0.0, unit="{force}", minimum=0.0, doc="root mean square of the noise beside the ripple")
+    noise_bandwidth: float = param(default=100.0, unit="rad/s", minimum=0.0, exclusive=True, doc="corner of the noise's low-pass")
+    stream: float = NOISE_STREAM
+
+    def __init__(self, **values: Any) -> None:
+        super().__init__(**values)
+        if len(self.phases) != len(self.amplitudes):
+            raise ParameterError("phases", f"{list(self.phases)}", f"as many as the amplitudes, {len(self.amplitudes)}", "rad")
+
+    def step_function(self) -> Any:
+        return _force_ripple_step(len(self.amplitudes))
+
+    def derive(self, par: Any, dt: float) -> tuple[Any, ...]:
+        return 1.0 / par.pitch, np.exp(-par.noise_bandwidth * dt)
+
+    def table_values(self) -> dict[str, NDArray[np.float64]]:
+        amplitude, phase = np.array(self.amplitudes), np.array(self.phases)
+        return {"in_phase": amplitude * np.cos(phase), "quadrature": amplitude * np.sin(phase)}
+
+
+_TURN = 2.0 * math.pi
+
+
+class ScrewRipple(Disturbance):
+    """Force over a turn of the screw: F = F_0 + a_1 sin(w p) + b_1 cos(w p) + a_n sin(n w p) + b_n cos(n w p), w = 2 pi/l.
+
+    F_0 is gravity, or half of what friction differs by between the two directions. Once a turn a screw that is bent or set askew grips
+    harder; n times a turn a motor cogs. Every part is a number of its own, sines and cosines rather than amplitude and phase, so that a fit
+    is linear in them and a batch can vary them; a ripple with many harmonics is "force-ripple".
+    """
+
+    kind = "screw-ripple"
+    reference = "Fourier series over a turn, first and one further term"
+    example = {"lead": 0.7, "offset": 0.5, "sine": 1.0, "cosine": -0.6, "order": 5.0, "order_sine": 0.4, "order_cosine": 0.3}
+    unbounded = ("offset", "sine", "cosine", "order_sine", "order_cosine")
+    derived = ("inverse_lead",)
+
+    lead: float = param(unit="m", minimum=0.0, exclusive=True, display="mm", doc="travel per turn, l")
+    offset: float = param(default=0.0, unit="{force}", doc="force at every place, F_0")
+    sine: float = param(default=0.0, unit="{force}", doc="once a turn, a_1")
+    cosine: float = param(default=0.0, unit="{force}", doc="once a turn, b_1")
+    order: float = param(default=2.0, minimum=1.0, maximum=1000.0, whole=True, doc="how often a turn the second term repeats, n")
+    order_sine: float = param(default=0.0, unit="{force}", doc="n times a turn, a_n")
+    order_cosine: float = param(default=0.0, unit="{force}", doc="n times a turn, b_n")
+
+    def derive(self, par: Any, dt: float) -> tuple[Any, ...]:
+        return (1.0 / par.lead,)
+
+    @staticmethod
+    def step(par: Any, x: Any, inp: Any, clock: Any) -> Any:
+        turns = inp.position * par.inverse_lead
+        angle = _TURN * (turns - floor(turns))
+        force = par.offset + par.sine * sin(angle) + par.cosine * cos(angle)
+        angle = par.order * angle
+        return (), (force + par.order_sine * sin(angle) + par.order_cosine * cos(angle),)

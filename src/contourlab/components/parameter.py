@@ -1,0 +1,155 @@
+"""Parameters of components: declaration, bounds and units."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass, replace
+from typing import Any
+
+import numpy as np
+
+from contourlab.errors import ParameterError
+
+
+@dataclass(frozen=True, slots=True)
+class Parameter:
+    """Declaration of one parameter.
+
+    Attributes
+    ----------
+    name : str
+        Name in Python and in files.
+    unit : str
+        SI unit; empty for a plain number. ``{command}`` and ``{force}`` stand for the units of the plant.
+    default : float, str, tuple of float or None
+        None if a value is required.
+    minimum, maximum : float
+        Bounds in SI.
+    exclusive : bool
+        Whether the minimum itself is excluded.
+    choices : tuple of str
+        Allowed words, for a text parameter.
+    whole : bool
+        Whether only whole numbers are allowed.
+    structural : bool
+        Whether it changes the structure of the step; then it cannot differ between lanes.
+    vector : bool
+        Whether it is a list of numbers, each in range; then it is structural.
+    display : str
+        Unit for people.
+    doc, source : str
+        Meaning, and where the value comes from.
+    """
+
+    name: str
+    unit: str
+    default: float | str | tuple[float, ...] | None
+    minimum: float
+    maximum: float
+    exclusive: bool
+    choices: tuple[str, ...]
+    whole: bool
+    structural: bool
+    vector: bool
+    display: str
+    doc: str
+    source: str
+
+    def for_plant(self, command_unit: str, force_unit: str) -> Parameter:
+        """Return the parameter with ``{command}`` and ``{force}`` in its units replaced by those of a plant."""
+        units = {"command": command_unit, "force": force_unit}
+
+        def filled(text: str) -> str:
+            for word, unit in units.items():
+                # A product in a denominator needs brackets.
+                text = text.replace(f"/{{{word}}}", f"/({unit})" if "*" in unit else f"/{unit}")
+            return text.format(**units)
+
+        return replace(self, unit=filled(self.unit), display=filled(self.display))
+
+    def check(self, value: Any) -> Any:
+        """Return the value if it is in range: a float, a word, or a tuple of floats for a vector.
+
+        Infinity is allowed only where it is the default, for no limit.
+
+        Raises
+        ------
+        ParameterError
+            With name, value, bound and unit.
+        """
+        if self.choices:
+            if value not in self.choices:
+                raise ParameterError(self.name, repr(value), "one of " + ", ".join(self.choices))
+            return str(value)
+        if self.vector:
+            if isinstance(value, str) or not hasattr(value, "__len__") or len(value) == 0:
+                raise ParameterError(self.name, repr(value), "a list of numbers", self._unit_in_words)
+            scalar = replace(self, vector=False)
+            return tuple(scalar.check(item) for item in value)
+        if isinstance(value, bool | str) or not isinstance(value, float | int | np.floating | np.integer):
+            raise ParameterError(self.name, repr(value), "a number", self._unit_in_words)
+        try:
+            number = float(value)
+        except OverflowError:  # an int beyond any float
+            number = math.inf if value > 0 else -math.inf
+        if not math.isfinite(number) and number != self.default:
+            raise ParameterError(self.name, f"{number:g}", " and ".join(filter(None, ("finite", self.bound))), self._unit_in_words)
+        low = number <= self.minimum if self.exclusive else number < self.minimum
+        if low or number > self.maximum or (self.whole and number != round(number)):
+            raise ParameterError(self.name, f"{number:g}", self.bound, self._unit_in_words)
+        return number
+
+    @property
+    def _unit_in_words(self) -> str:
+        """The unit without a plant."""
+        return self.unit.format(command="command", force="force")
+
+    @property
+    def needed(self) -> str:
+        """The bound for a message about a missing value."""
+        return f"given{', ' if self.bound else ''}{self.bound}{' ' if self._unit_in_words else ''}{self._unit_in_words}"
+
+    @property
+    def bound(self) -> str:
+        """The range, as text."""
+        if self.choices:
+            return "one of " + ", ".join(self.choices)
+        limits = [f"{'>' if self.exclusive else '>='} {self.minimum:g}"] if self.minimum > -math.inf else []
+        limits += [f"<= {self.maximum:g}"] if self.maximum < math.inf else []
+        if self.whole:
+            return "a whole number" + (" that is " if limits else "") + " and ".join(limits)
+        return " and ".join(limits)
+
+
+def param(
+    default: float | tuple[float, ...] | None = None,
+    *,
+    unit: str = "",
+    minimum: float = -math.inf,
+    maximum: float = math.inf,
+    exclusive: bool = False,
+    whole: bool = False,
+    structural: bool = False,
+    vector: bool = False,
+    display: str = "",
+    doc: str,
+    source: str = "",
+) -> Any:
+    """Declare a number or a list of numbers; see `Parameter`. Bounds and default are in `unit`, which is SI."""
+    return Parameter("", unit, default, minimum, maximum, exclusive, (), whole, structural or vector, vector, display or unit, doc, source)
+
+
+def text_param(default: str | None, choices: tuple[str, ...], *, doc: str, source: str = "") -> Any:
+    """Declare a choice of words; it changes the structure of the step."""
+    return Parameter("", "", default, -math.inf, math.inf, False, choices, False, True, False, "", doc, source)
+
+
+NOISE_STREAM: Any = param(default=0.0, minimum=0.0, maximum=2.0**53, whole=True, doc="number of the noise stream; the run sets it")
+"""The parameter ``stream`` of a component that makes noise."""
+
+
+def require_positive(**values: float) -> None:
+    """Raise ParameterError unless all values are positive and finite."""
+    for name, value in values.items():
+        if not (value > 0.0 and math.isfinite(value)):
+            raise ParameterError(name, f"{value:g}", "> 0 and finite")

@@ -1,0 +1,139 @@
+"""The nodes of a servo loop while they are collected, and the names of the signals that parts of the loop share."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from contourlab.components.contract import Component
+from contourlab.engine.schedule import Late, Node
+from contourlab.errors import ParameterError
+from contourlab.geometry import Path
+from contourlab.loop.machine import Controller, Machine
+from contourlab.loop.tool import stream_of
+
+Array = NDArray[np.float64]
+Overrides = Mapping[str, Array]
+Signals = Mapping[str, tuple[str, ...]]
+"""Where the signals of a result are: name -> one for each axis, or one for the machine."""
+
+
+@dataclass(eq=False)
+class Builder:
+    """Collect the nodes of a machine and its controller, in the order of a tick; arguments as of `contourlab.loop.template.build`."""
+
+    machine: Machine
+    controller: Controller
+    path: Path
+    start: Array
+    progress: float
+    overrides: Overrides
+    seed: int
+    trial: int
+    fed: frozenset[str]
+    velocity: Array | None = None
+    handover_time: float | None = None
+
+    def __post_init__(self) -> None:
+        self.names, self.period = self.machine.axis_names, self.machine.servo_period
+        self._check()
+        self.speed = np.zeros(len(self.names)) if self.velocity is None else self.velocity
+        self.nodes: list[Node] = []
+        # Where commands come down a link: the signal of what has arrived.
+        self.arrived: dict[str, str] = {}
+
+    def _check(self) -> None:
+        given, coupling = self.controller.axes, self.controller.coupling
+        missing = [name for name in self.names if name not in given]
+        if missing:
+            raise ParameterError("controller.axes", ", ".join(given) or "none", f"given for axis {missing[0]} too")
+        if self.path.n_axis != len(self.names):
+            bound = f"one for each axis of {self.machine.name}: {', '.join(self.names)}"
+            raise ParameterError("path", f"{self.path.n_axis} coordinates", bound)
+        units = [axis.plant.command_unit for axis in self.machine.axes]
+        if len(set(units)) > 1 and coupling is not None and coupling.gives("correction"):
+            bound = f"one that acts on the reference, as the axes take commands in {', '.join(units)}"
+            raise ParameterError("controller.coupling", f'"{coupling.kind}"', bound)
+
+    def changed(self, prefix: str) -> dict[str, Array]:
+        """Return the overrides of one component: parameter -> values over the variants."""
+        head = prefix + "."
+        return {name[len(head) :]: values for name, values in self.overrides.items() if name.startswith(head)}
+
+    def add(self, name: str, part: Component, prefix: str, wires: Mapping[str, Any], at: float = 0.0) -> None:
+        """Add the node of a component of one axis."""
+        self.nodes.append(self.node(name, part, prefix, wires, at))
+
+    def node(self, name: str, part: Component, prefix: str, wires: Mapping[str, Any], at: float = 0.0) -> Node:
+        """Return the node of a component of one axis."""
+        initial, start = part.at_rest(at)
+        changed = self.changed(prefix)
+        step, values = part.make_step(len(self.names)), part.block(self.period, changed)
+        return Node(name, step, wires, values, part.table_values(), initial, start, self.ring_length(part, changed))
+
+    def ring_length(self, part: Component, changed: Mapping[str, Array]) -> int:
+        """Return how much of its past a component keeps, so that it is enough for every variant."""
+        lengths = [part.ring_length(self.period)]
+        for name, values in changed.items() if part.ring else ():
+            lengths += [part.replace(**{name: float(extreme)}).ring_length(self.period) for extreme in (values.min(), values.max())]
+        if part.ring and len(changed) > 1:  # two that make it longer may come together
+            lengths.append(part.replace(**{name: float(values.max()) for name, values in changed.items()}).ring_length(self.period))
+        return max(lengths)
+
+    def accepted(self, axis: str) -> Any:
+        """Return the wire of the last command that was taken, as the controller of an axis knows it."""
+        return f"{axis}.taken.accepted" if self.controlled_from_base(axis) else self.drive_accepted(axis)
+
+    def drive_accepted(self, axis: str) -> Late:
+        """Return the wire of the last command that the drive took, behind its limit and ahead of its delay."""
+        return Late(f"{axis}.drive.{accepted_output(self.machine.axis(axis).drive)}")
+
+    def noisy(self, part: Any, axis: str, slot: str) -> Any:
+        """Return a component with the noise of this axis, seed and trial, if it makes any."""
+        if not part.parameters.get("stream") or part.stream:
+            return part
+        return part.replace(stream=stream_of(self.seed, axis, slot, *((self.trial,) if self.trial else ())))
+
+    def coupled(self, output: str) -> bool:
+        """Tell whether the coupling gives this."""
+        return self.controller.coupling is not None and self.controller.coupling.gives(output)
+
+    def command(self, axis: str) -> str:
+        """Return the signal of the command that goes to an axis' drive, ahead of any link."""
+        return f"{axis}.compensated.command" if self.compensated_in_axis(axis) else self.wanted(axis)
+
+    def wanted(self, axis: str) -> str:
+        """Return the signal of the command that an axis' controller gives."""
+        handed = self.controller.axes[axis].supervisor is not None or self.handover_time is not None
+        return f"{axis}.{'handover' if handed else 'controller'}.command"
+
+    def motor_start(self, axis: str) -> float:
+        """Return where the motor of an axis stands at first [m]."""
+        at = float(self.start[self.names.index(axis)])
+        return float(self.machine.axis(axis).plant.at_rest(at)[1].get("motor_position", at))
+
+    def controlled_from_base(self, axis: str) -> bool:
+        """Tell whether the commands of an axis go down its link."""
+        link = self.controller.axes[axis].link
+        return link is not None and not link.is_local("controller")
+
+    def compensated_in_axis(self, axis: str) -> bool:
+        """Tell whether an axis subtracts its observer's estimate from the command that comes down to it."""
+        parts = self.controller.axes[axis]
+        if parts.link is None or parts.observer is None or not self.controlled_from_base(axis):
+            return False
+        return parts.link.is_local("observer") and any(part.takes("disturbance_estimate") for part in parts.controllers.values())
+
+    def may_limit(self, axis: str) -> bool:
+        """Tell whether the drive of an axis may take less than its command, in any of the variants."""
+        return getattr(self.machine.axis(axis).drive, "limit", 0.0) != math.inf or "limit" in self.changed(f"axes.{axis}.drive")
+
+
+def accepted_output(drive: Component) -> str:
+    """Return the output of a drive that says what it took of a command: behind its limit, ahead of its delay."""
+    return "accepted" if drive.gives("accepted") else "applied"

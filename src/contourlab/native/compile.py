@@ -1,0 +1,154 @@
+"""Compile a plain function over numbers and arrays to machine code.
+
+The function is compiled unchanged to a C function and kept in `store` under a key made of its sources, so that the next process only loads
+it. A kernel may use numbers, its array arguments, and functions of its own module. It must not make an array, list or dict: the caller
+passes the memory.
+"""
+
+from __future__ import annotations
+
+import ctypes
+import hashlib
+import inspect
+import sys
+import types as python_types
+from collections.abc import Callable, Iterable
+from functools import cache
+from typing import Any
+
+import numpy as np
+from numba import carray, cfunc, njit, types
+from numba.core.registry import cpu_target
+from numba.core.runtime import rtsys
+
+from contourlab.errors import EngineError
+from contourlab.native import store
+
+OPTIONS: dict[str, Any] = {"error_model": "numpy", "boundscheck": False}
+INNER: dict[str, Any] = {"no_cpython_wrapper": True, "no_cfunc_wrapper": True}
+"""For functions that only compiled code calls: wrappers for Python and C are half of the compile time."""
+_KINDS: dict[str, tuple[Any, Any, Any]] = {
+    "i8": (types.int64, ctypes.c_int64, np.int64),
+    "f8": (types.float64, ctypes.c_double, np.float64),
+}
+
+
+def compiled(function: Any, signature: str, *, sources: Iterable[str], options: dict[str, Any] | None = None) -> Callable[..., None]:
+    """Return a plain function of numbers as a C function.
+
+    Parameters
+    ----------
+    function : callable
+        Returns nothing.
+    signature : str
+        Kinds of its arguments with a blank in between, of ``i8`` (a whole number or an address) and ``f8``.
+    sources : iterable of str
+        The source text of all that is compiled in; it makes the key.
+    options : dict, optional
+        Of Numba; by default plain IEEE arithmetic without checks of bounds.
+
+    Returns
+    -------
+    callable
+    """
+    kinds = [_KINDS[word] for word in signature.split()]
+    chosen = OPTIONS if options is None else options
+    # A set has no order of its own: it would give another key in every process.
+    settings = repr(sorted((name, sorted(value) if isinstance(value, set) else value) for name, value in chosen.items()))
+    words = (function.__name__, signature, settings, *sources, inspect.getsource(compiled), store.toolchain())
+    key = hashlib.sha256("\n".join(words).encode()).hexdigest()[:32]
+    prototype: Any = ctypes.CFUNCTYPE(None, *(kind[1] for kind in kinds))
+    build = cfunc(types.void(*(kind[0] for kind in kinds)), **chosen)
+    return prototype(store.address(key, lambda: build(function), function.__name__.strip("_")))  # type: ignore[no-any-return]
+
+
+def _wrapper(function: Any, kinds: list[str]) -> str:
+    """Return the source of a C function that makes arrays of addresses and lengths, and hands them on."""
+    names, lines, passed = [], [], []
+    for i, kind in enumerate(kinds):
+        dims = kind.count(":")
+        if not dims:
+            names.append(f"a{i}")
+            passed.append(f"a{i}")
+            continue
+        sizes = [f"n{i}_{d}" for d in range(dims)]
+        names += [f"p{i}", *sizes]
+        lines.append(f"    a{i} = carray(p{i}, ({', '.join(sizes)},))")
+        passed.append(f"a{i}")
+    return "\n".join([f"def {function.__name__}({', '.join(names)}):", *lines, f"    inner({', '.join(passed)})"]) + "\n"
+
+
+def _twin(function: Any, done: dict[Any, Any]) -> Any:
+    """Return the compiled twin of a function, those of its module that it calls included."""
+    if function not in done:
+        scope = dict(function.__globals__)
+        for name in function.__code__.co_names:
+            value = scope.get(name)
+            if isinstance(value, python_types.FunctionType) and value.__module__ == function.__module__:
+                scope[name] = _twin(value, done)
+        rebuilt = python_types.FunctionType(function.__code__, scope, function.__name__, function.__defaults__)
+        done[function] = njit(**OPTIONS, **INNER)(rebuilt)
+    return done[function]
+
+
+def _build(function: Any, kinds: list[str]) -> Any:
+    scope: dict[str, Any] = {"carray": carray, "inner": _twin(function, {})}
+    exec(compile(_wrapper(function, kinds), f"<{function.__name__}>", "exec"), scope)
+    arguments: list[Any] = []
+    for kind in kinds:
+        base = _KINDS[kind[:2]][0]
+        dims = kind.count(":")
+        arguments += [types.CPointer(base), *(types.int64,) * dims] if dims else [base]
+    found = cfunc(types.void(*arguments), **OPTIONS)(scope[function.__name__])
+    if "NRT_MemInfo_alloc" in found._library.get_llvm_str():
+        raise EngineError(f"kernel {function.__name__} makes an array, a list or a dict: hand it the memory that it needs")
+    return found
+
+
+@cache
+def kernel(function: Any, signature: str) -> Callable[..., None]:
+    """Return a plain function over numbers and C-contiguous arrays in machine code.
+
+    Parameters
+    ----------
+    function : callable
+        Returns nothing; results go into arrays. Its module is part of the key, and so is all that it may call.
+    signature : str
+        Kinds of its arguments with a blank in between: ``i8``, ``f8``, and with ``[:]`` or ``[:,:]`` arrays of them.
+
+    Returns
+    -------
+    callable
+        Takes the arguments of the function.
+
+    Raises
+    ------
+    EngineError
+        If the function makes arrays.
+    TypeError
+        When called with an array of another kind, or one that is not contiguous.
+    """
+    kinds = signature.split()
+    source = inspect.getsource(sys.modules[function.__module__])
+    words = (function.__name__, signature, source, inspect.getsource(sys.modules[__name__]), store.toolchain())
+    key = hashlib.sha256("\n".join(words).encode()).hexdigest()[:32]
+    c_types: list[Any] = []
+    for kind in kinds:
+        c_types += [ctypes.c_void_p, *(ctypes.c_int64,) * kind.count(":")] if ":" in kind else [_KINDS[kind][1]]
+    prototype: Any = ctypes.CFUNCTYPE(None, *c_types)
+    rtsys.initialize(cpu_target.target_context)  # code that hands arrays on counts who holds them
+    run = prototype(store.address(key, lambda: _build(function, kinds), function.__name__.strip("_")))
+
+    def call(*arguments: Any) -> None:
+        words: list[Any] = []
+        for i, (kind, value) in enumerate(zip(kinds, arguments, strict=True)):
+            dims = kind.count(":")
+            if not dims:
+                words.append(value)
+                continue
+            if value.dtype != _KINDS[kind[:2]][2] or value.ndim != dims or not value.flags.c_contiguous:
+                raise TypeError(f"{function.__name__}: argument {i} must be a contiguous array {kind}, not {value.dtype} {value.shape}")
+            words += [value.ctypes.data, *value.shape]
+        run(*words)
+
+    return call

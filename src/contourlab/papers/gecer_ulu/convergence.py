@@ -1,0 +1,76 @@
+"""Gecer Ulu et al., Figs 9 and 10: convergence over trials, and the errors around the tight turn."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from contourlab.papers.gecer_ulu.setup import EXPERIMENT, KAPPA, SIMULATION, course, reference_of
+from contourlab.papers.gecer_ulu.tables import LONG, TRIALS
+from contourlab.papers.rows import Row, ours
+
+Array = NDArray[np.float64]
+SHOWN = (0, 1, 2, 5, 10, 15, 20, 25, 30)
+
+
+@dataclass(frozen=True, eq=False)
+class Turn:
+    """Fig 10: the path and the tool around the tight turn.
+
+    Attributes
+    ----------
+    time : ndarray (n,) [s]
+        From the turn of the reference.
+    reference : ndarray (n, 2) [m]
+    feedback, learned : ndarray (n, 2) [m]
+        True positions under FB, and under FB CCC ILC in its best trial.
+    feedback_contour, learned_contour : ndarray (n,) [m]
+        Their contour errors, positive to the left.
+    """
+
+    time: Array
+    reference: Array
+    feedback: Array
+    learned: Array
+    feedback_contour: Array
+    learned_contour: Array
+
+
+def convergence(setting: str, kappa: float = KAPPA, trials: int = TRIALS, seed: int = 0) -> Array:
+    """Return Fig 9: the contour rms [m] of trials 0 (nothing learned) to `trials`."""
+    return np.array([found.contour_rms for found in course(setting, kappa, trials, seed).trials])
+
+
+def turn(setting: str, around: float = 2.0, trials: int = TRIALS) -> Turn:
+    """Return Fig 10 for SIMULATION or EXPERIMENT, from `around` [s] before to after the turn; of the trials the best is shown."""
+    reference = reference_of(setting)
+    asked = reference.block(0, reference.n_sample)
+    middle = int(np.argmax(asked.position[:, 0]))
+    half = round(around / reference.servo_period)
+    cut = slice(max(middle - half, 0), middle + half + 1)
+    alone, learned = course(setting, 0.0, trials), course(setting, KAPPA, trials)
+    time = (np.arange(reference.n_sample)[cut] - middle) * reference.servo_period
+    return Turn(
+        time.astype(float),
+        asked.position[cut],
+        alone.first_position[cut],
+        learned.best_position[cut],
+        alone.first_contour[cut],
+        learned.best_contour[cut],
+    )
+
+
+def convergence_rows() -> Iterator[Row]:
+    """Yield some trials of Fig 9, and the largest contour errors before and after the turn of Fig 10."""
+    for setting, limit in ((SIMULATION, "very close to zero"), (EXPERIMENT, "around 30 nm")):
+        found = 1e9 * convergence(setting, trials=LONG)
+        note = f"FB CCC ILC; the paper's converges to a value {limit}"
+        yield from (ours("Fig 9 contour rms", f"{setting}, trial {trial}", found[trial], "nm", note) for trial in SHOWN)
+        seen = turn(setting, trials=LONG)
+        for words, part in (("before", seen.time < 0.0), ("after", seen.time >= 0.0)):
+            size, left = (1e9 * np.abs(error[part]).max() for error in (seen.feedback_contour, seen.learned_contour))
+            note = f"{left:.3g} nm under FB CCC ILC; within 2 s; the paper finds control worse just after the turn"
+            yield ours("Fig 10 largest contour error under FB", f"{setting}, {words} the turn", size, "nm", note)

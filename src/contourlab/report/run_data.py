@@ -1,0 +1,148 @@
+"""Parts of a report's data: limits, frequency responses, planned feed and trials of learning."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
+
+import numpy as np
+from numpy.typing import NDArray
+
+from contourlab.errors import ParameterError
+
+Array = NDArray[np.float64]
+
+
+@dataclass(frozen=True, eq=False)
+class AxisBounds:
+    """Limits of the axes.
+
+    Parameters
+    ----------
+    velocity, acceleration, jerk : ndarray (n_axis,) [m/s, m/s^2, m/s^3], > 0, inf for none
+    command : ndarray (n_axis,), > 0, inf for none
+        Command at which the drive saturates, in the unit of the command signal.
+    """
+
+    velocity: Array
+    acceleration: Array
+    jerk: Array
+    command: Array
+
+    def __post_init__(self) -> None:
+        for name, unit in (("velocity", "m/s"), ("acceleration", "m/s^2"), ("jerk", "m/s^3"), ("command", "")):
+            value = np.atleast_1d(np.asarray(getattr(self, name), dtype=np.float64))
+            if not bool(np.all(value > 0.0)):
+                raise ParameterError(name, value.tolist(), "> 0 on every axis (inf for no limit)", unit)
+            object.__setattr__(self, name, value)
+
+    def of(self, name: str, axis: int) -> float:
+        """Return one limit of one axis; a single value holds for all axes."""
+        value: Array = getattr(self, name)
+        return float(value[axis] if value.size > 1 else value[0])
+
+
+@dataclass(frozen=True, eq=False)
+class FrequencyResponse:
+    """Closed loop of one axis, reference to position.
+
+    Parameters
+    ----------
+    frequency : ndarray (n,) [Hz], > 0, ascending
+    response : ndarray of complex (n,)
+        Position over reference, 1 when the axis follows exactly.
+    notes : mapping of str to str
+        Printed figures, for example ``{"bandwidth": "42 Hz", "phase margin": "61 deg"}``.
+    stable : bool
+        Whether the loop is stable.
+    meant : str
+        Which linear loop, if the axis has several: for example ``"in contact"``.
+    """
+
+    frequency: Array
+    response: NDArray[np.complex128]
+    notes: Mapping[str, str] = field(default_factory=dict)
+    stable: bool = True
+    meant: str = ""
+
+    def __post_init__(self) -> None:
+        frequency = np.asarray(self.frequency, dtype=np.float64)
+        response = np.asarray(self.response, dtype=np.complex128)
+        if frequency.ndim != 1 or frequency.shape != response.shape or frequency.size < 2:
+            raise ParameterError("response", response.shape, f"one value per frequency, at least 2: {frequency.shape}")
+        if not bool(np.all(frequency > 0.0) and np.all(np.diff(frequency) > 0.0)):
+            raise ParameterError("frequency", "array", "> 0 and ascending", "Hz")
+        object.__setattr__(self, "frequency", frequency)
+        object.__setattr__(self, "response", response)
+
+
+@dataclass(frozen=True, eq=False)
+class FeedRun:
+    """A planned motion along its path.
+
+    Parameters
+    ----------
+    arc_length : ndarray (n,) [m]
+        Ascending.
+    feedrate : ndarray (n,) [m/s]
+    programmed : ndarray (n,) [m/s]
+        inf on rapids.
+    time : ndarray (n,) [s]
+        Ascending.
+    binding : ndarray (n,) of int
+        What limits the speed up to the next point: an index into `names`.
+    names : sequence of str
+    """
+
+    arc_length: Array
+    feedrate: Array
+    programmed: Array
+    time: Array
+    binding: NDArray[np.int8]
+    names: Sequence[str]
+
+    def __post_init__(self) -> None:
+        sizes = {part.shape for part in (self.arc_length, self.feedrate, self.programmed, self.time, self.binding)}
+        if len(sizes) != 1 or self.arc_length.ndim != 1 or self.arc_length.size < 2:
+            raise ParameterError("arrays of a feed run", sorted(sizes), "of one length, at least 2")
+        if int(self.binding.min()) < 0 or int(self.binding.max()) >= len(self.names):
+            raise ParameterError("binding", int(self.binding.max()), f"indices into {len(self.names)} names")
+
+    def shares(self) -> dict[str, float]:
+        """Return the share of time for which each cause limits the speed, the largest first."""
+        lasting = np.diff(self.time)
+        total = float(lasting.sum()) or 1.0
+        held = {name: float(lasting[self.binding[:-1] == code].sum()) / total for code, name in enumerate(self.names)}
+        return dict(sorted(((name, part) for name, part in held.items() if part > 0.0), key=lambda item: -item[1]))
+
+
+@dataclass(frozen=True, eq=False)
+class TrialCourse:
+    """Errors from trial to trial.
+
+    Parameters
+    ----------
+    contour_rms : ndarray (n_trial,) [m]
+        NaN for a trial that did not finish.
+    tracking_rms : ndarray (n_trial, n_axis) [m]
+    best : int
+        The trial that gives the scheme's figures.
+    status : str
+        How learning ended.
+    """
+
+    contour_rms: Array
+    tracking_rms: Array
+    best: int
+    status: str
+
+    def __post_init__(self) -> None:
+        n = len(self.contour_rms)
+        if n == 0 or self.tracking_rms.ndim != 2 or len(self.tracking_rms) != n or not 0 <= self.best < n:
+            raise ParameterError("trials", f"{n} contour errors, tracking errors {self.tracking_rms.shape}", "one row for each trial")
+
+    @property
+    def in_words(self) -> str:
+        """The end of learning in a few words."""
+        trials = len(self.contour_rms) - 1
+        return self.status if self.status.startswith("diverged") else f"{self.status}, trial {self.best} of {trials}"
