@@ -26,7 +26,7 @@ def test_one_micron_becomes_25_and_10_nanometres() -> None:
 
 @pytest.mark.parametrize("resolution", [30e-9, 3e-6, 4e-6, 1e-15])
 def test_other_resolutions_are_refused_with_the_nearest(resolution: float) -> None:
-    with pytest.raises(ParameterError, match="four times a whole number, such as"):
+    with pytest.raises(ParameterError, match="such as"):
         interpolation_order(4e-6, resolution)
     for bad in (0.0, -1.0, math.inf, math.nan):
         with pytest.raises(ParameterError, match="pitch"):

@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 from backlash_loops import HALF_GAP, J_L, J_M, K_S, PAPER, SCHEME_III, drive, paper_loop
+from refusals import refuses
 
 from contourlab.analysis.backlash.lure import BacklashLoop, dead_zone
 from contourlab.errors import ParameterError
@@ -55,7 +56,7 @@ def test_scheme_one_switches_its_controller() -> None:
     loop = two_inertia_loop(PAPER, gap, contact)
     assert loop.gap_matrix[1] == pytest.approx([-2000.0, -1e4, 2000.0, 1e4])
     assert loop.contact_matrix[1] == pytest.approx([-2000.0 - K_S / J_M, -1e4, K_S / J_M, 0.0])
-    with pytest.raises(ParameterError, match="one linear part"):
+    with refuses(ParameterError, name="contact_a"):
         loop.transfer(1.0)
 
 
@@ -92,9 +93,7 @@ def test_what_is_no_loop_is_refused(changes: dict[str, object], match: str) -> N
 
 
 def test_controllers_that_do_not_fit_are_refused() -> None:
-    with pytest.raises(ParameterError, match="gain and integral"):
-        Feedback((1.0, 2.0, 3.0))
-    with pytest.raises(ParameterError, match="contact_feedback"):
+    with refuses(ParameterError, name="contact_feedback"):
         two_inertia_loop(PAPER, motor_pid(1.0, 1.0), SCHEME_III)
-    with pytest.raises(ParameterError, match="load_inertia"):
+    with refuses(ParameterError, name="load_inertia", value=0.0):
         drive(load_inertia=0.0)

@@ -156,7 +156,7 @@ def test_the_filter_of_a_loop_by_hand() -> None:
 
 def test_what_feeds_derivatives_forward_is_refused() -> None:
     servo = cl.AxisController(Cascade(**{**TUNED, "velocity_feedforward": 1.0}), TrueVelocity())
-    with pytest.raises(ComponentError, match="feeds velocity or acceleration of the reference forward"):
+    with pytest.raises(ComponentError, match="acceleration"):
         zpetc_design(sampled_loop(axis(RIGID, 0.0), servo, T))
 
 
@@ -168,12 +168,12 @@ def test_an_unstable_loop_is_refused() -> None:
 @pytest.mark.parametrize(
     ("numerator", "denominator", "more", "said"),
     [
-        ([0.1], [1.0, -0.7], {}, "0.333333333 of the reference"),
+        ([0.1], [1.0, -0.7], {}, "0.333333333"),
         ([0.3], [1.0, -1.3], {}, "unstable"),
         ([0.0, 0.3], [1.0, -0.7], {}, "numerator = a list"),
         ([0.3], [1.0, -0.7], {"radius": 1.0}, "radius = 1: must be > 0 and < 1"),
         ([0.3], [1.0, -0.7], {"delay": -1}, "delay = -1"),
-        (np.poly(np.full(9, 0.5)) * 0.3 / 0.5**9, [1.0, -0.7], {}, "9 zeros to cancel"),
+        (np.poly(np.full(9, 0.5)) * 0.3 / 0.5**9, [1.0, -0.7], {}, "9 zeros"),
     ],
 )
 def test_polynomials_that_cannot_be_led_are_refused(numerator: Any, denominator: Any, more: dict[str, Any], said: str) -> None:

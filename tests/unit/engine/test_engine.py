@@ -262,7 +262,7 @@ def test_a_nan_in_one_lane_stays_there():
 
 
 def test_wiring_errors_say_what_is_wrong():
-    with pytest.raises(EngineError, match="computed later"):
+    with pytest.raises(EngineError, match=r"node a .*b\.y.*Late"):
         Schedule(
             (Node("a", GAIN, {"u": "b.y"}, {"factor": 1.0}), Node("b", GAIN, {"u": "in.u"}, {"factor": 1.0})),
             (Port("u"),),
@@ -271,11 +271,11 @@ def test_wiring_errors_say_what_is_wrong():
         )
     with pytest.raises(EngineError, match=r"no signal 'in\.w'"):
         Schedule((Node("a", GAIN, {"u": "in.w"}, {"factor": 1.0}),), (Port("u"),), 1.0, 1)
-    with pytest.raises(EngineError, match="its own output"):
+    with pytest.raises(EngineError, match=r"own .*a\.y"):
         Schedule((Node("a", GAIN, {"u": Late("a.y")}, {"factor": 1.0}),), (Port("u"),), 1.0, 1)
     with pytest.raises(EngineError, match="factor"):
         Node("a", GAIN, {"u": "in.u"}, {})
-    with pytest.raises(EngineError, match="share a name"):
+    with pytest.raises(EngineError, match=r"\['a'\]"):
         node = Node("a", GAIN, {"u": "in.u"}, {"factor": 1.0})
         Schedule((node, node), (Port("u"),), 1.0, 1)
 
@@ -286,7 +286,7 @@ def test_a_step_that_cannot_be_compiled_names_the_culprit():
     def bad(par, x, inp, clock):
         return (), (culprit,)
 
-    with pytest.raises(EngineError, match="cannot be compiled"):
+    with pytest.raises(EngineError, match=r"\.bad .*compiled"):
         compiler._compile(Step("bad", bad, outputs=(Port("y"),)), 1)
 
 
@@ -350,7 +350,7 @@ def global_step(par, x, inp, clock):
     return (), (LAST,)
 
 
-@pytest.mark.parametrize(("function", "said"), [(growing_step, "numbers and tuples"), (undefined_step, "missing"), (global_step, "odd")])
+@pytest.mark.parametrize(("function", "said"), [(growing_step, "tuples"), (undefined_step, "missing"), (global_step, "odd")])
 def test_what_cannot_be_compiled_is_said_in_a_line(function, said):
     step = Step("odd", function, inputs=(Port("u"),), outputs=(Port("y"),))
     with pytest.raises(EngineError, match=said) as caught:

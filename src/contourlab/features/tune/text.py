@@ -31,7 +31,7 @@ def tables(goal: Goal, tuned: Tuned) -> Iterator[str]:
 def _steps(goal: Goal, tuned: Tuned) -> Table:
     left = {"step", "parameter", "unit"}
     heads = ("step", "parameter", "from", "to", "unit", "objective", "then")
-    table = Table([*(Column(head, left=head in left) for head in heads), Column("bound", prose=True)])
+    table = Table([*(Column(head, left=head in left) for head in heads), Column("bound", prose=True)], keys=2)
     for step in tuned.path.steps:
         variable = step.variable
         values = (figure(variable.shown(value), digits=5) for value in (step.before, step.after))

@@ -6,15 +6,16 @@ import numpy as np
 from numpy.typing import NDArray
 
 from contourlab.errors import ParameterError
+from contourlab.findings import Finding, finding
 
 Array = NDArray[np.float64]
 
 WELL_KNOWN = 10.0
 """Relative deviation [percent] up to which a parameter counts as identified: the usual limit for robots (Gautier)."""
 EXCITED = 100.0
-"""Condition number, columns of length one, from which excitation gets a remark."""
+"""Condition number, columns of length one, from which the excitation is too little."""
 EXPLAINED, LEAST = 90.0, 75.0
-"""Fit [percent] below which the model gets a remark, and below which the figures cannot be used.
+"""Fit [percent] below which the model is in doubt, and below which the figures cannot be used.
 
 The EMPS' log leaves 4 % of its force. Of the runs of one measured table at constant speeds those with a fit of 80 % and more tell its mass
 within 8 %, at 72 % it is a fifth too large, at 51 % two thirds; the EMPS with its reference in place of its position has 69 %.
@@ -24,9 +25,9 @@ LIGHT, HEAVY = 1e-2, 2e4
 IMPOSSIBLE = (1e-5, 1e6)
 """Range of possible masses [kg]."""
 COLOURED = 1.5
-"""Ratio of deviations, with and without correlation of the residual, from which it gets a remark."""
+"""Ratio of deviations, with and without correlation of the residual, from which the residual is coloured."""
 AT_REST, RESTS = 5e-3, 0.05
-"""Share of the largest speed below which an axis is at rest, and share of rows at rest from which that gets a remark."""
+"""Share of the largest speed below which an axis is at rest, and share of rows at rest that is too many."""
 
 
 def check_signs(names: tuple[str, ...], values: Array, deviations: Array) -> None:
@@ -52,16 +53,15 @@ def check_signs(names: tuple[str, ...], values: Array, deviations: Array) -> Non
         raise ParameterError("Fc", f"{friction:.4g} N", bound)
 
 
-def on_mass(mass: float) -> tuple[list[str], bool]:
-    """Return remarks on an unlikely moved mass [kg], and whether it is possible at all.
+def mass_findings(mass: float) -> tuple[list[Finding], bool]:
+    """Return a finding for an implausible moved mass [kg], and whether the mass is possible at all.
 
-    >>> on_mass(95.1)
+    >>> mass_findings(95.1)
     ([], True)
     """
     if LIGHT <= mass <= HEAVY:
         return [], True
-    remark = f"a mass of {mass:.4g} kg is moved: are the units of position, force and gain right?"
-    return [remark], IMPOSSIBLE[0] <= mass <= IMPOSSIBLE[1]
+    return [finding("CL532", mass=mass)], IMPOSSIBLE[0] <= mass <= IMPOSSIBLE[1]
 
 
 def mean_coulomb(names: tuple[str, ...], values: Array, deviations: Array) -> tuple[float, float]:
@@ -70,10 +70,10 @@ def mean_coulomb(names: tuple[str, ...], values: Array, deviations: Array) -> tu
     return float(values[places].mean()), float(np.sqrt(np.sum(deviations[places] ** 2)) / len(places))
 
 
-def remarks_on(
+def fit_findings(
     names: tuple[str, ...], values: Array, deviations: Array, robust: Array, columns: Array, velocity: Array, fit: float, slowest: float
-) -> tuple[tuple[str, ...], bool]:
-    """Return remarks on the figures, and whether they can be used.
+) -> tuple[tuple[Finding, ...], bool]:
+    """Return findings on the figures of inverse dynamics, and whether they can be used.
 
     Parameters
     ----------
@@ -86,48 +86,39 @@ def remarks_on(
     slowest : float [m/s]
         Speed below which rows were left out.
     """
-    remarks, usable = _on_parameters(names, values, np.maximum(deviations, robust))
+    findings, usable = _parameter_findings(names, values, np.maximum(deviations, robust))
     lengths = np.linalg.norm(columns, axis=0)
     condition = float(np.linalg.cond(columns / lengths))
     if condition > EXCITED:
-        remarks.append(f"too little excitation: condition number {condition:.3g} with columns of length one, below {EXCITED:g} is usual")
+        findings.append(finding("CL534", condition=condition, usual=EXCITED))
     if fit < EXPLAINED:
-        asked = "is the position the measured one, and the force that of this axis?"
-        remarks.append(f"the model explains {fit:.3g} % of the force: other friction or another force is at work, or {asked}")
+        findings.append(finding("CL533", fit=fit / 100.0, output="force"))
         usable = usable and fit >= LEAST
     with np.errstate(divide="ignore", invalid="ignore"):
         ratio = float(np.nan_to_num(robust / deviations, nan=1.0).max())
     if ratio > COLOURED:
-        remarks.append(f"the residual is not white: deviations that allow for it are up to {ratio:.2g} times as large")
+        findings.append(finding("CL535", ratio=ratio))
     resting = float(np.mean(np.abs(velocity) < AT_REST * np.abs(velocity).max()))
     if resting > RESTS and slowest == 0.0:
-        remarks.append(f"{100.0 * resting:.2g} % of the rows are at rest, where the sign of v is noise: leave them out with --slowest")
-    return tuple(remarks), usable
+        findings.append(finding("CL536", share=resting))
+    return tuple(findings), usable
 
 
-def _on_parameters(names: tuple[str, ...], values: Array, deviations: Array) -> tuple[list[str], bool]:
-    remarks, usable = [], True
+def _parameter_findings(names: tuple[str, ...], values: Array, deviations: Array) -> tuple[list[Finding], bool]:
+    findings, usable = [], True
     for name, value, deviation in zip(names, values.tolist(), deviations.tolist(), strict=True):
-        share = 100.0 * deviation / abs(value) if value else np.inf
-        if name == "offset" or share <= WELL_KNOWN:
-            continue  # an offset of nothing is welcome
-        known = "is not distinguishable from zero" if abs(value) < 2.0 * deviation else f"is known to {share:.2g} % only"
-        remarks.append(f"{name} = {value:.4g} {known}, standard deviation {deviation:.2g}: too little excitation")
+        share = deviation / abs(value) if value else np.inf
+        if name == "offset" or 100.0 * share <= WELL_KNOWN:
+            continue  # the offset may be zero
+        findings.append(finding("CL526", name, value=value, deviation=deviation, share=share))
         usable = usable and name != "M"
-    on_the_mass, possible = on_mass(float(values[names.index("M")]))
-    remarks, usable = [*remarks, *on_the_mass], usable and possible
+    on_mass, possible = mass_findings(float(values[names.index("M")]))
+    findings, usable = [*findings, *on_mass], usable and possible
     friction, _ = mean_coulomb(names, values, deviations)
     if friction < 0.0:
-        remarks.append(f"Fc = {friction:.4g} is below zero within its deviation: unusable as it stands, take no Coulomb friction")
+        findings.append(finding("CL530", "Fc", value=friction))
         usable = False
     elif len(names) == 5:
-        remarks.extend(
-            f"{name} = {value:.4g} is below zero: a constant force larger than Coulomb friction acts, as gravity does"
-            for name, value in zip(names, values.tolist(), strict=True)
-            if name.startswith("Fc") and value < 0.0
-        )
-    for name, value in zip(names, values.tolist(), strict=True):
-        if name.startswith("Fv") and value < 0.0:
-            remarks.append(f"{name} = {value:.4g} is below zero: unusable; friction falls with speed (Stribeck), or speeds are too alike")
-            usable = False
-    return remarks, usable
+        findings += [finding("CL531", n, value=x) for n, x in zip(names, values.tolist(), strict=True) if n.startswith("Fc") and x < 0.0]
+    negative = [finding("CL530", n, value=x) for n, x in zip(names, values.tolist(), strict=True) if n.startswith("Fv") and x < 0.0]
+    return [*findings, *negative], usable and not negative

@@ -5,13 +5,13 @@ import math
 import numpy as np
 import pytest
 
-from contourlab.features.identify.finding import carried
+from contourlab.features.identify.result import propagate
 
 
 def test_mass_and_damping_out_of_a_and_b() -> None:
     """For m = 1/a and c = b/a: var c = (b/a^2)^2 var a + var b/a^2 - 2 b/a^3 cov, cov(m, c) = b/a^4 var a - cov/a^3."""
     a, b, da, db, r = 2.0, 6.0, 0.02, 0.3, 0.6
-    found = carried(
+    found = propagate(
         lambda x: {"plant.mass": 1.0 / x["a"], "plant.damping": x["b"] / x["a"]},
         ("a", "b"),
         np.array([a, b]),
@@ -28,5 +28,5 @@ def test_mass_and_damping_out_of_a_and_b() -> None:
 
 
 def test_what_has_no_deviation_adds_nothing_and_goes_with_nothing() -> None:
-    found = carried(lambda x: {"p": x["a"], "q": x["b"]}, ("a", "b"), np.array([1.0, 0.0]), np.array([0.1, 0.0]), np.eye(2))
+    found = propagate(lambda x: {"p": x["a"], "q": x["b"]}, ("a", "b"), np.array([1.0, 0.0]), np.array([0.1, 0.0]), np.eye(2))
     assert found.deviations == {"p": pytest.approx(0.1), "q": 0.0} and found.correlations == ()
