@@ -156,7 +156,7 @@ SLOW = pytest.mark.slow
         pytest.param('"20 kg"', '"20 mm"', "x.moved_mass: '20 mm' cannot be converted to kg", marks=SLOW),
         pytest.param('"20 kg"', "nan", "x.moved_mass: 'nan kg' is not a finite number", marks=SLOW),
         pytest.param("peak_torque = 3.9", "peak_torque = 0.1", "x.peak_torque: is below the rated torque of 1.3 N*m", marks=SLOW),
-        ("lead =", "leed =", "y.leed: answers no question"),
+        ("lead =", "leed =", "y.leed: there is no such question"),
         pytest.param('mounted_on = "y"', 'mounted_on = "z"', "x.mounted_on: 'z' is no other axis of this machine: y", marks=SLOW),
     ],
 )
