@@ -150,22 +150,23 @@ SLOW = pytest.mark.slow
 
 
 @pytest.mark.parametrize(
-    ("before", "after", "said_so"),
+    ("before", "after", "key"),
     [
-        ('"20 kg"', '"-20 kg"', "x.moved_mass: '-20 kg' is out of range: must be > 0 kg"),
-        pytest.param('"20 kg"', '"20 mm"', "x.moved_mass: '20 mm' cannot be converted to kg", marks=SLOW),
-        pytest.param('"20 kg"', "nan", "x.moved_mass: 'nan kg' is not a finite number", marks=SLOW),
-        pytest.param("peak_torque = 3.9", "peak_torque = 0.1", "x.peak_torque: is below the rated torque of 1.3 N*m", marks=SLOW),
-        ("lead =", "leed =", "y.leed: there is no such question"),
-        pytest.param('mounted_on = "y"', 'mounted_on = "z"', "x.mounted_on: 'z' is no other axis of this machine: y", marks=SLOW),
+        ('"20 kg"', '"-20 kg"', "x.moved_mass"),
+        pytest.param('"20 kg"', '"20 mm"', "x.moved_mass", marks=SLOW),
+        pytest.param('"20 kg"', "nan", "x.moved_mass", marks=SLOW),
+        pytest.param("peak_torque = 3.9", "peak_torque = 0.1", "x.peak_torque", marks=SLOW),
+        ("lead =", "leed =", "y.leed"),
+        pytest.param('mounted_on = "y"', 'mounted_on = "z"', "x.mounted_on", marks=SLOW),
     ],
 )
-def test_answers_that_cannot_be_are_one_line(contourlab: Run, tmp_path: Path, before: str, after: str, said_so: str) -> None:
+def test_answers_that_cannot_be_are_one_line(contourlab: Run, tmp_path: Path, before: str, after: str, key: str) -> None:
     assert before in ANSWERS
     (tmp_path / "answers.toml").write_text(ANSWERS.replace(before, after, 1), encoding="utf-8")
     said = contourlab("new", "machine", "--out", "mill", "--answers", "answers.toml")
     assert (said.code, said.out) == (2, "")
-    assert said.err == f"contourlab: answers.toml: {said_so}\n"
+    assert said.err.startswith(f"contourlab: answers.toml: {key}: ")
+    assert said.err.count("\n") == 1
     assert not (tmp_path / "mill").exists()
 
 
