@@ -158,7 +158,7 @@ def _bad_character(line: str, at: int) -> BlockError:
             return BlockError("a comment inside a comment: use one pair of brackets, or only ';'", nested + 1)
         return BlockError("the comment that starts here has no end: write ')' on the same line", at + 1)
     if line.strip() == "%":
-        return BlockError("the first line has no %: write it there too, or delete this one", at + 1)
+        return BlockError("a % that closes has none that opens: write % on the first line too, or delete it", at + 1)
     return BlockError(_BAD.get(character, f"the character {character!r} has no meaning here: delete it"), at + 1)
 
 

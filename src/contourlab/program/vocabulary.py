@@ -47,9 +47,7 @@ USED_LETTERS = frozenset("XYZIJKRPFST@^LQHE")
 """Letters that the supported codes use, besides G, M and N."""
 
 _ARCS = (20, 30)
-USERS: dict[str, tuple[frozenset[int | str], str]] = {
-    letter: (frozenset(codes), shown)
-    for letter, shown, codes in (
+_USERS: tuple[tuple[str, str, tuple[int | str, ...]], ...] = (
         ("I", "G2, G3, G5, G5.1 or G87", (*_ARCS, 50, 51, 870)),
         ("J", "G2, G3, G5, G5.1 or G87", (*_ARCS, 50, 51, 870)),
         ("K", "G2, G3 or G87", (*_ARCS, 870)),
@@ -61,8 +59,8 @@ USERS: dict[str, tuple[frozenset[int | str], str]] = {
         ("Q", "G5, G10, G64, G73, G83, M61, M67 or M68", (50, 100, 640, 730, 830, "M19", "M61", "M67", "M68")),
         ("H", "G43 or G43.2", (430, 432)),
         ("E", "M67 or M68 (numbers take no exponent, extruders are not read)", ("M67", "M68")),
-    )
-}  # fmt: skip
+)  # fmt: skip
+USERS: dict[str, tuple[frozenset[int | str], str]] = {letter: (frozenset(codes), shown) for letter, shown, codes in _USERS}
 """Codes that use a letter (numbers times ten, or "M50"), and their names for messages."""
 
 O_WORD_ALONE = "an O-word stands alone on its line, behind a line number at most: write for example O100 call on the next line"

@@ -73,8 +73,8 @@ REFUSED = [
     ("N10 N20 G0 X1", 1, 5, "must stand first"),
     ("N-1 G0 X1", 1, 1, "no sign"),
     ("N G0 X1", 1, 1, "N has no number"),
-    ("(c)\n%\nG0 X1\n%", 2, 1, "the first line has no %"),
-    ("G0 X1\n  %", 2, 3, "the first line has no %"),
+    ("(c)\n%\nG0 X1\n%", 2, 1, "a % that closes has none that opens"),
+    ("G0 X1\n  %", 2, 3, "a % that closes has none that opens"),
     ("% part\nG0 X1\n%", 1, 1, "% may only stand alone"),
     ("G0 X1 %\nM2", 1, 7, "% may only stand alone"),
     # Absurd numbers.
