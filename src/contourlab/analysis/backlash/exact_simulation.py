@@ -141,13 +141,9 @@ def simulate_exact(
     Raises
     ------
     ParameterError
-        For a start of the wrong length, a duration that is not positive, or more changes of mode than `most`.
+        For more changes of mode than `most`.
     """
     x = np.asarray(start, dtype=float)
-    if x.shape != (loop.n,) or not np.isfinite(x).all():
-        raise ParameterError("start", f"an array of shape {x.shape}", f"{loop.n} finite numbers, one for each state")
-    if not 0.0 < duration < np.inf:
-        raise ParameterError("duration", duration, "above 0", "s")
     flow = Flow(loop, reference)
     w, mode = flow.lengthened(x, twist)
     found = tuple(spans(flow, w, mode, duration, most))

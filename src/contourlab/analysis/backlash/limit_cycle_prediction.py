@@ -20,16 +20,6 @@ Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
 
 
-def dead_zone_gain(amplitude: ArrayLike, half_gap: float = 1.0) -> Array:
-    """Return the describing function N(A)/k of a dead zone, in [0, 1).
-
-    >>> float(dead_zone_gain(1.0)), round(float(dead_zone_gain(2.0)), 6)
-    (0.0, 0.391002)
-    """
-    ratio = np.minimum(half_gap / np.maximum(np.asarray(amplitude, dtype=float), half_gap), 1.0)
-    return np.asarray(1.0 - 2.0 / math.pi * (np.arcsin(ratio) + ratio * np.sqrt(1.0 - ratio**2)))
-
-
 def inverse_dead_zone_gain(gain: float) -> float:
     """Return A/h at which the describing function N/k is `gain`, in (0, 1).
 
@@ -164,21 +154,8 @@ class LimitCycle:
         return f"poor: {share}; trust only the exact periodic orbit"
 
 
-@dataclass(frozen=True)
-class Prediction:
-    """Limit cycles predicted for a loop.
-
-    Attributes
-    ----------
-    cycles : tuple of LimitCycle
-        By falling amplitude; empty if none is predicted.
-    """
-
-    cycles: tuple[LimitCycle, ...]
-
-
-def predict_limit_cycles(loop: BacklashLoop) -> Prediction:
-    """Return all limit cycles of a loop at rest that the describing function predicts.
+def predict_limit_cycles(loop: BacklashLoop) -> tuple[LimitCycle, ...]:
+    """Return all limit cycles of a loop at rest that the describing function predicts, by falling amplitude.
 
     Parameters
     ----------
@@ -187,7 +164,7 @@ def predict_limit_cycles(loop: BacklashLoop) -> Prediction:
 
     Returns
     -------
-    Prediction
+    tuple of LimitCycle
         Without shaft damping every solution: N is real, so G has to be, and the frequencies where it is are eigenvalues. With it, those on
         amplitudes from 1 to 10^4 half-gaps, found on a grid and made exact.
 
@@ -202,7 +179,7 @@ def predict_limit_cycles(loop: BacklashLoop) -> Prediction:
     """
     loop.require_one_controller("a describing function")
     pairs = _undamped(loop) if loop.shaft_damping == 0.0 else _damped(loop)
-    return Prediction(tuple(sorted((_cycle(loop, ratio, w) for ratio, w in pairs), key=lambda cycle: -cycle.ratio)))
+    return tuple(sorted((_cycle(loop, ratio, w) for ratio, w in pairs), key=lambda cycle: -cycle.ratio))
 
 
 def real_frequencies(loop: BacklashLoop) -> list[float]:

@@ -7,13 +7,14 @@ matrix at each change of mode.
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from dataclasses import dataclass, field
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from contourlab.analysis.backlash.exact_simulation import ExactRun, Span, simulate_exact, spans
-from contourlab.analysis.backlash.limit_cycle_prediction import Prediction, predict_limit_cycles, quasi_linear
+from contourlab.analysis.backlash.limit_cycle_prediction import LimitCycle, predict_limit_cycles, quasi_linear
 from contourlab.analysis.backlash.lure import BacklashLoop
 from contourlab.analysis.backlash.mode_flow import GAP, Flow
 from contourlab.errors import ParameterError
@@ -157,13 +158,7 @@ def close_orbit(loop: BacklashLoop, start: ArrayLike, period: float, *, twist: f
     PeriodicOrbit or None
         None if Newton's steps do not converge, or end at a point of rest.
 
-    Raises
-    ------
-    ParameterError
-        For a period that is not positive.
     """
-    if not 0.0 < period < math.inf:
-        raise ParameterError("period", period, "above 0", "s")
     shooter = Shooter(loop)
     y = np.asarray(start, dtype=float)
     y = np.append(y, twist) if shooter.flow.twisted else y
@@ -286,7 +281,7 @@ class OrbitSearch:
         return tuple(orbit for orbit in self.orbits if orbit.stable)
 
 
-def find_orbits(loop: BacklashLoop, *, prediction: Prediction | None = None, kicks: tuple[float, ...] = KICKS) -> OrbitSearch:
+def find_orbits(loop: BacklashLoop, *, prediction: Sequence[LimitCycle] | None = None, kicks: tuple[float, ...] = KICKS) -> OrbitSearch:
     """Return the limit cycles of a loop at rest.
 
     Shots start from each prediction of the describing function, and from where motions settle.
@@ -294,7 +289,7 @@ def find_orbits(loop: BacklashLoop, *, prediction: Prediction | None = None, kic
     Parameters
     ----------
     loop : BacklashLoop
-    prediction : Prediction, optional
+    prediction : sequence of LimitCycle, optional
         Of the describing function, if known; a loop that switches its controller has none.
     kicks : tuple of float
         Motor-load differences, over half of the gap, from which motions are followed until they settle.
@@ -306,7 +301,7 @@ def find_orbits(loop: BacklashLoop, *, prediction: Prediction | None = None, kic
     if prediction is None and loop.contact_a is None:
         prediction = predict_limit_cycles(loop)
     shots = []
-    for cycle in prediction.cycles if prediction is not None else ():
+    for cycle in prediction or ():
         start = _predicted_start(loop, cycle.amplitude, cycle.ratio, cycle.frequency)
         shots.append(close_orbit(loop, start, 2.0 * math.pi / cycle.frequency))
     shots += [_settled_orbit(loop, kick) for kick in kicks]

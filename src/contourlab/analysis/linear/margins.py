@@ -73,20 +73,6 @@ def margins(loop: LoopGain, frequency: ArrayLike, *, stable: bool) -> Margins:
     return Margins(factor, phase, crossover, modulus, True, phase_crossover)
 
 
-def delay_margin(loop: LoopGain, frequency: ArrayLike) -> float:
-    """Return the least delay [s] in a stable loop that brings its gain to -1; infinite if none does.
-
-    Parameters
-    ----------
-    loop, frequency
-        As of `margins`.
-    """
-    w = np.asarray(frequency, dtype=float)
-    found = _phases(loop, w, np.asarray(loop(w), dtype=complex))
-    # Instead of a lead, a lag by the rest of the turn.
-    return min(((phase % (2.0 * math.pi)) / at for at, phase in found), default=math.inf)
-
-
 def _phases(loop: LoopGain, w: Array, gain: Complex) -> Iterator[tuple[float, float]]:
     """Find where the gain is 1, and the angle from there to -1."""
     with np.errstate(divide="ignore"):  # a loop without gain is nowhere 1

@@ -17,7 +17,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from contourlab.analysis.linear.delay_form import DelayForm
-from contourlab.analysis.linear.margins import Margins, delay_margin, frequency_grid, margins
+from contourlab.analysis.linear.margins import Margins, frequency_grid, margins
 from contourlab.analysis.linear.tick_map import TickMap, poles_of, tick_map
 from contourlab.components.contract import Component
 from contourlab.engine.schedule import Schedule
@@ -132,28 +132,6 @@ class SampledLoop:
             If a frequency is out of range.
         """
         return _gain(self._opened(checked_frequency(frequency, self.nyquist)))
-
-    def delay_margin(self, *, observed_in_axis: bool = False) -> float:
-        """Return the additional delay [s] at which the loop loses its stability.
-
-        Parameters
-        ----------
-        observed_in_axis : bool
-            Delay only the command ahead of the observer; by default all that goes to the drive is delayed.
-
-        Returns
-        -------
-        float
-            Infinite if there is none; nan for a loop that is unstable without delay. Exact for whole servo periods.
-        """
-        if not self.stable:
-            return math.nan
-
-        def gain(w: Array) -> Complex:
-            opened = self._opened(w)
-            return -opened[:, 0, 0] / (1.0 + opened[:, 1, 0]) if observed_in_axis else _gain(opened)
-
-        return delay_margin(gain, self._grid())
 
     def response(self, frequency: ArrayLike) -> AxisResponse:
         """Return the responses of the axis at frequencies (n,) [rad/s] above 0 and up to the Nyquist frequency.

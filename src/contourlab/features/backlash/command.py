@@ -106,7 +106,7 @@ def _axis_lines(one: AxisGap, period: float) -> Iterator[str]:
         seen, deviation, confidence = one.motor_side
         yield f"    from the motor alone: free travel {_microns(seen)} +- {_microns(2.0 * deviation)}, confidence {confidence:.2f}"
     if one.prediction is not None:
-        cycles = [f"{_cycle(c, period)} ({c.validity.partition(':')[0]})" for c in one.prediction.cycles]
+        cycles = [f"{_cycle(c, period)} ({c.validity.partition(':')[0]})" for c in one.prediction]
         yield f"    limit cycles, describing function: {'; '.join(cycles) or 'none'}"
     if one.orbits is not None:
         orbits = [_cycle(orbit, period) for orbit in one.orbits.orbits]
@@ -171,7 +171,7 @@ def _axis_summary(one: AxisGap) -> dict[str, Any]:
         "from_motor_alone": None if seen is None else dict(zip(("gap", "deviation", "confidence"), seen, strict=True)),
         "describing_function": None
         if one.prediction is None
-        else [_cycle_summary(cycle) | {"validity": cycle.validity} for cycle in one.prediction.cycles],
+        else [_cycle_summary(cycle) | {"validity": cycle.validity} for cycle in one.prediction],
         "limit_cycles": None if one.orbits is None else [_cycle_summary(orbit) for orbit in one.orbits.orbits],
         "remarks": list(one.remarks),
     }

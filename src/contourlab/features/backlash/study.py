@@ -9,7 +9,7 @@ from dataclasses import dataclass, field, replace
 import numpy as np
 from numpy.typing import NDArray
 
-from contourlab.analysis.backlash.limit_cycle_prediction import Prediction, predict_limit_cycles
+from contourlab.analysis.backlash.limit_cycle_prediction import LimitCycle, predict_limit_cycles
 from contourlab.analysis.backlash.lure import BacklashLoop, axis_backlash_loop
 from contourlab.analysis.backlash.periodic_orbit import OrbitSearch, find_orbits
 from contourlab.components.contract import Component
@@ -42,7 +42,7 @@ class AxisGap:
         Estimated from the positions of motor and load in the run; None where it could not be.
     motor_side : (float, float, float) or None
         Gap [m], its standard deviation [m] and confidence at the end of the run, from the motor alone.
-    prediction : Prediction or None
+    prediction : tuple of LimitCycle or None
         Limit cycles of the describing function; None for a loop that switches its controller, or has no linear model.
     orbits : OrbitSearch or None
         Exact limit cycles, without friction.
@@ -55,7 +55,7 @@ class AxisGap:
     lost_motion: float
     pair: LostMotion | None = None
     motor_side: tuple[float, float, float] | None = None
-    prediction: Prediction | None = None
+    prediction: tuple[LimitCycle, ...] | None = None
     orbits: OrbitSearch | None = None
     remarks: tuple[str, ...] = ()
 
@@ -284,7 +284,7 @@ def _gap_where_it_turns(plant: TwoInertia, velocity: NDArray[np.float64], positi
     return float(np.mean([plant.gap_at(float(place)) for place in turns])) if turns.size else plant.widest_gap
 
 
-def _cycles(loop: BacklashLoop) -> tuple[Prediction | None, OrbitSearch]:
+def _cycles(loop: BacklashLoop) -> tuple[tuple[LimitCycle, ...] | None, OrbitSearch]:
     prediction = predict_limit_cycles(loop) if loop.contact_a is None else None
     return prediction, find_orbits(loop, prediction=prediction)
 
