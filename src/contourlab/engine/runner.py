@@ -156,8 +156,6 @@ class CompiledGroup(Group):
                     self._row_address(self.borders[1 + i]),
                     first + 8 * places[i][1],
                     self._row_address(schedule.first_row[i]),
-                    node.every,
-                    node.phase,
                     node.repeat,
                 )
                 for i, node in enumerate(schedule.nodes)
@@ -248,9 +246,7 @@ class InterpretedGroup(Group):
 
     def _run_node(self, n: int) -> None:
         node = self.schedule.nodes[n]
-        if (self.tick - node.phase) % node.every:
-            return
-        held = self.schedule.period * node.every / node.repeat
+        held = self.schedule.period / node.repeat
         for r in range(node.repeat):
             clock = Clock(float(self.tick), self.tick * self.schedule.period + r * held, held)
             for lane in range(self.width):

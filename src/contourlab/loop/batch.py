@@ -21,11 +21,10 @@ from contourlab.feed import Reference
 from contourlab.geometry.view import PathView, view_of
 from contourlab.loop.builder import Signals
 from contourlab.loop.feeding import Feed, Learned
-from contourlab.loop.judging import counted, effort_figures, effort_node, error_figures, judge_node, sums_of
+from contourlab.loop.judging import WATCH, counted, effort_figures, effort_node, error_figures, judge_node, sums_of
 from contourlab.loop.machine import Controller, Machine, parameter_names
 from contourlab.loop.simulate import BLOCK, jit_enabled, sampler
 from contourlab.loop.template import Loop, build
-from contourlab.loop.watch import NAME
 from contourlab.metrics.streaming import SUMS
 
 Array = NDArray[np.float64]
@@ -171,7 +170,7 @@ def _advance_all(
             for done, _ in enumerate((pool.map if pool is not None else map)(work, range(len(groups))), 1):
                 if progress is not None:
                     progress(k + len(external) * done // len(groups))
-    seen = np.array([group.state_of(NAME)[0] for group in groups])
+    seen = np.array([group.state_of(WATCH)[0] for group in groups])
     return np.where(seen >= 0, seen, broken).astype(np.int64).ravel()
 
 

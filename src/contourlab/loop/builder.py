@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping
 from dataclasses import dataclass
+from functools import cache
 from typing import Any
 
 import numpy as np
@@ -12,6 +13,7 @@ from numpy.typing import NDArray
 
 from contourlab.components.contract import Component
 from contourlab.engine.schedule import Late, Node
+from contourlab.engine.step import Port, Step
 from contourlab.errors import ParameterError
 from contourlab.geometry import Path
 from contourlab.loop.machine import Controller, Machine
@@ -137,3 +139,28 @@ class Builder:
 def accepted_output(drive: Component) -> str:
     """Return the output of a drive that says what it took of a command: behind its limit, ahead of its delay."""
     return "accepted" if drive.gives("accepted") else "applied"
+
+
+@cache
+def sum_step(n: int) -> Step:
+    """Return the step that adds `n` signals, two or more."""
+    return Step("sum", _total, (), (), "", (), (Port("terms", n),), (Port("total"),))
+
+
+def _total(par: Any, x: Any, inp: Any, clock: Any) -> Any:
+    total = inp.terms[0]
+    for i in range(1, len(inp.terms)):
+        total = total + inp.terms[i]
+    return (), (total,)
+
+
+def constant_node(name: str) -> Node:
+    """Return a node whose one output ``value`` is zero."""
+    return Node(name, _ZERO, {})
+
+
+def _nothing(par: Any, x: Any, inp: Any, clock: Any) -> Any:
+    return (), (0.0,)
+
+
+_ZERO = Step("zero", _nothing, (), (), "", (), (), (Port("value"),))

@@ -18,8 +18,7 @@ from contourlab.components.origin import Origin
 from contourlab.components.plant.plant import Plant
 from contourlab.errors import FeedError, ParameterError
 from contourlab.feed import AxisLimits
-from contourlab.loop.axis_parts import AxisError, Limits
-from contourlab.loop.division import Division
+from contourlab.loop.axis_parts import AxisError, Division, Limits
 
 
 @dataclass(frozen=True)

@@ -16,11 +16,11 @@ from contourlab.errors import DivergenceError, ParameterError
 from contourlab.feed import Reference, ReferenceBlock
 from contourlab.geometry.view import PathView
 from contourlab.loop.feeding import Feed, Learned
+from contourlab.loop.judging import watched
 from contourlab.loop.machine import Controller, Machine
 from contourlab.loop.reconfigure import Change, prepared, taken_over
 from contourlab.loop.template import Loop, build
 from contourlab.loop.tool import ToolPosition
-from contourlab.loop.watch import watched
 from contourlab.result import Result, Signal, Status
 
 Array = NDArray[np.float64]
@@ -217,7 +217,9 @@ def simulate_blocks(
     due = prepared(changes, machine, controller, reference, given, compiled)
     tool = ToolPosition(machine, seed, trial)
     wanted = _wanted([loop, *(one.loop for one in due)], signals)
-    for start, stop in _spans(reference.n_sample, block, [one.sample for one in due]):
+    # A block also ends where a controller takes over.
+    edges = sorted({*range(0, reference.n_sample, block), *(one.sample for one in due), reference.n_sample})
+    for start, stop in pairwise(edges):
         if due and due[0].sample == start:
             loop, group = taken_over(due.pop(0), machine, reference, given, group, compiled)
         asked, fed = feed.block(start, stop)
@@ -233,12 +235,6 @@ def simulate_blocks(
         yield {name: data for name, data in found.items() if name in wanted}, status
         if not status.ok:
             return
-
-
-def _spans(n_sample: int, block: int, ends: Sequence[int]) -> Iterator[tuple[int, int]]:
-    """Yield the first sample of each block and that after its last; a block also ends at each of `ends`."""
-    edges = sorted({*range(0, n_sample, block), *(end for end in ends if end < n_sample), n_sample})
-    yield from pairwise(edges)
 
 
 _SUPERVISED = ("active_controller", "switch_reason")

@@ -21,12 +21,11 @@ from contourlab.engine.schedule import Late, Schedule
 from contourlab.feed import Reference
 from contourlab.geometry.view import PathView, view_of
 from contourlab.loop.feeding import LEARNED_COMMAND, LEARNED_REFERENCE, Feed, Learned
+from contourlab.loop.judging import TrialJudge, watched
 from contourlab.loop.machine import AxisController, Controller, Machine
 from contourlab.loop.simulate import BLOCK, jit_enabled, sampler
 from contourlab.loop.template import Loop, build
 from contourlab.loop.tool import ToolPosition
-from contourlab.loop.trial_judge import TrialJudge
-from contourlab.loop.watch import watched
 from contourlab.metrics.judge import reach
 from contourlab.result import Status
 

@@ -13,7 +13,7 @@ from refusals import refuses
 from scipy.linalg import expm
 
 from contourlab.analysis.backlash.exact_simulation import simulate_exact
-from contourlab.analysis.linear.small_exponential import exponentials
+from contourlab.analysis.backlash.mode_flow import exponentials
 from contourlab.errors import ParameterError
 from contourlab.papers.shahin.two_inertia_loop import TwoInertias, motor_pid, p_pi_cascade, two_inertia_loop
 

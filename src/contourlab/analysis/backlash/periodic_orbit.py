@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -44,12 +44,6 @@ class PeriodicOrbit:
         Amplitude over half of the gap.
     multipliers : ndarray (m,) of complex
         Floquet multipliers by falling size; the one at 1 along the orbit is left out.
-    residual : float
-        Gap between start and end, over the size of the orbit.
-    modes : tuple of int
-        Modes that it runs through in a period, from `start` on.
-    run : ExactRun
-        One period.
     """
 
     period: float
@@ -57,9 +51,6 @@ class PeriodicOrbit:
     amplitude: float
     ratio: float
     multipliers: Complex
-    residual: float
-    modes: tuple[int, ...]
-    run: ExactRun = field(repr=False)
 
     @property
     def frequency(self) -> float:
@@ -240,9 +231,8 @@ def _orbit(shooter: Shooter, shot: Shot, period: float) -> PeriodicOrbit | None:
     multipliers = np.linalg.eigvals(shot.jacobian).astype(np.complex128)
     multipliers = np.delete(multipliers, int(np.argmin(np.abs(multipliers - 1.0))))
     multipliers = multipliers[np.argsort(-np.abs(multipliers))]
-    residual = float(np.abs((shot.end - shot.start) / _size(shot)).max())
     ratio = amplitude / loop.half_gap
-    return PeriodicOrbit(period, shot.start[: loop.n], amplitude, ratio, multipliers, residual, shot.modes, run)
+    return PeriodicOrbit(period, shot.start[: loop.n], amplitude, ratio, multipliers)
 
 
 def _half_range(values: Array) -> float:

@@ -136,13 +136,10 @@ class EllipseFit:
     constants : QuadratureConstants
     scatter : float
         Distance of the corrected points from their circle, rms, over the radius: noise, converter steps and harmonics.
-    covered : float
-        Part of the circle that holds samples, 0 to 1.
     """
 
     constants: QuadratureConstants
     scatter: float
-    covered: float
 
 
 def fit_ellipse(u1: ArrayLike, u2: ArrayLike) -> EllipseFit:
@@ -216,7 +213,7 @@ def _judged(found: QuadratureConstants, first: Array, second: Array) -> EllipseF
     if covered < 1.0:
         shown = f"{100.0 * covered:.0f} % of the circle"
         raise ParameterError("signals", shown, "from all round it: the axis has to move a pitch or more, at changing phases")
-    return EllipseFit(found, scatter, covered)
+    return EllipseFit(found, scatter)
 
 
 @dataclass(frozen=True)
@@ -281,9 +278,6 @@ def subdivisional_error(position_error: ArrayLike, phase: ArrayLike, orders: int
     sums = sum(weights[2 * k] * np.cos(k * one) + weights[2 * k + 1] * np.sin(k * one) for k in range(1, orders + 1))
     amplitudes = tuple(float(np.hypot(weights[2 * k], weights[2 * k + 1])) for k in range(1, orders + 1))
     return Subdivisional(float(np.abs(sums).max()), amplitudes, math.sqrt(square / error.size))
-
-
-BLOCK = 1 << 16
 
 
 @dataclass(frozen=True, eq=False)

@@ -242,8 +242,6 @@ def fit_two_inertia(measured: MeasuredResponse, side: str = "motor") -> DriveFit
     ParameterError
         If there are fewer than 8 points, a mass comes out below zero, or the parameters are not told apart.
     """
-    if side not in ("motor", "load"):
-        raise ParameterError("side", repr(side), "one of 'motor', 'load'")
     points = _points(measured, 8)
     rigid = _fitted(points, linear_motor, _rigid_start(points))
 

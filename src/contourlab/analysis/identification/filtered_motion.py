@@ -59,8 +59,6 @@ def filtered_motion(position: ArrayLike, period: float, *, cutoff: float, order:
     nyquist = 0.5 / period
     if not 0.0 < cutoff < nyquist:
         raise ParameterError("cutoff", f"{cutoff:g}", f"> 0 and below the Nyquist frequency of the record, {nyquist:g}", "Hz")
-    if not (isinstance(order, int) and order >= 1):
-        raise ParameterError("order", order, "a whole number of 1 or more")
     padding = 3 * order
     if measured.size <= padding:
         raise ParameterError("position", f"{measured.size} samples", f"more than the {padding} that the filter starts with")
@@ -104,8 +102,6 @@ def decimate(signal: ArrayLike, factor: int) -> Array:
     from scipy.signal import cheby1, sosfiltfilt
 
     y = np.asarray(signal, dtype=float)
-    if not (isinstance(factor, int) and factor >= 1):
-        raise ParameterError("decimation", factor, "a whole number of 1 or more")
     if factor == 1:
         return y
     padding, n = 3 * ANTI_ALIAS_ORDER, y.shape[0]

@@ -300,9 +300,7 @@ def _remarks(
         if chosen.bends_both_ways:
             remarks.append("friction dips from rest in one direction and rises in the other: one law for both has the mean")
         elif chosen.rises:
-            remarks.append(
-                f"concave: friction rises from {1e3 * w.min():.3g} mm/s on to its Coulomb level over vs: no Stribeck dip"
-            )
+            remarks.append(f"concave: friction rises from {1e3 * w.min():.3g} mm/s on to its Coulomb level over vs: no Stribeck dip")
         elif chosen["vs"] < 1.2 * w.min():
             remarks.append(f"vs is below the slowest run, {1e3 * w.min():.3g} mm/s: the level at rest is a guess from one speed")
             usable = False
@@ -310,9 +308,7 @@ def _remarks(
         remarks.append(f"no Stribeck effect is visible: the slowest run is at {1e3 * w.min():.3g} mm/s")
     level, deviation = _level(chosen)
     if both and chosen.fit < EXPLAINED:
-        remarks.append(
-            f"the curve explains {chosen.fit:.3g} % of the command: more than friction acts, or it belongs to another axis"
-        )
+        remarks.append(f"the curve explains {chosen.fit:.3g} % of the command: more than friction acts, or it belongs to another axis")
         usable = False
     if chosen.fit < EXPLAINED and level < 2.0 * deviation:
         remarks.append(f"friction is not distinguishable from the scatter: {level:.4g} with a standard deviation of {deviation:.2g}")

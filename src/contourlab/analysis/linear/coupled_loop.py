@@ -14,9 +14,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from contourlab.analysis.linear.delay_form import DelayForm
 from contourlab.analysis.linear.sampled_loop import SampledLoop, checked_frequency, sampled_loop
-from contourlab.analysis.linear.tick_map import live_states, poles_of
+from contourlab.analysis.linear.tick_map import DelayForm, live_states, poles_of
 from contourlab.components.contract import Component
 from contourlab.engine.step import pack, record, unpack
 from contourlab.errors import ComponentError
@@ -55,21 +54,6 @@ class AxisLink:
     r: Array
     position: Array
     command: Array
-
-    def response(self, frequency: ArrayLike) -> tuple[Complex, Complex]:
-        """Return position over added command, P/(1 + P C), and the complementary sensitivity T = P C/(1 + P C).
-
-        Parameters
-        ----------
-        frequency : array_like (n,) [rad/s]
-            Above 0 and up to the Nyquist frequency.
-        """
-        found = self.form(frequency)
-        return found[:, 0, 0], 1.0 - found[:, 1, 0]
-
-    def shifted(self, frequency: ArrayLike) -> Complex:
-        """Return position over a shift of the reference alone, without feedforward of its derivatives: (n,)."""
-        return np.asarray(self.form(frequency)[:, 0, 1])
 
     def form(self, frequency: ArrayLike) -> Complex:
         """Return position and command over added command and shift of the reference: (n, 2, 2)."""

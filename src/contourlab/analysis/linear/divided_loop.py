@@ -26,10 +26,10 @@ from contourlab.engine.schedule import Late, Schedule
 from contourlab.engine.step import Port
 from contourlab.errors import ComponentError, ParameterError
 from contourlab.geometry import Line, Path
-from contourlab.loop.division import Division
+from contourlab.loop.axis_parts import Division
+from contourlab.loop.judging import WATCH
 from contourlab.loop.machine import AxisController, Controller, Machine
 from contourlab.loop.template import build
-from contourlab.loop.watch import NAME as WATCH
 
 Array = NDArray[np.float64]
 
@@ -67,7 +67,6 @@ class DividedLoop:
 
     Attributes
     ----------
-    servo_period : float [s]
     a : ndarray (n, n)
     b, c : ndarray (n, m), (m, n)
     e : ndarray (m, m)
@@ -76,7 +75,6 @@ class DividedLoop:
         Axis and direction, ``"down"`` or ``"up"``, of each signal that is part of the loop.
     """
 
-    servo_period: float
     a: Array
     b: Array
     c: Array
@@ -109,10 +107,6 @@ class DividedLoop:
         for k in range(repeat):
             product = at(tuple((k - t.taken) % t.spacing == 0 for t in timings)) @ product
         return float(np.abs(poles_of(product)).max(initial=0.0) ** (1.0 / repeat))
-
-    def stable(self, down: LinkTiming, up: LinkTiming) -> bool:
-        """Return whether errors decay."""
-        return self.growth(down, up) < 1.0
 
     def _tick(self, timings: Sequence[LinkTiming], fresh: tuple[bool, ...]) -> Array:
         """Return the matrix of a tick on the states, the messages on their way signal by signal, and the last values received."""
@@ -216,7 +210,7 @@ def _cut(whole: Schedule, names: Sequence[str]) -> DividedLoop:
             c[i], e[i] = found.a[row], b[row]
     # Signals from outside, such as the reference, are no part of the loop.
     kept = np.flatnonzero(c.any(axis=1) | e.any(axis=1))
-    return DividedLoop(whole.period, found.a, b[:, kept], c[kept], e[np.ix_(kept, kept)], tuple(list(links.values())[i] for i in kept))
+    return DividedLoop(found.a, b[:, kept], c[kept], e[np.ix_(kept, kept)], tuple(list(links.values())[i] for i in kept))
 
 
 def link_growth(machine: Machine, controller: Controller) -> float:

@@ -16,17 +16,16 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from contourlab.analysis.linear.delay_form import DelayForm
 from contourlab.analysis.linear.margins import Margins, frequency_grid, margins
-from contourlab.analysis.linear.tick_map import TickMap, poles_of, tick_map
+from contourlab.analysis.linear.tick_map import DelayForm, TickMap, poles_of, tick_map
 from contourlab.components.contract import Component
 from contourlab.engine.schedule import Schedule
 from contourlab.engine.step import Port
 from contourlab.errors import ComponentError, ParameterError
 from contourlab.geometry import Line, Path
+from contourlab.loop.judging import WATCH
 from contourlab.loop.machine import Axis, AxisController, Controller, Machine
 from contourlab.loop.template import EXTERNALS, build
-from contourlab.loop.watch import NAME as WATCH
 
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
