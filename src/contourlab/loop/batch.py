@@ -238,12 +238,12 @@ def _signal(loop: Loop, name: str) -> tuple[str, ...]:
 
 
 def _split(kept: Array, n: int, keep: Sequence[str], loop: Loop) -> dict[str, Array]:
-    found, column = {}, 0
+    signals, column = {}, 0
     for name in keep:
         width = len(loop.signals[name])
         part = kept[:, :, column : column + width]
         # One group is handed out as it lies; several are put side by side.
         joined = part[0] if len(part) == 1 else np.concatenate(list(part), axis=2)
-        found[name] = joined[:, :, :n]
+        signals[name] = joined[:, :, :n]
         column += width
-    return found
+    return signals

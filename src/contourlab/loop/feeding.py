@@ -101,9 +101,9 @@ class Feed:
 
     def _taught(self, name: str) -> Array:
         assert self.learned is not None  # said by the names
-        found = self.learned.command if name == LEARNED_COMMAND else self.learned.reference
-        assert found is not None
-        return found
+        table = self.learned.command if name == LEARNED_COMMAND else self.learned.reference
+        assert table is not None
+        return table
 
     def _coming(self, start: int, stop: int) -> Array:
         """Return the positions asked for some ticks later; after the end the last one holds."""

@@ -77,28 +77,28 @@ def sums_of(groups: list[Group], node: str, n: int) -> Array:
 
 def error_figures(sums: Array, failed: NDArray[np.int64], period: float) -> dict[str, Array]:
     """Return the figures of the judge's sums (rows as of `SUMS`); NaN for a lane that failed."""
-    one = dict(zip(SUMS, sums, strict=True))
-    count = np.maximum(one["count"], 1.0)
+    total = dict(zip(SUMS, sums, strict=True))
+    count = np.maximum(total["count"], 1.0)
     figures = {
-        "contour_error_rms": np.sqrt(one["sum_square"] / count),
-        "contour_error_mean": one["sum_magnitude"] / count,
-        "contour_error_max": one["largest"],
-        "contour_error_max_time": one["largest_at"] * period,
-        "contour_error_signed_mean": one["sum_signed"] / count,
-        "contour_error_integral": one["sum_magnitude"] * period,
-        "tracking_error_rms": np.sqrt(one["sum_tracking"] / count),
-        "tracking_error_max": np.sqrt(one["largest_tracking"]),
+        "contour_error_rms": np.sqrt(total["sum_square"] / count),
+        "contour_error_mean": total["sum_magnitude"] / count,
+        "contour_error_max": total["largest"],
+        "contour_error_max_time": total["largest_at"] * period,
+        "contour_error_signed_mean": total["sum_signed"] / count,
+        "contour_error_integral": total["sum_magnitude"] * period,
+        "tracking_error_rms": np.sqrt(total["sum_tracking"] / count),
+        "tracking_error_max": np.sqrt(total["largest_tracking"]),
     }
     return {name: np.where(failed < 0, values, np.nan) for name, values in figures.items()}
 
 
 def effort_figures(sums: Array, failed: NDArray[np.int64], period: float) -> dict[str, Array]:
     """Return the figures of the drives' sums (rows as of `EFFORT_SUMS`); NaN for a lane that failed."""
-    one = dict(zip(EFFORT_SUMS, sums, strict=True))
+    total = dict(zip(EFFORT_SUMS, sums, strict=True))
     figures = {
-        "command_energy": one["sum_square"] * period,
-        "command_largest": one["largest"],
-        "limited_share": one["limited"] / np.maximum(one["count"], 1.0),
+        "command_energy": total["sum_square"] * period,
+        "command_largest": total["largest"],
+        "limited_share": total["limited"] / np.maximum(total["count"], 1.0),
     }
     return {name: np.where(failed < 0, values, np.nan) for name, values in figures.items()}
 

@@ -105,8 +105,8 @@ class Machine:
         free = [axis for axis in self.axes if not np.isfinite(axis.limits.velocity)]
         if free:
             raise FeedError(f"{self._place(free[0])} has no velocity limit to plan with: give it limits.velocity")
-        found = [axis.limits for axis in self.axes]
-        limits = AxisLimits([x.velocity for x in found], [x.acceleration for x in found], [x.jerk for x in found])
+        per_axis = [axis.limits for axis in self.axes]
+        limits = AxisLimits([x.velocity for x in per_axis], [x.acceleration for x in per_axis], [x.jerk for x in per_axis])
         if limits.unbounded.any():
             steep = self.axes[int(np.argmax(limits.unbounded))]
             raise FeedError(f"{self._place(steep)} has no limit for its ramps: give it limits.acceleration, limits.jerk, or both")
@@ -160,12 +160,12 @@ class Machine:
 
     def carriers(self, name: str) -> list[str]:
         """Return the axes that carry `name`, nearest first."""
-        found: list[str] = []
+        carriers: list[str] = []
         below = self.axis(name).mounted_on
-        while below and below not in found:
-            found.append(below)
+        while below and below not in carriers:
+            carriers.append(below)
             below = self.axis(below).mounted_on
-        return found
+        return carriers
 
     def carried_mass(self, name: str) -> float:
         """Return the mass [kg] of all the modules that stand on an axis."""
@@ -289,11 +289,11 @@ def parameter_names(machine: Machine, controller: Controller) -> dict[str, Any]:
 
     Names read ``axes.x.plant.gain``, ``controller.axes.x.observer.bandwidth``, ``controller.coupling.weight``.
     """
-    found: dict[str, Any] = {}
+    parameters: dict[str, Any] = {}
 
     def collect(prefix: str, part: Component | None) -> None:
         if part is not None:
-            found.update({f"{prefix}.{name}": (part, name) for name in part.numeric()})
+            parameters.update({f"{prefix}.{name}": (part, name) for name in part.numeric()})
 
     for axis in machine.axes:
         for slot in AXIS_SLOTS:
@@ -307,4 +307,4 @@ def parameter_names(machine: Machine, controller: Controller) -> dict[str, Any]:
             collect(f"controller.axes.{axis.name}.link.{direction}", getattr(parts.link, direction))
     collect("controller.estimator", controller.estimator)
     collect("controller.coupling", controller.coupling)
-    return found
+    return parameters

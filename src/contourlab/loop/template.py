@@ -66,7 +66,7 @@ def signal_map(builder: Builder, sensing: Mapping[str, Sensing]) -> dict[str, tu
     def plain(wire: Any) -> str:
         return str(wire.signal if isinstance(wire, Late) else wire)
 
-    found = {
+    signals = {
         "position": tuple(plain(sensing[name].measured) for name in builder.names),
         "axis_position": tuple(f"{name}.plant.position" for name in builder.names),
         "axis_velocity": tuple(f"{name}.plant.velocity" for name in builder.names),
@@ -74,15 +74,15 @@ def signal_map(builder: Builder, sensing: Mapping[str, Sensing]) -> dict[str, tu
         "command": tuple(builder.arrived.get(name, builder.command(name)) for name in builder.names),
         "applied_command": tuple(f"{name}.drive.applied" for name in builder.names),
     }
-    found |= _inside(builder)
+    signals |= _inside(builder)
     if all(builder.controller.axes[name].observer is not None for name in builder.names):
-        found["disturbance_estimate"] = tuple(f"{name}.observer.disturbance_estimate" for name in builder.names)
+        signals["disturbance_estimate"] = tuple(f"{name}.observer.disturbance_estimate" for name in builder.names)
     if builder.controller.estimator is not None:
-        found["contour_error_estimate"] = ("estimator.contour_error_estimate",)
+        signals["contour_error_estimate"] = ("estimator.contour_error_estimate",)
     for output, signal in (("modified_reference", "modified_reference"), ("correction", "coupling_command")):
         if builder.coupled(output):
-            found[signal] = tuple(f"coupling.{output}[{j}]" for j in range(len(builder.names)))
-    return found
+            signals[signal] = tuple(f"coupling.{output}[{j}]" for j in range(len(builder.names)))
+    return signals
 
 
 def _inside(builder: Builder) -> dict[str, tuple[str, ...]]:
@@ -96,13 +96,13 @@ def _inside(builder: Builder) -> dict[str, tuple[str, ...]]:
         (led, {"active_controller": ("supervisor.active", NOTHING), "switch_reason": ("supervisor.reason", NOTHING)}),
         (watched, {signal: (f"gap_observer.{port}", NOTHING) for signal, port in _OBSERVED.items()}),
     )
-    found: dict[str, tuple[str, ...]] = {}
+    inside: dict[str, tuple[str, ...]] = {}
     for having, signals in groups:
         for signal, (there, otherwise) in signals.items() if any(having.values()) else ():
-            found[signal] = tuple(f"{name}.{there if having[name] else otherwise}" for name in builder.names)
-    for name in {wire.partition(".")[0] for wires in found.values() for wire in wires if wire.endswith(NOTHING)}:
+            inside[signal] = tuple(f"{name}.{there if having[name] else otherwise}" for name in builder.names)
+    for name in {wire.partition(".")[0] for wires in inside.values() for wire in wires if wire.endswith(NOTHING)}:
         builder.nodes.append(constant_node(f"{name}.{NOTHING.partition('.')[0]}"))
-    return found
+    return inside
 
 
 @dataclass(frozen=True)
@@ -180,15 +180,15 @@ class _Slots(Builder):
     def wires_of(self, part: Component, axis: str, offered: Mapping[str, Any]) -> dict[str, Any]:
         """Return the wires of a part's inputs: what is offered, what is seen of both sides of the drive, what is observed of its gap."""
         seen = self.sensing[axis]
-        found = {}
+        wires = {}
         for port in part.inputs:
             if port.name in offered:
-                found[port.name] = offered[port.name]
+                wires[port.name] = offered[port.name]
             elif port.name.startswith(("motor_", "load_")):
-                found[port.name] = seen.both_sides(port.name)
+                wires[port.name] = seen.both_sides(port.name)
             else:
-                found[port.name] = seen.observed_gap(port.name)
-        return found
+                wires[port.name] = seen.observed_gap(port.name)
+        return wires
 
     def decide(self, name: str, at: float, offered: Mapping[str, Any]) -> None:
         """Add the controllers of an axis and, where there are several, their supervisor and the hand-over."""

@@ -230,8 +230,8 @@ class Trials:
             path = self.reference.path
             if doubtful.size > MOST_DOUBTFUL * len(tool):  # the tool is so far off that nearer places may be overlooked without a doubt
                 doubtful = np.arange(len(tool))
-            found = path.foot_point(tool[doubtful], self.arc_length[doubtful], reach(path, self.position - tool))
-            contour[doubtful] = found.signed if path.is_planar else found.distance
+            feet = path.foot_point(tool[doubtful], self.arc_length[doubtful], reach(path, self.position - tool))
+            contour[doubtful] = feet.signed if path.is_planar else feet.distance
         size = np.abs(contour[slice(*self.window)])
         return tool, vector, contour, (float(np.sqrt(np.mean(size**2))), float(size.max()), float(size.mean()))
 

@@ -203,7 +203,7 @@ def real_frequencies(loop: BacklashLoop) -> list[float]:
 
 def _polished(loop: BacklashLoop, near: Array) -> list[float]:
     """Refine frequencies at which G is nearly real, and drop those where it is not."""
-    found: list[float] = []
+    frequencies: list[float] = []
     for w in near:
         for _ in range(30):
             here = loop.transfer(np.array([w, w * (1.0 + 1e-6)]))
@@ -215,19 +215,19 @@ def _polished(loop: BacklashLoop, near: Array) -> list[float]:
         around = loop.transfer(w * np.array([1.0 - 1e-3, 1.0, 1.0 + 1e-3])).imag
         # G has to pass through the real axis there: far below all rates it is real but for rounding, everywhere.
         crosses = around[0] * around[2] < 0.0 and abs(around[1]) <= 1e-3 * min(abs(around[0]), abs(around[2]))
-        if crosses and not any(abs(w - other) < 1e-9 * w for other in found):
-            found.append(float(w))
-    return found
+        if crosses and not any(abs(w - other) < 1e-9 * w for other in frequencies):
+            frequencies.append(float(w))
+    return frequencies
 
 
 def _undamped(loop: BacklashLoop) -> list[tuple[float, float]]:
     """Return amplitude ratio and frequency of all solutions for a dead zone."""
-    found = []
+    solutions = []
     for w in real_frequencies(loop):
         reach = -loop.stiffness * float(loop.transfer(np.array([w]))[0].real)
         if reach > 1.0:
-            found.append((inverse_dead_zone_gain(1.0 / reach), w))
-    return found
+            solutions.append((inverse_dead_zone_gain(1.0 / reach), w))
+    return solutions
 
 
 def _damped(loop: BacklashLoop) -> list[tuple[float, float]]:
@@ -237,12 +237,12 @@ def _damped(loop: BacklashLoop) -> list[tuple[float, float]]:
     gain = loop.transfer(w)
     values = 1.0 + loop.stiffness * harmonic(ratios[:, None], w[None, :] * loop.shaft_damping / loop.stiffness) * gain[None, :]
     cells = np.argwhere(_may_vanish(values.real) & _may_vanish(values.imag))
-    found: list[tuple[float, float]] = []
+    solutions: list[tuple[float, float]] = []
     for i, j in cells:
         at = _solved(loop, math.sqrt((ratios[i] - 1.0) * (ratios[i + 1] - 1.0)), math.sqrt(w[j] * w[j + 1]))
-        if at is not None and not any(abs(at[0] / r - 1.0) < 1e-6 and abs(at[1] / v - 1.0) < 1e-6 for r, v in found):
-            found.append(at)
-    return found
+        if at is not None and not any(abs(at[0] / r - 1.0) < 1e-6 and abs(at[1] / v - 1.0) < 1e-6 for r, v in solutions):
+            solutions.append(at)
+    return solutions
 
 
 def _frequencies(loop: BacklashLoop) -> Array:

@@ -147,8 +147,8 @@ class BacklashLoop:
         scale, w = self.balance, np.asarray(frequency, dtype=float)
         a, b, c = self.a * scale / scale[:, None], self.b / scale, self.c * scale
         matrix = 1j * w.reshape(-1, 1, 1) * np.eye(self.n) - a
-        found = np.linalg.solve(matrix, np.broadcast_to(b[:, None], (w.size, self.n, 1)).astype(complex))
-        return np.asarray((found[..., 0] @ c).reshape(w.shape))
+        response = np.linalg.solve(matrix, np.broadcast_to(b[:, None], (w.size, self.n, 1)).astype(complex))
+        return np.asarray((response[..., 0] @ c).reshape(w.shape))
 
     def require_one_controller(self, what: str) -> None:
         """Raise ParameterError where the controller changes with the mode."""

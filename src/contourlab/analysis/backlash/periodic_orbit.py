@@ -92,18 +92,18 @@ class Shooter:
         """Return the end of a motion from y (n,) and its Jacobian (n, n)."""
         flow, x = self.flow, y[: self.flow.n]
         w, mode = flow.lengthened(x, self._twist(y))
-        found = tuple(spans(flow, w, mode, duration, MOST))
-        if found[-1].time + found[-1].duration < duration * (1.0 - 1e-9):
+        motion = tuple(spans(flow, w, mode, duration, MOST))
+        if motion[-1].time + motion[-1].duration < duration * (1.0 - 1e-9):
             raise ParameterError("start", "a motion that runs away", "one that comes back")
         jacobian = np.eye(flow.size)
-        for span in found:
+        for span in motion:
             jacobian = flow.exponential(span.mode, span.duration) @ jacobian
-            if span.following is not None and span is not found[-1]:
+            if span.following is not None and span is not motion[-1]:
                 jacobian = _saltation(flow, span.mode, span.following, span.end) @ jacobian
-        last = found[-1]
+        last = motion[-1]
         slope = flow.matrices[last.mode] @ last.end
-        end, modes = self._settled(last), tuple(span.mode for span in found)
-        return Shot(w[: self.n], end, jacobian[: self.n, : self.n], slope[: self.n], modes, found)
+        end, modes = self._settled(last), tuple(span.mode for span in motion)
+        return Shot(w[: self.n], end, jacobian[: self.n, : self.n], slope[: self.n], modes, motion)
 
     def _twist(self, y: Array) -> float | None:
         """Return the twist of a start, limited to what contact allows."""
@@ -221,9 +221,9 @@ def _size(shot: Shot) -> Array:
 
 def _orbit(shooter: Shooter, shot: Shot, period: float) -> PeriodicOrbit | None:
     """Return a closed shot as an orbit, unless it is a point of rest."""
-    loop, found = shooter.flow.loop, shot.found
-    times, modes = np.array([span.time for span in found]), np.array([span.mode for span in found], dtype=np.int64)
-    run = ExactRun(loop, period, times, modes, False, shooter.flow, found)
+    loop, motion = shooter.flow.loop, shot.found
+    times, modes = np.array([span.time for span in motion]), np.array([span.mode for span in motion], dtype=np.int64)
+    run = ExactRun(loop, period, times, modes, False, shooter.flow, motion)
     difference = run.difference(np.linspace(0.0, period, SAMPLES + 1))
     amplitude = _half_range(difference)
     if amplitude < loop.half_gap:
@@ -351,8 +351,8 @@ def _first_look(loop: BacklashLoop) -> float:
     return 100.0 * 2.0 * math.pi / max(slowest, 1e-300)
 
 
-def _same(one: PeriodicOrbit, other: PeriodicOrbit) -> bool:
+def _same(orbit: PeriodicOrbit, other: PeriodicOrbit) -> bool:
     """Whether two orbits are equal, or one is several rounds of the other."""
-    rounds = one.period / other.period
+    rounds = orbit.period / other.period
     whole = max(round(rounds), 1) if rounds >= 1.0 else 1.0 / max(round(1.0 / rounds), 1)
-    return abs(rounds / whole - 1.0) < 1e-6 and abs(one.amplitude / other.amplitude - 1.0) < 1e-5
+    return abs(rounds / whole - 1.0) < 1e-6 and abs(orbit.amplitude / other.amplitude - 1.0) < 1e-5

@@ -196,10 +196,10 @@ def _rigid_start(points: _Points) -> dict[str, Free]:
         inverse = hold * np.exp(-s * delay) / points.speed(points.response)
         w = points.weight / np.abs(inverse)
         columns = np.concatenate([np.column_stack([0.0 * w, w]), np.column_stack([s.imag * w, 0.0 * w])])
-        found, *_ = np.linalg.lstsq(columns, np.concatenate([inverse.real * w, inverse.imag * w]), rcond=None)
-        cost = float(np.sum((columns @ found - np.concatenate([inverse.real * w, inverse.imag * w])) ** 2))
-        if cost < least and found[0] > 0.0:
-            best, least = (float(found[0]), float(found[1]), float(delay)), cost
+        solution, *_ = np.linalg.lstsq(columns, np.concatenate([inverse.real * w, inverse.imag * w]), rcond=None)
+        cost = float(np.sum((columns @ solution - np.concatenate([inverse.real * w, inverse.imag * w])) ** 2))
+        if cost < least and solution[0] > 0.0:
+            best, least = (float(solution[0]), float(solution[1]), float(delay)), cost
     mass, damping, delay = best
     if mass <= 0.0:
         raise ParameterError("M", "below zero", "> 0: the axis goes against its command; reverse the sign of one of the two")
@@ -344,19 +344,19 @@ def _fitted(points: _Points, model: Callable[[Parameters, Complex], Complex], fr
     def response(x: Parameters) -> Complex:
         return held_response(lambda s: model(x, s), points.frequency, points.period)
 
-    found = fit_output(lambda x: points.row(response(x)), points.measured, free)
+    output_fit = fit_output(lambda x: points.row(response(x)), points.measured, free)
     # Points over frequency are not a record in time, and often few: colour may not lower a deviation.
-    found = replace(found, robust_deviations=np.maximum(found.deviations, found.robust_deviations))
-    predicted = response(dict(zip(found.names, found.values.tolist(), strict=True)))
+    output_fit = replace(output_fit, robust_deviations=np.maximum(output_fit.deviations, output_fit.robust_deviations))
+    predicted = response(dict(zip(output_fit.names, output_fit.values.tolist(), strict=True)))
     fit = fit_percent(points.speed(points.response), points.speed(predicted))
     remarks, usable = [], True
     if points.left_out:
         remarks.append(f"{points.left_out} points within the noise are left out, by coherence or deviation")
-    for name in found.names:
-        value, deviation = found[name], found.deviation(name)
+    for name in output_fit.names:
+        value, deviation = output_fit[name], output_fit.deviation(name)
         if name == "delay" and value < 1e-3 * points.period:
             remarks.append("no delay is visible")
-        elif name in found.at_bound:
+        elif name in output_fit.at_bound:
             remarks.append(f"{name} = {value:.3g} is at the bound of what is looked for: this response does not determine it")
             usable = usable and name not in VITAL
         elif deviation > 0.01 * WELL_KNOWN * abs(value) and not (name == "delay" and deviation < points.period):
@@ -365,7 +365,7 @@ def _fitted(points: _Points, model: Callable[[Parameters, Complex], Complex], fr
     if fit < EXPLAINED:
         remarks.append(f"the model explains {fit:.3g} % of the response: a resonance, a delay or friction of another kind is at work")
         usable = usable and fit > 0.5 * EXPLAINED
-    return DriveFit(found, points.frequency, points.response, predicted, fit, usable, tuple(remarks))
+    return DriveFit(output_fit, points.frequency, points.response, predicted, fit, usable, tuple(remarks))
 
 
 def _with_resonance(points: _Points, fit: DriveFit, rigid: DriveFit) -> DriveFit:
@@ -382,9 +382,9 @@ def _with_resonance(points: _Points, fit: DriveFit, rigid: DriveFit) -> DriveFit
         remarks.append("the load's side does not show the share of the motor: load, stiffness and shaft damping depend on the given mass")
     n = 2 * points.frequency.size
 
-    def criterion(one: DriveFit) -> float:
-        left = float(np.sum((one.found.measured - one.found.predicted) ** 2))
-        k = len(one.found.names) + 1
+    def criterion(fitted: DriveFit) -> float:
+        left = float(np.sum((fitted.found.measured - fitted.found.predicted) ** 2))
+        k = len(fitted.found.names) + 1
         return n * math.log(max(left / n, 1e-300)) + 2.0 * k + 2.0 * k * (k + 1) / max(n - k - 1, 1)
 
     if criterion(fit) > criterion(rigid) - 2.0:

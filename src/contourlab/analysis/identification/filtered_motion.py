@@ -156,14 +156,14 @@ def even_record(time: ArrayLike, signals: Mapping[str, ArrayLike], shortest: int
         raise ParameterError("time", f"shape {t.shape}", "one record, (n,)")
     if t.size < shortest:
         raise ParameterError("time", f"{t.size} samples", f"a record of at least {shortest}")
-    found = []
+    arrays = []
     for name, values in (("time", t), *signals.items()):
         array = np.asarray(values, dtype=float)
         if array.shape != t.shape:
             raise ParameterError(name, f"shape {array.shape}", f"as long as time, {t.shape}")
         require_finite(name, array)
-        found.append(array)
+        arrays.append(array)
     period = float(t[-1] - t[0]) / (t.size - 1)
     if not (period > 0.0 and np.all(np.abs(np.diff(t) - period) <= JITTER * period)):
         raise ParameterError("time", "a record", "rising and evenly spaced: resample it first")
-    return period, found
+    return period, arrays

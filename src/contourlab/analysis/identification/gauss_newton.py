@@ -172,10 +172,10 @@ def jacobian(residuals: Residuals, x: Array, r: Array, low: Array, high: Array, 
     points = np.repeat(x[None], 2 * p, axis=0)
     points[np.arange(p), np.arange(p)] = up
     points[p + np.arange(p), np.arange(p)] = down
-    found = residuals(points)
+    around = residuals(points)
     slopes = np.zeros((r.size, p))
     for i in range(p):
-        above, below = found[i], found[p + i]
+        above, below = around[i], around[p + i]
         (top, at_top) = (above, up[i]) if np.isfinite(above).all() else (r, x[i])
         (bottom, at_bottom) = (below, down[i]) if np.isfinite(below).all() else (r, x[i])
         if at_top > at_bottom:
@@ -285,10 +285,10 @@ def fit_covariance(jacobians: Sequence[Array], residuals: Sequence[Array], floor
     lags = max(_remembered(r) for r in residuals)
     pushed = [np.einsum("ncp,nc->np", j, r) for j, r in zip(jacobians, residuals, strict=True)]
     windows = flat_top(lags), bartlett(2 * lags - 1)
-    found = [inverse @ sum(long_run(part, window) for part in pushed) @ inverse * (left.size / spare) for window in windows]
+    covariances = [inverse @ sum(long_run(part, window) for part in pushed) @ inverse * (left.size / spare) for window in windows]
     # Never below Bartlett's window or the white deviation; correlations stay.
-    covariance, own = found[0], np.diag(found[0]).copy()
-    least = np.maximum(np.diag(found[1]), white**2)
+    covariance, own = covariances[0], np.diag(covariances[0]).copy()
+    least = np.maximum(np.diag(covariances[1]), white**2)
     raised = np.sqrt(np.where(own > 0.0, np.maximum(own, least) / np.where(own > 0.0, own, 1.0), 0.0))
     covariance = covariance * np.outer(raised, raised)
     np.fill_diagonal(covariance, np.maximum(own, least))

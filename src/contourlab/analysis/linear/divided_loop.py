@@ -184,7 +184,7 @@ def _cut(whole: Schedule, names: Sequence[str]) -> DividedLoop:
 
     def led(wire: Any) -> Any:
         if isinstance(wire, tuple):
-            return tuple(led(one) for one in wire)
+            return tuple(led(part) for part in wire)
         return inputs.get(wire, wire) if isinstance(wire, str) else wire
 
     nodes, sent = [], []
@@ -196,21 +196,21 @@ def _cut(whole: Schedule, names: Sequence[str]) -> DividedLoop:
             # The place on the path does not matter: it is straight.
             nodes.append(replace(node, wires={**wires, "arc_length": 0.0} if "arc_length" in wires else wires))
     externals = (*whole.externals, *(Port(f"received_{i}") for i in range(len(links))))
-    found = tick_map(Schedule(tuple(nodes), externals, whole.period, len(nodes)))
-    n, m = len(found.a), len(links)
-    b = found.b[:, [found.column(f"in.received_{i}") for i in range(m)]]
+    whole_map = tick_map(Schedule(tuple(nodes), externals, whole.period, len(nodes)))
+    n, m = len(whole_map.a), len(links)
+    b = whole_map.b[:, [whole_map.column(f"in.received_{i}") for i in range(m)]]
     c, e = np.zeros((m, n)), np.zeros((m, m))
     for i, wire in enumerate(sent):
         if isinstance(wire, Late):
-            c[i, found.row(wire.signal)] = 1.0
+            c[i, whole_map.row(wire.signal)] = 1.0
         elif wire.startswith("in.received_"):
             e[i, int(wire.removeprefix("in.received_"))] = 1.0
         elif not wire.startswith("in."):  # the reference comes from outside the loop
-            row = found.row(wire)
-            c[i], e[i] = found.a[row], b[row]
+            row = whole_map.row(wire)
+            c[i], e[i] = whole_map.a[row], b[row]
     # Signals from outside, such as the reference, are no part of the loop.
     kept = np.flatnonzero(c.any(axis=1) | e.any(axis=1))
-    return DividedLoop(found.a, b[:, kept], c[kept], e[np.ix_(kept, kept)], tuple(list(links.values())[i] for i in kept))
+    return DividedLoop(whole_map.a, b[:, kept], c[kept], e[np.ix_(kept, kept)], tuple(list(links.values())[i] for i in kept))
 
 
 def link_growth(machine: Machine, controller: Controller) -> float:
@@ -225,8 +225,8 @@ def link_growth(machine: Machine, controller: Controller) -> float:
     """
     names, period = machine.axis_names, machine.servo_period
     directions = [*np.eye(len(names)), np.ones(len(names))] if controller.coupling is not None else [np.ones(len(names))]
-    found = []
+    growths = []
     for tangent in directions:
         loop = divided_loop(machine, controller, tangent)
-        found.append(loop.growth_of([timing_of(getattr(controller.axes[axis].link, way), period) for axis, way in loop.links]))
-    return max(found)
+        growths.append(loop.growth_of([timing_of(getattr(controller.axes[axis].link, way), period) for axis, way in loop.links]))
+    return max(growths)

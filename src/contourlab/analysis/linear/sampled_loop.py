@@ -163,10 +163,10 @@ class SampledLoop:
     def _opened(self, w: Array) -> Complex:
         """Return command, estimate, position and velocity over the two cut inputs: (n, 4, 2)."""
         z = np.exp(1j * w * self.servo_period)
-        found = self._cut(z)
+        response = self._cut(z)
         # What the controllers give at tick k stands in x(k + 1).
-        found[:, :2] *= z[:, None, None]
-        return found
+        response[:, :2] *= z[:, None, None]
+        return response
 
     def _grid(self) -> Array:
         poles = np.concatenate([self.poles, poles_of(self.a)])

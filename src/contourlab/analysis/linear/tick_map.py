@@ -244,14 +244,14 @@ def _chains(a: Array, b: Array) -> tuple[NDArray[np.intp], NDArray[np.intp]]:
 
 def _terms(rows: Array, place: NDArray[np.intp], lag: NDArray[np.intp], n: int) -> _Terms:
     """Sort columns by their lag: rows x = sum of term_d z^-d x_heads."""
-    found = []
+    terms = []
     for ticks in np.unique(lag):
         term = np.zeros((len(rows), n))
         of = np.flatnonzero(lag == ticks)
         np.add.at(term.T, place[of], rows[:, of].T)
         if term.any() or ticks == 0:
-            found.append((int(ticks), term))
-    return found
+            terms.append((int(ticks), term))
+    return terms
 
 
 def _sum(terms: _Terms, z: Complex) -> Complex:
