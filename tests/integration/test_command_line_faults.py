@@ -23,7 +23,7 @@ SCENARIOS = {
     "missing key": (CIRCLE.replace('frequency = "0.5 Hz"\n', ""), r'bad\.toml: feed: key frequency is missing: .*"0\.5 Hz"'),
     "wrong unit": (CIRCLE.replace("20 mm", "20 kg"), r"bad\.toml: contour\.radius: '20 kg' cannot be converted to m"),
     "no unit": (CIRCLE.replace('"20 mm"', "20"), r'bad\.toml: contour\.radius: 20 .*unit.*mm"'),
-    "zero length": (CIRCLE.replace("20 mm", "0 mm"), r"bad\.toml: contour: radius = 0\.0: must be > 0 m"),
+    "zero length": (CIRCLE.replace("20 mm", "0 mm"), r"bad\.toml: contour: radius = 0\.0: must be > 0"),
     "nan": (CIRCLE.replace('"20 mm"', "nan"), r"bad\.toml: contour\.radius: nan is not a finite number"),
     "nan in text": (CIRCLE.replace("20 mm", "nan mm"), r"bad\.toml: contour\.radius: 'nan mm' is not a finite number"),
     "negative mass": (

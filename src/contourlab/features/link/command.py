@@ -330,7 +330,7 @@ def _charts(name: str, costs: Costs) -> Iterator[Chart]:
     _, unit, scale = SHOWN[costs.figure]
     slug = re.sub(r"[^a-z0-9]+", "-", name.lower()).strip("-")
     levels = {f"allowed; undivided {costs.whole * scale:.3g}": costs.allowed}
-    label = f"contour error, {costs.figure} [{unit.replace('um', 'µm')}]"
+    label = f"contour error, {costs.figure} [{unit}]"
     for quantity in costs.divisions[0].sweeps:
         sweeps = {f"{cost.division}, {cost.ways}": cost.sweeps[quantity] for cost in costs.divisions}
         curves = {words: (sweep.values, sweep.error) for words, sweep in sweeps.items()}

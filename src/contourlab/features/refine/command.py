@@ -12,8 +12,8 @@ import numpy as np
 
 from contourlab.app.folder import check_file, spared, staged
 from contourlab.errors import ParameterError, UnitError
-from contourlab.features.measure.likely import same_column, unlikely_motion
-from contourlab.features.measure.log_choice import LogChoice, open_log, told_apart
+from contourlab.features.measure.log_choice import LogChoice, distinct_names, open_log
+from contourlab.features.measure.plausibility import motion_findings, same_column_findings
 from contourlab.features.refine.findings import unseen_findings
 from contourlab.features.refine.log_run import Agreement, LogRun, log_run
 from contourlab.features.refine.study import Refined, RefineSettings, Window, refine
@@ -162,7 +162,7 @@ def refine_logs(
             from contourlab.features.refine.pictures import draw
 
             drawn = [Path(folder) / file.relative_to(stage) for file in draw(result, stage / "plots", plots)]
-    sources = tuple(told_apart([choice.file for choice in choices]))
+    sources = tuple(distinct_names([choice.file for choice in choices]))
     result = replace(result, findings=tuple(findings))
     controllers = _write(result, sources, Path(out)) if out is not None and result.usable else ()
     if out is not None and not result.usable:
@@ -179,7 +179,7 @@ def _read(files: Sequence[str | Path], plugins: Sequence[str | Path]) -> list[Sc
 
 def _labels(files: Sequence[str | Path]) -> list[str]:
     """Return the labels of runs, unique and fit for file names: the files' names, with their folders where these are equal."""
-    names = [Path(name).with_suffix("").as_posix().replace("/", "-") for name in told_apart(files)]
+    names = [Path(name).with_suffix("").as_posix().replace("/", "-") for name in distinct_names(files)]
     return names if len(set(names)) == len(names) else [f"{name} {i + 1}" for i, name in enumerate(names)]
 
 
@@ -187,10 +187,10 @@ def _run(scenario: Scenario, choice: LogChoice, label: str) -> LogRun:
     log = open_log(choice)
     with about(choice.file):
         run = log_run(scenario.machine, scenario.controller, log.result, label)
-    lines = [f"{label}: {line}" for line in log.clock_notes()]
-    lines += unlikely_motion(run.position, run.machine.servo_period, f"an axis in {label}")
-    lines += same_column(run.machine.axis_names, run.asked, run.position, f" in {label}")
-    return replace(run, findings=(*run.findings, *(finding("CL566", note=line) for line in lines)))
+    doubts = [finding("CL400", label, note=note) for note in log.clock_notes()]
+    doubts += motion_findings(run.position, run.machine.servo_period, label)
+    doubts += same_column_findings(run.machine.axis_names, run.asked, run.position, label)
+    return replace(run, findings=(*run.findings, *doubts))
 
 
 def _windows(texts: Sequence[str], count: int) -> list[Window | None]:
