@@ -88,7 +88,7 @@ class Group:
         self.memory[:] = saved[1]
 
     def finite(self) -> NDArray[np.bool_]:
-        """Tell for each lane whether all its states and signals are finite."""
+        """Return for each lane whether all its states and signals are finite."""
         return np.asarray(np.isfinite(self.memory[: self._n_live]).all(axis=0))
 
     def state_of(self, node: str) -> Array:
@@ -104,7 +104,7 @@ class Group:
         return ""
 
     def refresh(self) -> None:
-        """Take notice of parameters that were written to `parameters`."""
+        """Apply parameters that were written to `parameters`."""
 
     def run(self, external: Array, log_rows: list[int], out: Array | None = None) -> Array:
         """Run one tick per row of `external` (n_tick, n_external); return the log (n_tick, n_log, width), in `out` where it is given."""

@@ -1,4 +1,4 @@
-"""What an axis is besides its components: what it may be asked for, and how its tool strays from what the encoder sees."""
+"""Limits and error map of an axis, and the division of its controller between base and axis."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ from contourlab.errors import ParameterError
 
 @dataclass(frozen=True)
 class Limits:
-    """What an axis may be asked for.
+    """Limits of an axis.
 
     Attributes
     ----------
@@ -29,9 +29,9 @@ class Limits:
     travel : tuple of two floats [m]
         Lowest and highest position of the axis.
     origins : mapping of str to Origin
-        Where the numbers are from, by name.
+        Source of each number, by name.
     file : str
-        What they were read from, and where one that is missing has to stand; empty where there is none.
+        File that holds the limits; empty if there is none.
     """
 
     velocity: float = math.inf
@@ -53,7 +53,7 @@ class Limits:
 
 @dataclass(frozen=True)
 class AxisError:
-    """How the tool's position differs from what the encoder can see, for one axis.
+    """Error of the tool's position that the encoder of an axis cannot see.
 
     Attributes
     ----------
@@ -63,7 +63,7 @@ class AxisError:
         Unidirectional repeatability in the sense of ISO 230-2 (4 s): at each reversal the tool takes a new offset, normal with s = a
         quarter of it.
     origins : mapping of str to Origin
-        Where the numbers are from, by name.
+        Source of each number, by name.
     """
 
     position: NDArray[np.float64] = field(default_factory=lambda: np.zeros(0))
@@ -126,5 +126,5 @@ class Division:
             raise ParameterError("link.up", '"none"', bound)
 
     def is_local(self, slot: str) -> bool:
-        """Tell whether a slot of an axis' controller stands in the axis; ``others.NAME`` stands where ``controller`` does."""
+        """Return whether a slot of an axis' controller stands in the axis; ``others.NAME`` stands where ``controller`` does."""
         return self.division == "controller" or slot in _LOCAL[self.division]

@@ -94,7 +94,7 @@ def simulate_batch(
     threads : int, optional
         Threads over groups of 32 lanes; by default one for each processor.
     judge : bool
-        Whether the contour error is worked out.
+        Whether the contour error is computed.
     effort : bool
         Whether what is asked of the drives is added up.
     view : PathView, optional
@@ -104,11 +104,11 @@ def simulate_batch(
     jit : bool, optional
         Compiled, or plain Python.
     progress : callable, optional
-        Told the number of samples done.
+        Called with the number of samples done.
     reuse : BatchResult, optional
         An earlier result that is not needed any more: its `log` is written over where it fits, which spares asking the system for memory.
     learned : Learned, optional
-        What earlier trials have taught, the same for all variants.
+        What earlier trials have learned, the same for all variants.
     moving : bool
         Whether the axes have the velocity of the reference at the first sample, in place of rest.
 

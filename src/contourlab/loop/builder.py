@@ -1,4 +1,4 @@
-"""The nodes of a servo loop while they are collected, and the names of the signals that parts of the loop share."""
+"""Collects the nodes of a servo loop, and names the signals that its parts share."""
 
 from __future__ import annotations
 
@@ -102,7 +102,7 @@ class Builder:
         return part.replace(stream=stream_of(self.seed, axis, slot, *((self.trial,) if self.trial else ())))
 
     def coupled(self, output: str) -> bool:
-        """Tell whether the coupling gives this."""
+        """Return whether the coupling gives this."""
         return self.controller.coupling is not None and self.controller.coupling.gives(output)
 
     def command(self, axis: str) -> str:
@@ -120,19 +120,19 @@ class Builder:
         return float(self.machine.axis(axis).plant.at_rest(at)[1].get("motor_position", at))
 
     def controlled_from_base(self, axis: str) -> bool:
-        """Tell whether the commands of an axis go down its link."""
+        """Return whether the commands of an axis go down its link."""
         link = self.controller.axes[axis].link
         return link is not None and not link.is_local("controller")
 
     def compensated_in_axis(self, axis: str) -> bool:
-        """Tell whether an axis subtracts its observer's estimate from the command that comes down to it."""
+        """Return whether an axis subtracts its observer's estimate from the command that comes down to it."""
         parts = self.controller.axes[axis]
         if parts.link is None or parts.observer is None or not self.controlled_from_base(axis):
             return False
         return parts.link.is_local("observer") and any(part.takes("disturbance_estimate") for part in parts.controllers.values())
 
     def may_limit(self, axis: str) -> bool:
-        """Tell whether the drive of an axis may take less than its command, in any of the variants."""
+        """Return whether the drive of an axis may take less than its command, in any of the variants."""
         return getattr(self.machine.axis(axis).drive, "limit", 0.0) != math.inf or "limit" in self.changed(f"axes.{axis}.drive")
 
 

@@ -1,4 +1,4 @@
-"""What is fed to the loop at each tick: the reference, what was learned from earlier trials, and the reference of ticks to come."""
+"""Inputs of the loop at each tick: the reference, what earlier trials have learned, and the reference of later ticks."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ SOURCE_LINE = "source_line"
 
 @dataclass(frozen=True, eq=False)
 class Learned:
-    """What is added at each sample, as earlier trials have taught it.
+    """Tables that earlier trials have learned, added at each sample.
 
     Parameters
     ----------
@@ -73,7 +73,7 @@ class Feed:
         What runs.
     learned : Learned, optional
     fill : callable, optional
-        How planned samples are worked out; as of `Reference.block`.
+        How planned samples are computed; as of `Reference.block`.
     """
 
     def __init__(self, machine: Machine, controller: Controller, reference: Reference, learned: Learned | None, fill: Any) -> None:
@@ -100,7 +100,7 @@ class Feed:
         return asked, np.concatenate(rows).T
 
     def _taught(self, name: str) -> Array:
-        assert self.learned is not None  # said by the names
+        assert self.learned is not None  # follows from the names
         table = self.learned.command if name == LEARNED_COMMAND else self.learned.reference
         assert table is not None
         return table

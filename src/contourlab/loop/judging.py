@@ -1,4 +1,4 @@
-"""What judges a batch while it runs: nodes behind the loop that nothing in it reads, and the figures they leave."""
+"""Nodes that judge and watch a run without acting on it, the figures they leave, and the judge of a finished trial."""
 
 from __future__ import annotations
 
@@ -36,7 +36,7 @@ def counted(reference: Reference, window: Window | None) -> Window:
 
 
 def judge_node(machine: Machine, reference: Reference, view: PathView, window: Window | None) -> Node:
-    """Return the node that works out the contour error of each lane."""
+    """Return the node that computes the contour error of each lane."""
     start, stop = counted(reference, window)
     n = len(machine.axes)
     wires: dict[str, Any] = {
@@ -126,7 +126,11 @@ def _watch_step(n_axis: int) -> Step:
 
 
 def watch_node(machine: Machine, commands: tuple[str, ...]) -> Node:
-    """Return the node that watches a machine and the commands of its axes; it stands behind the drives."""
+    """Return the node that watches a machine and the commands of its axes; it stands behind the drives.
+
+    It notes when an axis first leaves its following-error limit, or a command stops being finite: the sample is exact in every lane, and no
+    signal has to be kept for it.
+    """
     wires: dict[str, Any] = {
         "reference": "in.reference",
         "position": tuple(Late(f"{name}.plant.position") for name in machine.axis_names),
@@ -155,7 +159,7 @@ FEWEST = 1000
 
 
 class TrialJudge:
-    """Works out the contour error of a trial, and the contour-error vector of what was measured.
+    """Computes the contour error of a trial, and the contour-error vector of what was measured.
 
     Parameters
     ----------
@@ -170,7 +174,7 @@ class TrialJudge:
     window : (int, int)
         Samples [start, stop) that count.
     vector : bool
-        Whether the vector is worked out.
+        Whether the vector is computed.
     compiled : bool
     """
 

@@ -1,4 +1,4 @@
-"""What is simulated: axes in a machine, and the controller that drives them. Values only; nothing here runs."""
+"""Machine and controller as values; nothing here runs."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ from contourlab.loop.axis_parts import AxisError, Division, Limits
 
 @dataclass(frozen=True)
 class Axis:
-    """One axis: what moves, what rubs, what drives it and what measures it.
+    """One axis: plant, friction, drive and sensors.
 
     `stage_mass` [kg] is the whole module that another axis carries when this one is `mounted_on` it, what it moves included; `alignment` is
     the cosine of the angle between the two directions of motion: 0 for crossed axes. Otherwise either feels the other's acceleration, one

@@ -61,7 +61,7 @@ UNITS = {
 
 
 def jit_enabled() -> bool:
-    """Tell whether steps are compiled: unless ``CONTOURLAB_JIT`` is 0."""
+    """Return whether steps are compiled: unless ``CONTOURLAB_JIT`` is 0."""
     return os.environ.get("CONTOURLAB_JIT", "1") != "0"
 
 
@@ -112,9 +112,9 @@ def simulate(
     signals : sequence of str, optional
         Which signals to keep; all by default.
     progress : callable, optional
-        Told the number of samples done.
+        Called with the number of samples done.
     learned : Learned, optional
-        What earlier trials have taught, sample by sample.
+        What earlier trials have learned, sample by sample.
     trial : int
         Number of the trial: what does not repeat differs from one to the next.
     moving : bool

@@ -137,7 +137,7 @@ class SwitchLog:
         return [self.controller, *(change.controller for change in self.changes)]
 
     def concerns(self, result: Result) -> bool:
-        """Tell whether a result can have switches."""
+        """Return whether a result can have switches."""
         return bool(self.changes) or "active_controller" in result
 
     def add(self, result: Result) -> Switches:

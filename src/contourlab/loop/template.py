@@ -3,7 +3,7 @@
 At each tick, for every axis,
 
 1. the **sensor** measures the position that the plant has reached; a **predictor** says where the axis will be once a delay has
-   passed; the **velocity** is worked out from what it says;
+   passed; the **velocity** is computed from what it says;
 2. the **estimator** sees all axes as measured and the path, the **coupling** turns its contour error into a modified reference, or into a
    correction of the commands;
 3. the **observer** estimates what disturbs the axis, from its velocity and the command that reached it (one tick late), the **gap

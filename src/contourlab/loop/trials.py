@@ -1,4 +1,4 @@
-"""The same motion again and again: what does not change from trial to trial is made once.
+"""Repeated trials of one motion: what does not change from trial to trial is built once.
 
 A trial gives the positions that `simulate` gives with the same table, seed and trial number, to the last bit.
 """
@@ -36,7 +36,7 @@ MOST_DOUBTFUL = 0.002
 
 @dataclass(frozen=True, eq=False)
 class Trial:
-    """What came of one trial: arrays (n_sample, n_axis) unless said otherwise, each signal one row of memory.
+    """Result of one trial: arrays (n_sample, n_axis) unless stated otherwise, each signal one row of memory.
 
     Attributes
     ----------

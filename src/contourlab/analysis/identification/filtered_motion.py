@@ -24,7 +24,7 @@ ANTI_ALIAS_ORDER, ANTI_ALIAS_RIPPLE, ANTI_ALIAS_BAND = 8, 0.05, 0.8
 
 @dataclass(frozen=True, eq=False)
 class FilteredMotion:
-    """A motion as it is told by a measured position.
+    """Motion from a measured position.
 
     Attributes
     ----------

@@ -17,6 +17,7 @@ from contourlab.engine.step import rows
 from contourlab.errors import ComponentError
 
 Array = NDArray[np.float64]
+Complex = NDArray[np.complex128]
 Mask = NDArray[np.bool_]
 
 
@@ -186,12 +187,14 @@ def live_states(links: Mask, driven: Mask | bool = False, read: Mask | bool = Fa
         kept = kept[live]
 
 
-Complex = NDArray[np.complex128]
 _Terms = list[tuple[int, Array]]
 
 
 class DelayForm:
     """C (z I - A)^-1 B, prepared for many z.
+
+    States that only copy another state one tick later, as in a transport delay, become powers of 1/z: the system to solve at each frequency
+    stays small, however long the delay.
 
     Parameters
     ----------
