@@ -228,7 +228,7 @@ def _feedforward(table: Table, units: tuple[str, str], parts: Mapping[str, Any],
     radius = read_table(ZeroPhaseTable, node).radius if isinstance(node, Table) else ZeroPhaseTable(kind="zpetc").radius
     with located(table, "feedforward"):
         loop = sampled_loop(axis, AxisController(**parts), machine.servo_period, machine.carried_mass(axis.name))
-        return zpetc_design(loop, radius=radius).component()
+        return zpetc_design(loop, radius=radius)
 
 
 def _local(names: list[str], parts: Mapping[str, Any], table: Table) -> tuple[str, ...]:
