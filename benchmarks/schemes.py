@@ -8,6 +8,8 @@ from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from typing import Any
 
+from contourlab.features.run.cost import tick_cost
+
 from contourlab.analysis.linear.sampled_loop import sampled_loop
 from contourlab.analysis.linear.zpetc import zpetc_design
 from contourlab.components.controller.cascade import Cascade
@@ -17,7 +19,6 @@ from contourlab.components.controller.state_feedback import StateFeedback
 from contourlab.components.plant.lagged_mass import LinearMotor
 from contourlab.components.registry import component
 from contourlab.features.learn import Stopping, learn
-from contourlab.features.run.cost import tick_cost
 from contourlab.feed import Reference, uniform
 from contourlab.geometry import contour
 from contourlab.loop import Axis, AxisController, Controller, Limits, Machine, simulate

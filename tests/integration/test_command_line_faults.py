@@ -22,7 +22,7 @@ SCENARIOS = {
     "missing key": (CIRCLE.replace('frequency = "0.5 Hz"\n', ""), r'bad\.toml: feed: key frequency is missing: .*"0\.5 Hz"'),
     "wrong unit": (CIRCLE.replace("20 mm", "20 kg"), r"bad\.toml: contour\.radius: '20 kg' cannot be converted to m"),
     "no unit": (CIRCLE.replace('"20 mm"', "20"), r'bad\.toml: contour\.radius: 20 .*unit.*mm"'),
-    "zero length": (CIRCLE.replace("20 mm", "0 mm"), r"bad\.toml: contour: radius = 0\.0: must be > 0 m"),
+    "zero length": (CIRCLE.replace("20 mm", "0 mm"), r"bad\.toml: contour: radius = 0\.0: must be > 0"),
     "nan": (CIRCLE.replace('"20 mm"', "nan"), r"bad\.toml: contour\.radius: nan is not a finite number"),
     "nan in text": (CIRCLE.replace("20 mm", "nan mm"), r"bad\.toml: contour\.radius: 'nan mm' is not a finite number"),
     "negative mass": (
@@ -49,7 +49,7 @@ SCENARIOS = {
 PROGRAMS = {
     "unknown G-word": ("G21 G90\nG1 X1 F100\nG77 X3\nM2\n", r"bad\.ngc:3:1: G77 "),
     "radii that differ": ("G21 G90\nG0 X0 Y0\nG2 X10 Y0 I4 J0 F100\nM2\n", r"bad\.ngc:3:\d+: the radius is 4 mm .* 6 mm .*: correct"),
-    "nan": ("G21 G90\nG1 Xnan F100\nM2\n", r"bad\.ngc:2:4: X has no number behind it: write for example X10"),
+    "nan": ("G21 G90\nG1 Xnan F100\nM2\n", r"bad\.ngc:2:4: X has no number: write for example X10"),
     "no feedrate": ("G21 G90\nG1 X1\nM2\n", r"bad\.ngc:2:1: G1 without a feedrate: write F"),
     "no end": ("G21 G90\nG1 X1 F100\n", r"bad\.ngc:2: the program has no end: add M2 or M30"),
     "empty": ("", r"bad\.ngc: the program holds no motion"),

@@ -84,21 +84,22 @@ def test_learning_goes_on_where_it_ended(contourlab: Run, tmp_path: Path) -> Non
 def test_the_text_tells_trials_and_what_is_to_be_expected(contourlab: Run, tmp_path: Path) -> None:
     said = contourlab("learn", write(tmp_path, gain=0.9, half_width=0), "--schemes", "ilc", "--trials", "60")
     assert said.code == 0
-    assert "before learning" in said.out and "trial   contour rms [um]" in said.out
-    assert "ilc: note: M = 0 at 1 ms diverges" in said.out
-    assert "ilc: diverged, rolled back to trial" in said.out
+    assert "before learning" in said.out
+    assert "contour rms" in said.out
+    assert "ilc: CL310" in said.out
+    assert "diverged, rolled back to trial" in said.out
 
 
 @pytest.mark.parametrize(
     ("words", "message"),
     [
-        (["compare", "s.toml", "--schemes", "fb,fb"], "scheme 'fb' is asked for twice"),
+        (["compare", "s.toml", "--schemes", "fb,fb"], "scheme 'fb' is given twice"),
         (["compare", "s.toml", "--schemes", "fb,warp"], "no scheme 'warp': there are 'coupled', fb, ccc, mr, me, ilc, and these"),
-        (["compare", "s.toml", "--schemes", "ccc+mr"], "one coupling at most"),
-        (["learn", "s.toml", "--schemes", "coupled"], "no scheme learns; say how, for example:"),
+        (["compare", "s.toml", "--schemes", "ccc+mr"], "at most one coupling"),
+        (["learn", "s.toml", "--schemes", "coupled"], "no scheme learns"),
         (["learn", "s.toml", "--schemes", "ilc", "--trials", "0"], "--trials = 0: must be 1 or more"),
         (["learn", "s.toml", "--schemes", "ilc", "--table", "nowhere.nc"], "nowhere.nc: cannot be read as a learned table"),
-        (["learn", "part.ngc"], "a scenario is wanted, which ends in .toml"),
+        (["learn", "part.ngc"], "not a scenario"),
         (["learn", "nowhere.toml"], "nowhere.toml: cannot be read"),
     ],
 )  # fmt: skip

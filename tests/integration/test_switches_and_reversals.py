@@ -135,7 +135,7 @@ def test_the_page_shows_them(found: Finished) -> None:
     page = (found.folder / "report.html").read_text(encoding="utf-8")
     for key in ("switches", "reversals", "backlash", "active-time", "active-arc", "backlash-0", "backlash-1"):
         assert f'id="{key}"' in page, key
-    for words in ("controller → gap", "controller → level", "x at 180°", "free travel 20 µm"):
+    for words in ("controller → gap", "controller → level", "x at 180 deg", "free travel 20 um"):
         assert words in page, words
 
 

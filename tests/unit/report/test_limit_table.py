@@ -37,11 +37,11 @@ def test_each_row_tells_the_axis_nearest_to_its_limit(single: ReportData) -> Non
     assert tables(with_limits(single, REPORT)) == {
         TITLE: [
             ["Figure", "Worst axis", "Value", "Limit", "Part of the limit", "Time", "Line"],
-            ["velocity", "y", "3000 mm/min", "6000 mm/min", "50.0 %", "1.2500 s", "7"],
-            ["acceleration", "x", "2.004 m/s²", "2.000 m/s²", "100.2 %", "0.030000 s", "4"],
-            ["jerk", "y", "90.00 m/s³", "none", "–", "0.0070000 s", "–"],
-            ["step of curvature", "x", "0.5000 m/s²", "2.000 m/s²", "10.0 %", "0.0080000 s", "5"],
-            ["kink", "–", "–", "–", "–", "–", "–"],
+            ["velocity", "y", "3000 mm/min", "6000 mm/min", "50.0 %", "1.25 s", "7"],
+            ["acceleration", "x", "2.004 m/s^2", "2 m/s^2", "100.2 %", "0.03 s", "4"],
+            ["jerk", "y", "90 m/s^3", "none", "-", "0.007 s", "-"],
+            ["step of curvature", "x", "0.5 m/s^2", "2 m/s^2", "10.0 %", "0.008 s", "5"],
+            ["kink", "-", "-", "-", "-", "-", "-"],
         ]
     }
 

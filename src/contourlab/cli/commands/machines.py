@@ -65,7 +65,6 @@ def _list(files: list[Shipped]) -> None:
 
 
 def _details(file: Shipped) -> None:
-    from contourlab.features.run.trust import printed
     from contourlab.report.table import Column, Table
 
     axes = f" with the axes {', '.join(file.axes)}" if file.axes else ""
@@ -77,6 +76,5 @@ def _details(file: Shipped) -> None:
     plain = (Column("value"), *(Column(name, left=True) for name in ("unit", "source", "deviation")))
     table = Table([Column("number", left=True), *plain, Column("from", prose=True), Column("note", prose=True)])
     for number in file.numbers:
-        row = printed(number)
-        table.add(row.name, row.value, row.unit, row.source, row.deviation, row.reference, row.note)
+        table.add(number.name, number.value_text, number.display, number.source, number.deviation_text, number.reference, number.note)
     say("\n".join([*head, f"{file.about}.", f"numbers: {sources}", table.text()]))

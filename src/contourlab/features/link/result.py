@@ -159,7 +159,7 @@ def amount(quantity: str, value: float) -> str:
 def link_charts(name: str, costs: SchemeCost) -> Iterator[Chart]:
     """Yield a picture for each quantity: the contour error over it, one curve a division; `name` is put into the file names."""
     slug = re.sub(r"[^a-z0-9]+", "-", name.lower()).strip("-")
-    what = f"{costs.figure.replace('_', ' ')} [{costs.unit.replace('um', 'µm')}]"
+    what = f"{costs.figure.replace('_', ' ')} [{costs.unit}]"
     level = Level(1e6 * costs.allowed, f"allowed; undivided {1e6 * costs.undivided:.3g}")
     for quantity in costs.divisions[0].sweeps:
         label, factor, title = _TITLES[quantity]

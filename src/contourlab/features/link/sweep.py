@@ -15,7 +15,7 @@ from contourlab.components.contract import Component
 from contourlab.components.link.network import Network
 from contourlab.errors import ComponentError, ParameterError
 from contourlab.features.link.grid import EACH, LOSSES, passed_over, times
-from contourlab.features.run.idealise import perfect_sensing, undisturbed, unlimited, without_friction
+from contourlab.features.run.causes.idealise import perfect_sensing, undisturbed, unlimited, without_friction
 from contourlab.feed import Reference
 from contourlab.loop import Controller, Division, Machine, simulate_batch
 from contourlab.loop.tool import stream_of

@@ -10,8 +10,8 @@ from pathlib import Path
 from typing import Any
 
 from contourlab.errors import OutputError
-from contourlab.features.run.provenance import NOT_STATED, Number, numbers_of_axis, numbers_of_machine
-from contourlab.features.run.trust import stated_of
+from contourlab.features.run.trust.provenance import numbers_of_axis, numbers_of_machine, stated
+from contourlab.report.judgement import NOT_STATED, Number
 from contourlab.result import write_bytes_atomic
 from contourlab.scenario import BUILTIN, builtin_file, builtin_names, load_axis, load_machine, load_scenario
 from contourlab.scenario.tree import read_tree
@@ -57,13 +57,13 @@ class Shipped:
     @property
     def references(self) -> tuple[str, ...]:
         """The logs, papers and tables behind its numbers."""
-        named = (name for number in self.numbers if number.origin for name in _names(number.origin.reference))
+        named = (name for number in self.numbers if number.is_stated for name in _names(number.reference))
         return tuple(dict.fromkeys(named))
 
     def as_dict(self) -> dict[str, Any]:
         """Return it for JSON."""
         told = {"name": self.name, "kind": self.kind, "axes": list(self.axes), "about": self.about, "file": str(self.file)}
-        return told | {"sources": self.sources, "references": list(self.references), "provenance": stated_of(self.numbers)}
+        return told | {"sources": self.sources, "references": list(self.references), "provenance": stated(self.numbers)}
 
 
 def shipped() -> list[Shipped]:

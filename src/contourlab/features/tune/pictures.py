@@ -37,7 +37,7 @@ def tuning_charts(goal: Goal, tuned: Tuned) -> tuple[Chart, ...]:
             half = len(error) // 2
             errors[name] = (evaluation.run.time[half:], 1e6 * error[half:])
     if errors:
-        panel = Panel("time [s]", "contour error [µm]", _curves(errors, positive=False))
+        panel = Panel("time [s]", "contour error [um]", _curves(errors, positive=False))
         charts.append(Chart("tune-error", "Contour error before and after", "Second half of the run, judged exactly.", (panel,)))
     return tuple(charts)
 

@@ -82,7 +82,8 @@ def test_p_type_without_q_diverges_where_predicted_and_is_rolled_back() -> None:
     at_peak = float(np.interp(2.0 * np.pi * run.growth.peak, w, factor))
     assert at_peak > 1.0 + 0.8 * (factor.max() - 1.0)
     assert run.growth.factor == pytest.approx(at_peak, rel=0.01)
-    assert str(run.growth) in run.reason
+    assert run.findings[-1].code == "CL309"
+    assert run.findings[-1].values["peak"] == run.growth.peak
     merits = [trial.merit for trial in run.trials]
     assert run.trials[run.best].merit == min(merits)
     # The table that is handed back gives the best trial again.

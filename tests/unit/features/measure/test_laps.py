@@ -6,9 +6,9 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
+from contourlab.features.measure.laps import last_lap
 from contourlab.features.measure.sample_path import path_of_samples
 from contourlab.features.measure.study import measure
-from contourlab.features.run.laps import last_lap
 from contourlab.result import Result, Signal
 
 Array = NDArray[np.float64]

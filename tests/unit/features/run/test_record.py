@@ -11,7 +11,7 @@ import pytest
 
 import contourlab as cl
 from contourlab.components.registry import component
-from contourlab.features.run.switch_file import switch_file
+from contourlab.features.run.record import switch_file
 from contourlab.loop import Change
 from contourlab.loop.switches import Switches, SwitchKind
 

@@ -1,20 +1,24 @@
-"""The one change of a controller, or of the feed, that makes the largest error smallest: tried, not guessed."""
+"""The single change of controller or feed that reduces the largest error most; each is simulated."""
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Mapping
 from contextlib import suppress
 from dataclasses import replace
 
 import numpy as np
 
+from contourlab.components.compensation.backlash_inverse import BacklashInverse
+from contourlab.components.compensation.backlash_offset import BacklashOffset
 from contourlab.components.coupling.modified_reference import ModifiedReference
 from contourlab.components.estimator.newton import Newton
 from contourlab.components.observer.disturbance_observer import DisturbanceObserver
+from contourlab.components.plant.two_inertia import TwoInertia
 from contourlab.errors import ContourlabError
-from contourlab.features.run.compensate import lost_motion_of, offset_of, wants_offset
 from contourlab.feed import Reference
-from contourlab.loop import AxisController, Controller, Machine, simulate
+from contourlab.findings import Finding, finding
+from contourlab.loop import Axis, AxisController, Controller, Machine, simulate
 from contourlab.metrics import evaluation_window, judge
 
 
@@ -26,70 +30,64 @@ def advice(
     slower: Callable[[float], Reference] | None = None,
     seed: int = 0,
     closer: Mapping[str, Callable[[], Reference]] | None = None,
-) -> str:
-    """Return the change that helps most, with its figure, in words.
+) -> Finding:
+    """Return the change that helps most, or that none does.
 
     Parameters
     ----------
     machine, controller, reference
-        What was run.
+        Of the run.
     worst : float [m]
-        Largest part error of that run.
+        Largest part error of the run.
     slower : callable, optional
-        Returns the reference at a feed scaled by its argument.
+        Returns the reference at a scaled feed.
     seed : int
-        The seed of the run.
+        Of the run.
     closer : mapping, optional
-        Ways of planning closer to the programmed path, in words and made; they may take longer, which is said.
+        Ways to plan closer to the programmed path, by name; they may take longer.
     """
-    trials: list[tuple[float, str]] = []
+    trials: list[tuple[float, str, float]] = []
 
-    def attempt(words: str, trial: Controller, ref: Reference) -> None:
-        try:
-            judged = judge(simulate(machine, trial, ref, seed=seed, signals=("tool_position", "reference", "arc_length")), ref)
-        except ContourlabError:
-            return  # a change that makes the loop run away is no advice
+    def attempt(change: str, trial: Controller, ref: Reference) -> None:
+        judged = judge(simulate(machine, trial, ref, seed=seed, signals=("tool_position", "reference", "arc_length")), ref)
         (start, stop), _ = evaluation_window(ref, judged.n_sample)
-        trials.append((float(np.abs(judged["part_error"][start:stop]).max()), words))
+        trials.append((float(np.abs(judged["part_error"][start:stop]).max()), change, ref.duration))
 
-    for words, trial in candidates(machine, controller):
-        attempt(words, trial, reference)
+    for change, trial in candidates(machine, controller):
+        with suppress(ContourlabError):  # the loop may diverge
+            attempt(change, trial, reference)
     if slower is not None:
         with suppress(ContourlabError):  # laps at another frequency may not end on a sample
             attempt("taking the feed down by a fifth", controller, slower(0.8))
-    for words, made in (closer or {}).items():
-        with suppress(ContourlabError):  # a route that cannot be planned is no advice
-            planned = made()
-            attempt(f"{words}, {planned.duration:.4g} s in all instead of {reference.duration:.4g} s,", controller, planned)
-    best = min(trials, default=None)
+    for change, planned in (closer or {}).items():
+        with suppress(ContourlabError):  # the route may be impossible to plan
+            attempt(change, controller, planned())
     # Less than a hundredth is no help.
-    if best is None or best[0] > 0.99 * worst:
-        return "no single change that was tried makes it smaller"
-    return f"{best[1]} brings the largest error from {worst * 1e6:.3g} um to {best[0] * 1e6:.3g} um"
+    if not trials or min(trials)[0] > 0.99 * worst:
+        return finding("CL204")
+    best, change, duration = min(trials)
+    return finding("CL203", change=change, before=worst, after=best, time_before=reference.duration, time_after=duration)
 
 
 def candidates(machine: Machine, controller: Controller) -> list[tuple[str, Controller]]:
-    """Return single changes of the controller that a person would try, in words and made."""
+    """Return single changes of the controller that a person would try, by name."""
 
     def every(change: Callable[[str, AxisController], AxisController]) -> Controller:
         return replace(controller, axes={name: change(name, part) for name, part in controller.axes.items()})
 
-    found = [
+    changes = [
         ("raising the poles of the position loops by a quarter", every(lambda name, part: _faster(machine, name, part, 1.25))),
         ("lowering the poles of the position loops by a fifth", every(lambda name, part: _faster(machine, name, part, 0.8))),
         ("feeding forward the model that the loop really follows", every(lambda name, part: _own_model(machine, name, part))),
     ]
     if all(part.observer is None for part in controller.axes.values()):
-        found.append(("adding a disturbance observer", every(lambda name, part: _observed(machine, name, part))))
+        changes.append(("adding a disturbance observer", every(lambda name, part: _observed(machine, name, part))))
     else:
-        found.append(("raising the observer's bandwidth by half", every(_faster_observer)))
+        changes.append(("raising the observer's bandwidth by half", every(_faster_observer)))
     if controller.coupling is None and len(machine.axes) > 1:
-        coupled = replace(controller, estimator=Newton(), coupling=ModifiedReference())
-        found.append(("coupling the axes by a modified reference", coupled))
-    compensated = every(lambda name, part: _compensated(machine, name, part))
-    found.append(("compensating the backlash by an offset on reversal", compensated))
-    # A change that changes nothing is not worth a run.
-    return [(words, changed) for words, changed in found if changed != controller]
+        changes.append(("coupling the axes by a modified reference", replace(controller, estimator=Newton(), coupling=ModifiedReference())))
+    changes.append(("compensating the backlash by an offset on reversal", every(lambda name, part: _compensated(machine, name, part))))
+    return [(change, changed) for change, changed in changes if changed != controller]
 
 
 def _faster(machine: Machine, name: str, part: AxisController, factor: float) -> AxisController:
@@ -132,10 +130,32 @@ def _faster_observer(name: str, part: AxisController) -> AxisController:
 
 
 def _compensated(machine: Machine, name: str, part: AxisController) -> AxisController:
+    """Add an offset where nothing compensates the backlash: a loop closed over the motor, and no part that knows a gap."""
     axis = machine.axis(name)
-    return replace(part, compensation=offset_of(axis, lost_motion_of(axis))[0]) if wants_offset(axis, part) else part
+    lost_motion = lost_motion_of(axis)
+    aware = part.compensation is not None or any("backlash_gap" in law.parameters for law in part.controllers.values())
+    if not lost_motion > 0.0 or part.feedback != "motor" or aware:
+        return part
+    return replace(part, compensation=offset_of(axis, lost_motion)[0])
 
 
 def _model_of(machine: Machine, name: str) -> tuple[float, float]:
     """Return acceleration per command and decay of an axis with all that stands on it."""
     return machine.loaded_plant(name).rigid_model()
+
+
+def lost_motion_of(axis: Axis) -> float:
+    """Return the lost motion of an axis [m]: its free travel, and what friction winds the shaft up by on either side; 0 without a gap."""
+    if not isinstance(axis.plant, TwoInertia) or not axis.plant.widest_gap > 0.0:
+        return 0.0
+    friction = float(axis.friction.values().get("coulomb", 0.0))
+    return axis.plant.widest_gap + 2.0 * friction / float(axis.plant.constants().stiffness_value)
+
+
+def offset_of(axis: Axis, lost_motion: float) -> tuple[BacklashOffset, BacklashInverse]:
+    """Return offset and inverse for a lost motion [m], as fast as the axis may be accelerated: half of the way up, half of it down."""
+    most = axis.limits.acceleration
+    acceleration = most if math.isfinite(most) else 1.0
+    speed = math.sqrt(acceleration * lost_motion)
+    offset = BacklashOffset(backlash_gap=lost_motion, backlash_velocity=speed, backlash_acceleration=acceleration)
+    return offset, BacklashInverse(backlash_gap=lost_motion, jump_velocity=speed)

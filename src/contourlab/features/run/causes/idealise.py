@@ -1,12 +1,10 @@
-"""Machines with one imperfection taken away: what the verdict's decomposition is made of.
-
-Each function returns the machine itself where there is nothing to take away.
-"""
+"""Machines with one imperfection taken away; each function returns the machine itself where there is nothing to take away."""
 
 from __future__ import annotations
 
 import math
 from dataclasses import replace
+from typing import Any
 
 from contourlab.components.contract import Component
 from contourlab.components.friction.laws import NoFriction
@@ -23,44 +21,43 @@ def perfect_geometry(machine: Machine) -> Machine:
 
 
 def perfect_sensing(machine: Machine) -> Machine:
-    """Return the machine with encoders that do not count."""
-    if all(isinstance(sensor, IdealSensor) for a in machine.axes for sensor in (a.sensor, a.motor_sensor)):
-        return machine
-    return replace(machine, axes=tuple(replace(a, sensor=IdealSensor(), motor_sensor=IdealSensor()) for a in machine.axes))
+    """Return the machine with ideal encoders."""
+    return _with_parts(machine, sensor=IdealSensor(), motor_sensor=IdealSensor())
 
 
 def undisturbed(machine: Machine) -> Machine:
-    """Return the machine without loads from outside."""
-    if all(a.disturbance is None for a in machine.axes):
-        return machine
-    return replace(machine, axes=tuple(replace(a, disturbance=None) for a in machine.axes))
+    """Return the machine without external loads."""
+    return _with_parts(machine, disturbance=None)
 
 
 def without_friction(machine: Machine) -> Machine:
     """Return the machine without friction."""
-    if all(isinstance(friction, NoFriction) for a in machine.axes for friction in (a.friction, a.motor_friction)):
+    return _with_parts(machine, friction=NoFriction(), motor_friction=NoFriction())
+
+
+def _with_parts(machine: Machine, **parts: Any) -> Machine:
+    if all(getattr(axis, slot) == part for axis in machine.axes for slot, part in parts.items()):
         return machine
-    return replace(machine, axes=tuple(replace(a, friction=NoFriction(), motor_friction=NoFriction()) for a in machine.axes))
+    return replace(machine, axes=tuple(replace(axis, **parts) for axis in machine.axes))
 
 
 def without_backlash(machine: Machine, controller: Controller) -> tuple[Machine, Controller]:
-    """Return the machine without free travel between motors and loads, under a controller that reckons with none."""
+    """Return the machine without free travel between motors and loads, under a controller that assumes none."""
     if all(a.plant.linear() == a.plant for a in machine.axes):
         return machine, controller
     tight = replace(machine, axes=tuple(replace(a, plant=a.plant.linear()) for a in machine.axes))
     return tight, replace(controller, axes={name: _unaware(mine) for name, mine in controller.axes.items()})
 
 
-def _unaware(mine: AxisController) -> AxisController:
-    """Return an axis' controller whose parts reckon with no gap; what observes it or switches by it stays."""
+def _unaware(loop: AxisController) -> AxisController:
+    """Set the gap that the parts of a controller assume to zero; observers and supervisors of the gap stay."""
 
-    def told(part: Component) -> Component:
-        free: Component = part.replace(backlash_gap=0.0) if "backlash_gap" in part.parameters else part
-        return free
+    def unaware(part: Component) -> Component:
+        return part.replace(backlash_gap=0.0) if "backlash_gap" in part.parameters else part
 
-    compensation = None if mine.compensation is None else told(mine.compensation)
-    others = tuple((label, told(part)) for label, part in mine.others)
-    return replace(mine, controller=told(mine.controller), compensation=compensation, others=others)
+    compensation = None if loop.compensation is None else unaware(loop.compensation)
+    others = tuple((label, unaware(part)) for label, part in loop.others)
+    return replace(loop, controller=unaware(loop.controller), compensation=compensation, others=others)
 
 
 def without_links(machine: Machine, controller: Controller) -> tuple[Machine, Controller]:
