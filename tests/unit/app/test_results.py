@@ -153,6 +153,24 @@ def test_what_is_killed_while_it_replaces_leaves_nothing_unknown(used: Path, rea
     assert read(used) == {"summary.json": "newer", **NOTES}
 
 
+@pytest.mark.parametrize("reached", range(6))
+def test_an_interrupt_while_it_replaces_leaves_all_as_it_was(used: Path, reached: int, monkeypatch: pytest.MonkeyPatch) -> None:
+    before, listed_before = read(used), (used / LIST).read_bytes()
+    replace, done = Path.replace, []
+
+    def interrupted(path: Path, target: Path) -> Path:
+        done.append(target)
+        moved = replace(path, target)
+        if len(done) == reached + 1:
+            raise KeyboardInterrupt
+        return moved
+
+    with monkeypatch.context() as patched, pytest.raises(KeyboardInterrupt), staged(used, "summary.json") as stage:
+        write(stage, {"summary.json": "new", "report.html": "new", "plots/more.svg": "new"})
+        patched.setattr(Path, "replace", interrupted)
+    assert (read(used), (used / LIST).read_bytes()) == (before, listed_before)
+
+
 @pytest.mark.parametrize(("place", "said"), [("folder.toml", "is a folder"), ("file/below.toml", "choose another folder with --to")])
 def test_a_file_that_cannot_be_is_refused(place: str, said: str, tmp_path: Path) -> None:
     (tmp_path / "folder.toml").mkdir()
