@@ -87,7 +87,7 @@ def limiting(route: Route, limits: AxisLimits, profile: Profile, arc_length: Arr
     # In this order: a stop, the feedrate, a junction at this place, the limit used most.
     rules = [v <= STILL, used[0] >= NEAR_FEED, used[4] >= NEAR, used.max(axis=0) >= NEAR]
     values = [Binding.REST, Binding.FEEDRATE, Binding.CURVATURE_STEP, codes[np.argmax(used, axis=0)]]
-    return np.select(rules, values, Binding.PLANNER).astype(np.int8)
+    return np.asarray(np.select(rules, values, Binding.PLANNER), dtype=np.int8)
 
 
 def _junction_ceiling(route: Route, limits: AxisLimits, place: Array, curvature_step: float) -> Array:

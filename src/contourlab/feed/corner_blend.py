@@ -66,7 +66,7 @@ class Corners(NamedTuple):
 
     def only(self, which: Index | slice) -> Corners:
         """Return some of the corners."""
-        return Corners(*(part[which] for part in self))
+        return Corners(self.before[which], self.after[which], self.turn[which])
 
 
 def shape(turn: Array) -> tuple[Array, Array]:

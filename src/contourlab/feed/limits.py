@@ -81,5 +81,5 @@ class AxisLimits:
         if self.n_axis == n_axis:
             return self
         if self.n_axis != 1:
-            raise FeedError(f"limits for {self.n_axis} axes, but the path has {n_axis}: give one limit per axis")
+            raise FeedError(f"limits for {self.n_axis} axes, the path has {n_axis}: give one limit per axis")
         return AxisLimits(*(np.repeat(part, n_axis) for part in (self.velocity, self.acceleration, self.jerk)))

@@ -7,6 +7,7 @@ path in a few calls.
 
 from __future__ import annotations
 
+from itertools import pairwise
 from typing import NamedTuple
 
 import numpy as np
@@ -139,7 +140,7 @@ def _piece_ends(nodes: Nodes, kind: Kinds, permitted: Array, joined: Flags) -> I
     for first, last in zip(firsts.tolist(), lasts.tolist(), strict=True):
         low, high = np.inf, 0.0
         values = permitted[first:last].tolist()
-        for i, (a, b) in enumerate(zip(values, values[1:], strict=False)):
+        for i, (a, b) in enumerate(pairwise(values)):
             bottom, top = min(a, b), max(a, b)
             if max(high, top) > GROUP * min(low, bottom) and i > 0:
                 ends[first + i] = True

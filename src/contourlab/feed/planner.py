@@ -69,7 +69,7 @@ def _closed_form(route: Route, seen: Survey, limits: AxisLimits, segments: Segme
     laps = int(segments.after[-1]) // route.n_curve
     in_lap = np.zeros((laps, route.n_curve), dtype=bool)
     in_lap.reshape(-1)[ranges(segments.first[chosen], segments.after[chosen] - segments.first[chosen])] = True
-    pieces = _repeated(cut(route, seen, limits, in_lap.any(axis=0)), laps, route)
+    pieces = _repeated(cut(route, seen, limits, np.asarray(in_lap.any(axis=0))), laps, route)
     start_speed, end_speed = _border_speeds(pieces)
     ceiling, *shape = pieces.bounds
     peak = peak_speed(pieces.length, start_speed, end_speed, ceiling, *shape)
@@ -82,9 +82,14 @@ def _closed_form(route: Route, seen: Survey, limits: AxisLimits, segments: Segme
 def _repeated(pieces: Pieces, laps: int, route: Route) -> Pieces:
     """Return the pieces of several laps, their starts and curves counted over the laps."""
     lap = np.repeat(np.arange(laps), pieces.start.size)
-    bounds = Bounds(*(np.tile(part, laps) for part in pieces.bounds))
-    start, length, stop, ceiling, curve = (np.tile(part, laps) for part in pieces if not isinstance(part, Bounds))
-    return Pieces(start + lap * float(route.path.length), length, bounds, stop, ceiling, curve + lap * route.n_curve)
+    return Pieces(
+        np.tile(pieces.start, laps) + lap * float(route.path.length),
+        np.tile(pieces.length, laps),
+        Bounds(*(np.tile(part, laps) for part in pieces.bounds)),
+        np.tile(pieces.stop, laps),
+        np.tile(pieces.junction_speed, laps),
+        np.tile(pieces.curve, laps) + lap * route.n_curve,
+    )
 
 
 def _fastest(n_segment: int, moves: list[_Moves]) -> _Moves:

@@ -162,7 +162,8 @@ def sample_segments(route: Route, seen: Survey, limits: AxisLimits, segments: Se
     # The speed is zero at both ends anyway; the check there compares with the programmed speed.
     ceiling[begin[:-1]] = route.feedrate[curve[first_curve[:-1]]]
     ceiling[begin[1:] - 1] = route.feedrate[curve[first_curve[1:] - 1]]
-    return SegmentSamples(arc_length, *derivatives, ceiling, begin)
+    tangent, second, third = derivatives
+    return SegmentSamples(arc_length, tangent, second, third, ceiling, begin)
 
 
 def _window(route: Route, seen: Survey, limits: AxisLimits, longest: Array, curves: Index) -> list[NDArray[Any]]:
