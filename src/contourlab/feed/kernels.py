@@ -79,7 +79,7 @@ def reach(
     arc_length, tangent, second, third, turning, speeding, reference, ceiling, acceleration, jerk, period, known_reference, known_ceiling,
     behind, square, flags
 ):  # fmt: skip
-    """Find the fastest v^2 from rest to rest: a backward pass for the speeds from which the motion can stop, a forward pass for the largest.
+    """Find the fastest v^2 from rest to rest: a backward pass for speeds that can stop, a forward pass for the largest.
 
     A second call with other limits recomputes only what has changed.
 
@@ -225,7 +225,7 @@ def flatten(arc_length, speed, lasting, ceiling):
             continue
         level = speed[i]
         left, right = i, i
-        # Move both ends down, the higher one first, until the way between them takes long enough or another peak joins.
+        # Move both ends down, the higher one first, until the way between takes long enough or another peak joins.
         while left > 0 and right < n - 1 and speed[left - 1] <= speed[left] and speed[right + 1] <= speed[right]:
             lower = max(speed[left - 1], speed[right + 1])
             on_left = left - 1 if speed[left - 1] >= lower else left
