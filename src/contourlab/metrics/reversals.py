@@ -157,7 +157,8 @@ def reversal_figures(spikes: Sequence[Spike], *, places: bool = True) -> tuple[R
     for spike in spikes:
         angle = spike.angle if places and math.isfinite(spike.angle) else None
         groups.setdefault((spike.axis, spike.direction, angle), []).append(spike)
-    return tuple(sorted(map(_figures_of, groups.values()), key=lambda f: (math.isnan(f.angle), np.nan_to_num(f.angle), f.axis, -f.direction)))
+    figures = map(_figures_of, groups.values())
+    return tuple(sorted(figures, key=lambda f: (math.isnan(f.angle), np.nan_to_num(f.angle), f.axis, -f.direction)))
 
 
 def _figures_of(group: Sequence[Spike]) -> ReversalFigures:
