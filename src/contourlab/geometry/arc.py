@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from contourlab.errors import GeometryError
-from contourlab.geometry.curve import Array, Curve, Index, Together, of_each, positive, rows, vector
+from contourlab.geometry.curve import Array, Curve, CurveBatch, Index, of_each, positive, rows, vector
 
 
 class Arc(Curve):
@@ -36,6 +36,8 @@ class Arc(Curve):
     >>> round(Arc((0, 0), 2.0, 0.0, math.pi).length, 6)
     6.283185
     """
+
+    digest_parts = ("arc", "radius", "start_angle", "sweep", "centre", "u", "v", "rise")
 
     def __init__(
         self,
@@ -127,7 +129,7 @@ class Arc(Curve):
         return cls(plane + height, radius, first, exact, e1, e2, rise)
 
     @classmethod
-    def together(cls, curves: Sequence[Arc]) -> Arcs:
+    def batch(cls, curves: Sequence[Arc]) -> Arcs:
         return Arcs(curves)
 
     def part(self, low: float, high: float) -> Arc:
@@ -155,12 +157,9 @@ class Arc(Curve):
     def smallest_radius(self) -> float:
         return 1.0 / (self.radius * self.rate**2)
 
-    def describe(self) -> tuple[object, ...]:
-        vectors = (self.centre, self.u, self.v, self.rise)
-        return ("arc", self.radius, self.start_angle, self.sweep, *(x for v in vectors for x in v.tolist()))
 
 
-class Arcs(Together):
+class Arcs(CurveBatch):
     """Many arcs and helices at once."""
 
     def __init__(self, curves: Sequence[Arc]) -> None:

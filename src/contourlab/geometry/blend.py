@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from contourlab.errors import GeometryError
-from contourlab.geometry.curve import Array, Curve, Index, Together, by_arc_length, clenshaw, rows
+from contourlab.geometry.curve import Array, Curve, CurveBatch, Index, by_arc_length, clenshaw, rows
 
 ACCURACY = 1e-12
 """Largest error of an arc length, as a part of the blend's length; a blend that misses it is divided."""
@@ -166,6 +166,8 @@ class Blend(Curve):
     5.0
     """
 
+    digest_parts = ("blend", "coefficients")
+
     def __init__(self, coefficients: ArrayLike) -> None:
         c = np.array(coefficients, dtype=float)
         if c.ndim != 2 or c.shape[0] != 6 or c.shape[1] < 1 or not np.isfinite(c).all():
@@ -180,18 +182,16 @@ class Blend(Curve):
         self.n_axis = coefficients.shape[1]
 
     @classmethod
-    def together(cls, curves: Sequence[Blend]) -> Blends:
+    def batch(cls, curves: Sequence[Blend]) -> Blends:
         return Blends(curves)
 
     def derivatives(self, s: ArrayLike, order: int = 3) -> Array:
         along = np.atleast_1d(np.asarray(s, dtype=float))
         return Blends([self]).derivatives(np.zeros(along.size, dtype=np.int64), along, order).transpose(0, 2, 1)
 
-    def describe(self) -> tuple[object, ...]:
-        return ("blend", *self.coefficients.ravel().tolist())
 
 
-class Blends(Together):
+class Blends(CurveBatch):
     """Many blends at once."""
 
     def __init__(self, curves: Sequence[Blend]) -> None:

@@ -21,6 +21,7 @@ class Ellipse(Parametric):
         Semi-axes.
     """
 
+    digest_parts = ("ellipse", "a", "b")
     n_axis = 2
     n_joint = 9
 
@@ -34,8 +35,6 @@ class Ellipse(Parametric):
         turns = [(c, s), (-s, c), (-c, -s), (s, -c)]
         return np.array([np.column_stack([self.a * x, self.b * y]) for x, y in turns[: order + 1]])
 
-    def describe(self) -> tuple[object, ...]:
-        return ("ellipse", self.a, self.b)
 
 
 class EllipticalArc(Parametric):
@@ -57,6 +56,8 @@ class EllipticalArc(Parametric):
     >>> round(EllipticalArc((0, 0), (2, 0), (0, 2), 0.0, math.pi).length, 6)
     6.283185
     """
+
+    digest_parts = ("elliptical-arc", "first", "last", "centre", "p", "q")
 
     def __init__(self, centre: ArrayLike, p: ArrayLike, q: ArrayLike, start: float = 0.0, end: float = 2.0 * math.pi) -> None:
         self.centre, self.p, self.q = vector(centre, "centre"), vector(p, "p"), vector(q, "q")
@@ -81,8 +82,6 @@ class EllipticalArc(Parametric):
         found[0] += self.centre
         return found
 
-    def describe(self) -> tuple[object, ...]:
-        return ("elliptical-arc", self.first, self.last, *(x for v in (self.centre, self.p, self.q) for x in v.tolist()))
 
 
 class Lemniscate(Parametric):
@@ -94,6 +93,7 @@ class Lemniscate(Parametric):
         Half its width.
     """
 
+    digest_parts = ("lemniscate", "a")
     n_axis = 2
     n_joint = 9
 
@@ -107,8 +107,6 @@ class Lemniscate(Parametric):
         rows = [(s, 0.5 * s2), (c, c2), (-s, -2.0 * s2), (-c, -4.0 * c2)]
         return np.array([self.a * np.column_stack(row) for row in rows[: order + 1]])
 
-    def describe(self) -> tuple[object, ...]:
-        return ("lemniscate", self.a)
 
 
 class Lissajous(Parametric):
@@ -136,6 +134,8 @@ class Lissajous(Parametric):
     Any text on vibrations; as contours of two axes Lissajous figures are usual, in more axes the form is ours.
     """
 
+    digest_parts = ("lissajous", "n_axis", "amplitude", "lowest", "phase")
+
     def __init__(self, axes: float, amplitude: float, lowest: float, phase: float) -> None:
         for name, value, low, high in (("axes", axes, 2, 9), ("lowest", lowest, 1, 20)):
             if not (low <= value <= high and float(value).is_integer()):
@@ -159,8 +159,6 @@ class Lissajous(Parametric):
         s, c = self.amplitude * np.sin(angle), self.amplitude * np.cos(angle)
         return np.array([s, k * c, -(k**2) * s, -(k**3) * c][: order + 1])
 
-    def describe(self) -> tuple[object, ...]:
-        return ("lissajous", self.n_axis, self.amplitude, self.lowest, self.phase)
 
 
 class Star(Parametric):
@@ -173,6 +171,7 @@ class Star(Parametric):
     depth : float, 0 to 1 exclusive
     """
 
+    digest_parts = ("star", "radius", "lobes", "depth")
     n_axis = 2
 
     def __init__(self, radius: float, lobes: float, depth: float) -> None:
@@ -198,8 +197,6 @@ class Star(Parametric):
             rows.append(sum(binomial[m][j] * rho[m - j][:, None] * np.column_stack(turn[j]) for j in range(m + 1)))
         return np.array(rows)
 
-    def describe(self) -> tuple[object, ...]:
-        return ("star", self.radius, self.lobes, self.depth)
 
 
 class Spiral(Parametric):
@@ -213,6 +210,7 @@ class Spiral(Parametric):
     turns : float, > 0, at most 1000
     """
 
+    digest_parts = ("spiral", "inner_radius", "pitch", "turns")
     n_axis = 2
 
     def __init__(self, inner_radius: float, pitch: float, turns: float) -> None:
@@ -238,5 +236,3 @@ class Spiral(Parametric):
         )
         return np.array(rows[: order + 1])
 
-    def describe(self) -> tuple[object, ...]:
-        return ("spiral", self.inner_radius, self.pitch, self.turns)

@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from contourlab.errors import GeometryError
-from contourlab.geometry.curve import Array, Curve, Index, Together
+from contourlab.geometry.curve import Array, Curve, CurveBatch, Index
 
 
 class CurveSequence:
@@ -50,17 +50,17 @@ class CurveSequence:
             kinds.setdefault(type(curve), []).append(i)
         self._kind = np.zeros(len(self.curves), dtype=np.int64)
         self._slot = np.zeros(len(self.curves), dtype=np.int64)
-        self._sets: list[Together] = []
+        self._sets: list[CurveBatch] = []
         for number, (kind, members) in enumerate(kinds.items()):
             self._kind[members], self._slot[members] = number, np.arange(len(members))
-            self._sets.append(kind.together([self.curves[i] for i in members]))
+            self._sets.append(kind.batch([self.curves[i] for i in members]))
 
     @property
-    def kinds(self) -> list[tuple[Together, Index]]:
+    def kinds(self) -> list[tuple[CurveBatch, Index]]:
         """The curves by kind: what evaluates them at once, and their numbers along the path in its order."""
         return [(each, np.flatnonzero(self._kind == k)) for k, each in enumerate(self._sets)]
 
-    def kind_of(self, curve: Index) -> Iterator[tuple[Together, Index, Index]]:
+    def kind_of(self, curve: Index) -> Iterator[tuple[CurveBatch, Index, Index]]:
         """Yield, for numbers of curves (n,), by kind: what evaluates them, which of the n are meant, and their slots."""
         if len(self._sets) == 1:
             yield self._sets[0], np.arange(curve.size), self._slot[curve]

@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from contourlab.errors import GeometryError
-from contourlab.geometry.curve import Array, Curve, Index, Together, of_each, rows, vector
+from contourlab.geometry.curve import Array, Curve, CurveBatch, Index, of_each, rows, vector
 
 
 class Line(Curve):
@@ -26,6 +26,8 @@ class Line(Curve):
     >>> Line((0, 0), (3, 4)).length
     5.0
     """
+
+    digest_parts = ("line", "start", "end")
 
     def __init__(self, start: ArrayLike, end: ArrayLike) -> None:
         self.start, self.end = vector(start, "start"), vector(end, "end")
@@ -63,7 +65,7 @@ class Line(Curve):
         return found
 
     @classmethod
-    def together(cls, curves: Sequence[Line]) -> Lines:
+    def batch(cls, curves: Sequence[Line]) -> Lines:
         return Lines(curves)
 
     def derivatives(self, s: ArrayLike, order: int = 3) -> Array:
@@ -77,11 +79,9 @@ class Line(Curve):
     def smallest_radius(self) -> float:
         return float("inf")
 
-    def describe(self) -> tuple[object, ...]:
-        return ("line", *self.start.tolist(), *self.end.tolist())
 
 
-class Lines(Together):
+class Lines(CurveBatch):
     """Many lines at once."""
 
     def __init__(self, curves: Sequence[Line]) -> None:

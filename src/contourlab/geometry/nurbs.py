@@ -70,6 +70,8 @@ class BSpline(Parametric):
         Not falling.
     """
 
+    digest_parts = ("bspline", "degree", "points", "knots")
+
     def __init__(self, degree: int, points: ArrayLike, knots: ArrayLike) -> None:
         self.degree = int(degree)
         self.points, self.knots = _checked(self.degree, points, knots)
@@ -89,8 +91,6 @@ class BSpline(Parametric):
         # The length is integrated from this alone: positions are not needed.
         return np.asarray(np.linalg.norm(self._spline(u.ravel(), 1), axis=1).reshape(u.shape))
 
-    def describe(self) -> tuple[object, ...]:
-        return ("bspline", self.degree, *self.points.ravel().tolist(), *self.knots.tolist())
 
 
 class Nurbs(Parametric):
@@ -107,6 +107,8 @@ class Nurbs(Parametric):
     ----------
     Piegl & Tiller, "The NURBS Book", 2nd ed., eqs (4.1) and (4.8).
     """
+
+    digest_parts = ("nurbs", "degree", "points", "knots", "weights")
 
     def __init__(self, degree: int, points: ArrayLike, knots: ArrayLike, weights: ArrayLike) -> None:
         self.degree = int(degree)
@@ -136,8 +138,6 @@ class Nurbs(Parametric):
         found[0] = found[0] + self.points[0]
         return np.array(found)
 
-    def describe(self) -> tuple[object, ...]:
-        return ("nurbs", self.degree, *self.points.ravel().tolist(), *self.knots.tolist(), *self.weights.tolist())
 
 
 def inner_knots(degree: int, t: Array) -> tuple[Array, Index]:

@@ -14,7 +14,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from contourlab.errors import GeometryError
-from contourlab.geometry.curve import Array, Index, Together
+from contourlab.geometry.curve import Array, CurveBatch, Index
 from contourlab.geometry.curve_sequence import CurveSequence
 
 MOST_CELLS = 8_000_000
@@ -135,7 +135,7 @@ def _spread(n: Index) -> tuple[Index, Index]:
     return owner, np.arange(owner.size) - np.repeat(np.cumsum(n) - n, n)
 
 
-def _evenly(curves: Together, tolerance: float, longest: float) -> tuple[Index, Array, Array, float]:
+def _evenly(curves: CurveBatch, tolerance: float, longest: float) -> tuple[Index, Array, Array, float]:
     """Return pieces of curves whose sixth derivative is known: which curve, both ends, and a bound of the error."""
     assert curves.sixth is not None  # the caller's choice
     least = np.maximum(np.ceil(curves.length / longest - 1e-9), 1.0)
@@ -146,7 +146,7 @@ def _evenly(curves: Together, tolerance: float, longest: float) -> tuple[Index, 
     return slot, part * width[slot], right, float((curves.sixth * width**6).max() / 46080.0)
 
 
-def _first_pieces(curves: Together, tolerance: float, longest: float) -> tuple[Index, Array, Array]:
+def _first_pieces(curves: CurveBatch, tolerance: float, longest: float) -> tuple[Index, Array, Array]:
     marks, count = curves.marks()
     owner, _ = _spread(count)
     inner = owner[1:] == owner[:-1]
@@ -165,7 +165,7 @@ def _first_pieces(curves: Together, tolerance: float, longest: float) -> tuple[I
     return slot[stretch], left, right
 
 
-def _bisect(curves: Together, tolerance: float, longest: float) -> tuple[Index, Array, Array, float]:
+def _bisect(curves: CurveBatch, tolerance: float, longest: float) -> tuple[Index, Array, Array, float]:
     """Return pieces of other curves, halved until each is good: which curve, both ends, and the largest error."""
     slot, left, right = _first_pieces(curves, tolerance, longest)
     done: list[tuple[Index, Array, Array]] = []
@@ -185,7 +185,7 @@ def _bisect(curves: Together, tolerance: float, longest: float) -> tuple[Index, 
     raise GeometryError(f"{type(curves.curves[int(slot[0])]).__name__}: no table of quintic pieces reaches {tolerance:g} m")
 
 
-def _errors(curves: Together, slot: Index, left: Array, right: Array) -> Array:
+def _errors(curves: CurveBatch, slot: Index, left: Array, right: Array) -> Array:
     """Return twice the largest difference (n,) [m] between pieces and their curves, at places inside."""
     low, high = (curves.derivatives(slot, at, 2).transpose(0, 2, 1) for at in (left, right))
     c = _hermite(low, high, right - left)
