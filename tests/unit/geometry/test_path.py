@@ -126,7 +126,7 @@ def test_curvature_in_space_is_that_of_the_plane_it_lies_in() -> None:
 
 def test_a_gap_is_refused_with_its_place() -> None:
     lines = [Line((0.0, 0.0), (1.0, 0.0)), Line((1.0, 0.0), (1.0, 1.0)), Line((1.0, 1.5), (0.0, 0.0))]
-    with pytest.raises(GeometryError, match=r"curve 3 begins 0.5 m away from the end of curve 2, at \[1.0, 1.0\]"):
+    with pytest.raises(GeometryError, match=r"curve 3 starts 0.5 m away from the end of curve 2, at \[1.0, 1.0\]"):
         Path(lines)
     near = [Line((0.0, 0.0), (1.0, 0.0)), Line((1.0, 0.9e-9), (1.0, 1.0))]
     assert Path(near).length == pytest.approx(2.0)
@@ -139,7 +139,7 @@ def test_what_is_no_path_is_refused() -> None:
         Path([])
     with pytest.raises(GeometryError, match="same number of coordinates"):
         Path([Line((0.0, 0.0), (1.0, 0.0)), Line((1.0, 0.0, 0.0), (1.0, 1.0, 0.0))])
-    with pytest.raises(GeometryError, match="must end where it begins"):
+    with pytest.raises(GeometryError, match="must end where it starts"):
         polyline(SQUARE[:4], closed=True)
 
 
