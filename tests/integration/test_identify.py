@@ -165,7 +165,7 @@ def test_a_force_counted_the_other_way_round_is_no_axis(tmp_path: Path, capsys: 
     log = written(tmp_path, sign=-1.0)
     assert main(["identify", str(log), "--column", "force.x=push", "--out", str(tmp_path / "axis.toml")]) == 2
     said = capsys.readouterr().err
-    assert "force.x=-push" in said and said.count("\n") == 1
+    assert "log-0.csv: M = -" in said and said.count("\n") == 1
     assert main(["identify", str(log), "--column", "force.x=-push", "--out", str(tmp_path / "axis.toml")]) == 0
 
 

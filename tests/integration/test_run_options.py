@@ -73,7 +73,7 @@ def test_a_drawing_is_told_from_a_program(tmp_path: Path, capsys: pytest.Capture
     assert main([command[0], str(tmp_path / write(tmp_path, "0\nSECTION\n", name)), *command[1:]]) == 2
     said = capsys.readouterr()
     assert said.out == ""
-    assert f"{name}: " in said.err and said.err.count("\n") == 1
+    assert f"{name}: " in said.err and f'{name}"\n[feed]\n' in said.err
     assert ("points" if name.endswith("csv") else "drawing") in said.err
 
 
