@@ -207,11 +207,11 @@ def test_a_place_that_cannot_be_written_is_told_before_anything_runs(
 
 def test_pictures_leave_the_results_beside_them_alone(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     (tmp_path / "results").mkdir()
-    (tmp_path / "results" / "report.html").write_text("of a run")
+    (tmp_path / "results" / "report.html").write_text("older")
     words = ["--parameter", "x.integral_gain", "--plots", "svg", "--folder", str(tmp_path / "results")]
     assert main(["tune", str(written(tmp_path)), *words]) == 0
     assert str(tmp_path / "results" / "plots" / "tune-course.svg") in capsys.readouterr().out
-    assert (tmp_path / "results" / "report.html").read_text() == "of a run"
+    assert (tmp_path / "results" / "report.html").read_text() == "older"
 
 
 def test_a_start_beyond_its_bounds_is_begun_within_and_says_so(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:

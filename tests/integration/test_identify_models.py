@@ -277,8 +277,8 @@ def test_pictures_have_points_labels_and_a_folder(
 
 def test_a_file_that_was_asked_for_and_is_not_written_is_no_success(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     out = tmp_path / "axis.toml"
-    out.write_text("of another day")
+    out.write_text("older")
     words = [stepped(tmp_path, "V", 10.0), "--column", "command.x=cmd", "--model", "frequency-response"]
     assert main(["identify", *words]) == 0
     assert main(["identify", *words, "--out", str(out)]) == 1
-    assert str(out) in capsys.readouterr().out and out.read_text() == "of another day"
+    assert str(out) in capsys.readouterr().out and out.read_text() == "older"
