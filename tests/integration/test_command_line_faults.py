@@ -50,7 +50,7 @@ SCENARIOS = {
 PROGRAMS = {
     "unknown G-word": ("G21 G90\nG1 X1 F100\nG77 X3\nM2\n", r"bad\.ngc:3:1: G77 "),
     "radii that differ": ("G21 G90\nG0 X0 Y0\nG2 X10 Y0 I4 J0 F100\nM2\n", r"bad\.ngc:3:\d+: the radius is 4 mm .* 6 mm .*: correct"),
-    "nan": ("G21 G90\nG1 Xnan F100\nM2\n", r"bad\.ngc:2:4: X has no number behind it: write for example X10"),
+    "nan": ("G21 G90\nG1 Xnan F100\nM2\n", r"bad\.ngc:2:4: X has no number: write for example X10"),
     "no feedrate": ("G21 G90\nG1 X1\nM2\n", r"bad\.ngc:2:1: G1 without a feedrate: write F"),
     "no end": ("G21 G90\nG1 X1 F100\n", r"bad\.ngc:2: the program has no end: add M2 or M30"),
     "empty": ("", r"bad\.ngc: the program holds no motion"),

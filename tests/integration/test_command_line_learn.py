@@ -92,9 +92,9 @@ def test_the_text_tells_trials_and_what_is_to_be_expected(contourlab: Run, tmp_p
 @pytest.mark.parametrize(
     ("words", "message"),
     [
-        (["compare", "s.toml", "--schemes", "fb,fb"], "scheme 'fb' is asked for twice"),
+        (["compare", "s.toml", "--schemes", "fb,fb"], "scheme 'fb' is given twice"),
         (["compare", "s.toml", "--schemes", "fb,warp"], "no scheme 'warp': there are 'coupled', fb, ccc, mr, me, ilc, and these"),
-        (["compare", "s.toml", "--schemes", "ccc+mr"], "one coupling at most"),
+        (["compare", "s.toml", "--schemes", "ccc+mr"], "at most one coupling"),
         (["learn", "s.toml", "--schemes", "coupled"], "no scheme learns"),
         (["learn", "s.toml", "--schemes", "ilc", "--trials", "0"], "--trials = 0: must be 1 or more"),
         (["learn", "s.toml", "--schemes", "ilc", "--table", "nowhere.nc"], "nowhere.nc: cannot be read as a learned table"),

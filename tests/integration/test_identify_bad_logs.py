@@ -101,7 +101,7 @@ def thin(log: Log) -> Log:
 
 
 REFUSED: dict[str, tuple[Callable[[Log], Log], str]] = {
-    "one row": (lambda log: each(log, lambda v: v[:1]), "three or more are wanted"),
+    "one row": (lambda log: each(log, lambda v: v[:1]), "at least three are needed"),
     "five rows": (lambda log: each(log, lambda v: v[:5]), "at least"),
     "zeros": (lambda log: {**each(log, np.zeros_like), "t": log["t"]}, "must be"),
     "constants": (flat, "must be"),

@@ -247,7 +247,7 @@ def test_a_straight_path_does_not_tell_its_shift() -> None:
     [
         ("x pos [mm]\n1\n2\n3\n", ["--period", "1 ms"], "no reference in log.csv"),
         ("x pos [mm],x ref [mm]\n1,1\n2,1\n3,1\n", ["--period", "1 ms"], "log.csv: nothing is asked to move"),
-        ("x pos [mm],x ref [mm]\n1,1\n2,2\n3,3\n", [], "says no sample times"),
+        ("x pos [mm],x ref [mm]\n1,1\n2,2\n3,3\n", [], "has no sample times"),
         ("x pos [mm],x ref [mm]\n1,1\n2,2\n3,3\n", ["--period", "1"], "--period"),
         ("x pos [mm],x ref [mm]\n1,1\n2,2\n3,3\n", ["--period", "1 ms", "--axes", "q"], "no axis q"),
         ("x pos [mm],x ref [mm]\n1,1\n2,2\n3,3\n", ["--period", "1 ms", "--tolerance", "3 s"], "--tolerance"),

@@ -11,7 +11,7 @@ from pathlib import Path
 import pytest
 
 from contourlab.program.block import read_words
-from contourlab.program.parameters import Parameters
+from contourlab.program.expressions import Parameters
 from contourlab.program.vocabulary import BlockError
 
 pytestmark = [

@@ -13,7 +13,7 @@ from refusals import refuses
 from scipy.linalg import expm
 
 from contourlab.analysis.backlash.exact_simulation import simulate_exact
-from contourlab.analysis.linear.small_exponential import exponentials
+from contourlab.analysis.backlash.mode_flow import exponentials
 from contourlab.errors import ParameterError
 from contourlab.papers.shahin.two_inertia_loop import TwoInertias, motor_pid, p_pi_cascade, two_inertia_loop
 
@@ -145,12 +145,7 @@ def test_exponential_of_slow_beside_fast() -> None:
     assert found[2, 0, 1] == pytest.approx(1e3 / (2e5 - 0.2) * math.exp(-2.0), rel=1e-11)
 
 
-def test_bad_starts_are_refused() -> None:
-    loop = paper_loop()
-    with refuses(ParameterError, name="start"):
-        simulate_exact(loop, [0.0, 1.0], 1.0)
-    with refuses(ParameterError, name="duration", value=0.0):
-        simulate_exact(loop, np.zeros(4), 0.0)
+def test_a_run_with_too_many_changes_of_mode_is_refused() -> None:
     with refuses(ParameterError, "10 s", value=10):
         simulate_exact(two_inertia_loop(PAPER, FREE), [0.0, 1.0, 0.0, 0.0], 10.0, most=10)
 

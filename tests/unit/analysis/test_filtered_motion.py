@@ -64,7 +64,7 @@ def test_filtered_motion_comes_without_lag_and_loses_half_at_the_cut_off() -> No
 
 @pytest.mark.parametrize(
     ("options", "word"),
-    [({"cutoff": 500.0}, "Nyquist.* 500"), ({"cutoff": 0.0}, "> 0"), ({"cutoff": 10.0, "order": 0}, "order")],
+    [({"cutoff": 500.0}, "Nyquist.* 500"), ({"cutoff": 0.0}, "> 0")],
 )
 def test_a_filter_that_is_none_is_refused(options: dict[str, float], word: str) -> None:
     with pytest.raises(ParameterError, match=word):
@@ -76,5 +76,3 @@ def test_records_shorter_than_a_filter_are_refused() -> None:
         filtered_motion(np.zeros(12), PERIOD, cutoff=50.0)
     with refuses(ParameterError, name="record", value="24 samples"):
         decimate(np.zeros(24), 2)
-    with refuses(ParameterError, name="decimation", value=0):
-        decimate(np.zeros(100), 0)

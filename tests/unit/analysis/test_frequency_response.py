@@ -250,5 +250,3 @@ def test_what_is_wrong_is_said() -> None:
         fit_linear_motor(spectral_response([Measured(PERIOD, u, -place)]))
     with refuses(ParameterError, "noise", name="frequency", value="0 points"):
         fit_linear_motor(spectral_response([Measured(PERIOD, u, noise(4000, 1.0))]))
-    with refuses(ParameterError, name="side", value="'middle'"):
-        fit_two_inertia(spectral_response([Measured(PERIOD, u, place)]), "middle")

@@ -175,8 +175,6 @@ def test_a_record_that_is_too_short_says_how_long_one_has_to_be() -> None:
     ("options", "word"),
     [
         ({"cutoff": 500.0}, "Nyquist"),
-        ({"friction": "round"}, "symmetric"),
-        ({"dropped": (-1, 0)}, "dropped"),
         ({"decimation": 0}, "decimation"),
     ],
 )

@@ -64,7 +64,7 @@ def test_a_ramp_that_moves_nothing_is_told() -> None:
     place = driven(PLANT, weak, PERIOD, friction=Coulomb(coulomb=20.0), sensor=Encoder(resolution=1e-7))
     found, said = breakaways(time, weak, place)
     assert [one.direction for one in found] == [1, 1]
-    assert len(said) == 2 and all("breakaway" in words for words in said)
+    assert len(said) == 2 and all("breakaway" in note.text for note in said)
 
 
 def test_what_is_no_ramp_is_refused() -> None:

@@ -6,7 +6,7 @@ import pytest
 from refusals import refuses
 
 from contourlab.errors import ContourlabError, LogError, ParameterError, ResultError
-from contourlab.logs.error_context import about
+from contourlab.logs.load import about
 
 
 @pytest.mark.parametrize(

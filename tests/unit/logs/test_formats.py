@@ -253,7 +253,7 @@ def test_a_table_may_have_gaps_and_no_names(tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     ("text", "said"),
     [
-        ("t,x\n0,1\n1,2,3\n", "a.csv:3: has 3 columns where 2 are wanted"),
+        ("t,x\n0,1\n1,2,3\n", "a.csv:3: has 3 columns instead of 2"),
         ("t,x\n0,1\n1,two\n", "a.csv:3: .*'two'.*'x'"),
         ("t,x\nname,of\n", "no rows"),
         ("time [s],x [mm]\n", "no rows"),
@@ -362,7 +362,7 @@ def test_what_is_no_log_is_said_in_words(tmp_path: Path, kind: str) -> None:
 
 
 def test_a_device_is_no_file() -> None:
-    with refuses(LogError, "plain file", file="/dev/null"):
+    with refuses(LogError, "regular file", file="/dev/null"):
         read_record(Path("/dev/null"))
 
 

@@ -1,4 +1,4 @@
-"""From a log to a result: which column is what, in which unit, and on which clock."""
+"""From a log to a result: which columns are unknown, in which unit, and on which clock."""
 
 from __future__ import annotations
 
@@ -74,7 +74,7 @@ def test_times_that_nobody_needs_are_no_fault() -> None:
     even = np.arange(50) * 1e-3
     log = result_of(record(Channel("time", np.zeros(50), "s", even), Channel("x pos", even, "m", even)), Columns())
     assert log.result.servo_period == 1e-3
-    with pytest.raises(LogError, match=r"'time'.*coarsely"):
+    with pytest.raises(LogError, match=r"'time'.*repeat"):
         result_of(record(Channel("time", np.zeros(50), "s"), Channel("x pos", even, "m")), Columns())
 
 
@@ -89,7 +89,7 @@ def test_what_the_user_says_goes_first() -> None:
     [
         (["position.x"], "write for example position.x=NAME"),
         (["place.x=a"], "'place.x' is no signal"),
-        (["position=a"], "which axis"),
+        (["position=a"], "write the axis"),
         (["time.x=a"], "no axis"),
         (["position.x=a [kg]"], "kg.*position"),
         (["position.x=a [beans]"], "unknown unit"),
@@ -118,7 +118,7 @@ def test_a_file_of_columns(tmp_path: Path) -> None:
         ("columns = 3", "columns: .*table"),
         ('[columns]\n"position.x" = {colum = "a"}', "columns.position.x: write"),
         ('[columns]\n"position.x" = {column = "a", factor = 0}', "factor = 0"),
-        ("[columns", "is no TOML"),
+        ("[columns", "not valid TOML"),
     ]:
         file.write_text(line)
         with pytest.raises(LogError, match=said):
@@ -128,7 +128,7 @@ def test_a_file_of_columns(tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     ("channels", "columns", "said"),
     [
-        ([Channel("a", np.arange(3.0))], [], "column is what"),
+        ([Channel("a", np.arange(3.0))], [], "columns are unknown"),
         ([Channel("a", np.arange(3.0))], ["position.x=b [mm]"], "'b'.*'a'"),
         ([Channel("a", np.arange(3.0))], ["position.x=a"], "'a'.*no unit"),
         ([Channel("a", np.arange(3.0), "kg")], ["position.x=a"], "kg.*position"),

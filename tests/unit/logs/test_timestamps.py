@@ -13,7 +13,7 @@ from refusals import mentions
 
 from contourlab.errors import LogError
 from contourlab.logs import load_log, parse_columns
-from contourlab.logs.timestamps import timestamp_channel
+from contourlab.logs.delimited import timestamp_channel
 
 
 def log(folder: Path, cells: list[str], mark: str = ";", name: str = "stamp") -> Path:
@@ -106,8 +106,8 @@ def test_a_doubtful_timestamp_is_refused_with_its_line_and_the_cure(tmp_path: Pa
 @pytest.mark.parametrize(
     ("cells", "said"),
     [
-        (["2024-05-31T14:03:21", "2024-05-31T14:03:22;7", "2024-05-31T14:03:23"], "csv:3: has 3 columns where 2"),
-        (["2024-05-31T14:03:21"] * 40 + ["2024-05-31T14:03:22"] * 40 + ["2024-05-31T14:03:23"], "coarsely"),
+        (["2024-05-31T14:03:21", "2024-05-31T14:03:22;7", "2024-05-31T14:03:23"], "csv:3: has 3 columns instead of 2"),
+        (["2024-05-31T14:03:21"] * 40 + ["2024-05-31T14:03:22"] * 40 + ["2024-05-31T14:03:23"], "repeat"),
         (["2024-05-31T14:03:21", "2024-05-31T14:03:20", "2024-05-31T14:03:23"], "time goes back"),
     ],
 )
@@ -123,7 +123,7 @@ def test_a_column_that_is_named_goes_before_one_of_dates(tmp_path: Path) -> None
     assert load_log(file).result.servo_period == pytest.approx(2e-3)
     named = parse_columns(["time=written at"])
     assert load_log(file, columns=named).result.servo_period == pytest.approx(1.0)
-    with pytest.raises(LogError, match="without ms"):
+    with pytest.raises(LogError, match="leave out ms"):
         load_log(file, columns=parse_columns(["time=written at [ms]"]))
 
 
@@ -169,7 +169,7 @@ def test_dates_that_nobody_needs_are_no_fault(tmp_path: Path, cells: str) -> Non
 @pytest.mark.parametrize(
     ("cells", "why"),
     [
-        (["2024-05-31T14:03:21"] * 30 + ["2024-05-31T14:03:22"] * 30, "coarsely"),
+        (["2024-05-31T14:03:21"] * 30 + ["2024-05-31T14:03:22"] * 30, "repeat"),
         (["31.05.24 14:03:21", "31.05.24 14:03:22", "31.05.24 14:03:23"], "csv:2: .*timestamp"),
         (["14:03:21", "14:03:22", "noon"], "csv:4: 'noon'"),
         (["", "", ""], "no times"),

@@ -124,7 +124,7 @@ def test_a_share_of_nothing_is_no_deviation() -> None:
     ("more", "words"),
     [
         ('[limits]\nvelocity = {value = "1 m/s", source = "datasheet", deviation = "1 %"}', "simulated"),
-        ('[drive]\nkind = {value = "saturation", source = "datasheet"}', "text"),
+        ('[drive]\nkind = {value = "saturation", source = "datasheet"}', "drive.kind"),
         ('[disturbance]\nkind = "force-ripple"\npitch = "20 mm"\nphases = ["0 deg"]\n'
          'amplitudes = {value = ["1 N"], source = "fitted", deviation = "1 %"}', "list"),
     ],

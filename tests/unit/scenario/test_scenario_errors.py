@@ -125,10 +125,10 @@ def test_files_that_are_not_there(tmp_path: Path) -> None:
 
 def test_a_circle_of_files_is_named(written: Write) -> None:
     written(a='machine = "b.toml"', b='machine = "a.toml"')
-    with pytest.raises(ScenarioError, match=r"circle: a\.toml -> b\.toml -> a\.toml"):
+    with pytest.raises(ScenarioError, match=r"other: a\.toml -> b\.toml -> a\.toml"):
         load_machine(written(a='machine = "b.toml"'))
     itself = '[machine]\nname = "m"\nservo_period = "1 ms"\naxes = ["x"]\n[axes.x]\nfile = "m.toml"\n'
-    with pytest.raises(ScenarioError, match=r"circle: m\.toml -> m\.toml"):
+    with pytest.raises(ScenarioError, match=r"other: m\.toml -> m\.toml"):
         load_machine(written(m=itself))
 
 
@@ -160,7 +160,7 @@ def test_programs_are_checked_against_the_machine(written: Write, tmp_path: Path
     ok = scenario_from_parts(part, machine, controller)
     assert ok.name == "part" and ok.cases()[0].lines == ("G1 X10 F600", "M2")
     for words, message in (
-        ({"feed": {"feedrate": "1 m/min"}}, "how fast"),
+        ({"feed": {"feedrate": "1 m/min"}}, "override"),
         ({"feed": {"laps": 2}}, "once"),
         ({"feed": {"law": "uniform"}}, "planned"),
         ({"feed": {"override": 3.0}}, "<= 2"),

@@ -197,10 +197,10 @@ def _rigid_start(points: _Points) -> dict[str, Free]:
         inverse = hold * np.exp(-s * delay) / points.speed(points.response)
         w = points.weight / np.abs(inverse)
         columns = np.concatenate([np.column_stack([0.0 * w, w]), np.column_stack([s.imag * w, 0.0 * w])])
-        found, *_ = np.linalg.lstsq(columns, np.concatenate([inverse.real * w, inverse.imag * w]), rcond=None)
-        cost = float(np.sum((columns @ found - np.concatenate([inverse.real * w, inverse.imag * w])) ** 2))
-        if cost < least and found[0] > 0.0:
-            best, least = (float(found[0]), float(found[1]), float(delay)), cost
+        solution, *_ = np.linalg.lstsq(columns, np.concatenate([inverse.real * w, inverse.imag * w]), rcond=None)
+        cost = float(np.sum((columns @ solution - np.concatenate([inverse.real * w, inverse.imag * w])) ** 2))
+        if cost < least and solution[0] > 0.0:
+            best, least = (float(solution[0]), float(solution[1]), float(delay)), cost
     mass, damping, delay = best
     if mass <= 0.0:
         raise ParameterError("M", "below zero", "> 0: the axis goes against its command; reverse the sign of one of the two")
@@ -243,8 +243,6 @@ def fit_two_inertia(measured: MeasuredResponse, side: str = "motor") -> DriveFit
     ParameterError
         If there are fewer than 8 points, a mass comes out below zero, or the parameters are not told apart.
     """
-    if side not in ("motor", "load"):
-        raise ParameterError("side", repr(side), "one of 'motor', 'load'")
     points = _points(measured, 8)
     rigid = _fitted(points, linear_motor, _rigid_start(points))
 
@@ -347,19 +345,19 @@ def _fitted(points: _Points, model: Callable[[Parameters, Complex], Complex], fr
     def response(x: Parameters) -> Complex:
         return held_response(lambda s: model(x, s), points.frequency, points.period)
 
-    found = fit_output(lambda x: points.row(response(x)), points.measured, free)
+    output_fit = fit_output(lambda x: points.row(response(x)), points.measured, free)
     # Points over frequency are not a record in time, and often few: colour may not lower a deviation.
-    found = replace(found, robust_deviations=np.maximum(found.deviations, found.robust_deviations))
-    predicted = response(dict(zip(found.names, found.values.tolist(), strict=True)))
+    output_fit = replace(output_fit, robust_deviations=np.maximum(output_fit.deviations, output_fit.robust_deviations))
+    predicted = response(dict(zip(output_fit.names, output_fit.values.tolist(), strict=True)))
     fit = fit_percent(points.speed(points.response), points.speed(predicted))
     findings, usable = [], True
     if points.left_out:
         findings.append(finding("CL537", points=points.left_out))
-    for name in found.names:
-        value, deviation = found[name], found.deviation(name)
+    for name in output_fit.names:
+        value, deviation = output_fit[name], output_fit.deviation(name)
         if name == "delay" and value < 1e-3 * points.period:
             findings.append(finding("CL528", "delay"))
-        elif name in found.at_bound:
+        elif name in output_fit.at_bound:
             findings.append(finding("CL527", name, value=value))
             usable = usable and name not in VITAL
         elif deviation > 0.01 * WELL_KNOWN * abs(value) and not (name == "delay" and deviation < points.period):
@@ -368,7 +366,7 @@ def _fitted(points: _Points, model: Callable[[Parameters, Complex], Complex], fr
     if fit < EXPLAINED:
         findings.append(finding("CL533", fit=fit / 100.0, output="response"))
         usable = usable and fit > 0.5 * EXPLAINED
-    return DriveFit(found, points.frequency, points.response, predicted, fit, usable, tuple(findings))
+    return DriveFit(output_fit, points.frequency, points.response, predicted, fit, usable, tuple(findings))
 
 
 def _with_resonance(points: _Points, fit: DriveFit, rigid: DriveFit) -> DriveFit:
@@ -385,9 +383,9 @@ def _with_resonance(points: _Points, fit: DriveFit, rigid: DriveFit) -> DriveFit
         findings.append(finding("CL540"))
     n = 2 * points.frequency.size
 
-    def criterion(one: DriveFit) -> float:
-        left = float(np.sum((one.found.measured - one.found.predicted) ** 2))
-        k = len(one.found.names) + 1
+    def criterion(fitted: DriveFit) -> float:
+        left = float(np.sum((fitted.found.measured - fitted.found.predicted) ** 2))
+        k = len(fitted.found.names) + 1
         return n * math.log(max(left / n, 1e-300)) + 2.0 * k + 2.0 * k * (k + 1) / max(n - k - 1, 1)
 
     if criterion(fit) > criterion(rigid) - 2.0:

@@ -144,16 +144,16 @@ def identify_first_order(time: ArrayLike, command: ArrayLike, position: ArrayLik
     if not np.ptp(measured) > 0.0:
         raise ParameterError("position", "a record", "one in which the axis moves")
     free = _start(blocks, measured, friction)
-    found = fit_output(blocks.model, measured, free)
+    fit = fit_output(blocks.model, measured, free)
     left_out: list[Finding] = []
     for name in ("start", "delay", "friction"):
-        if name in free and (name in found.at_bound or abs(found[name]) < 2.0 * found.deviation(name)):
+        if name in free and (name in fit.at_bound or abs(fit[name]) < 2.0 * fit.deviation(name)):
             left_out.append(finding("CL528", name))
-            free = {key: replace(part, start=found[key]) for key, part in free.items() if key != name}
-            found = fit_output(blocks.model, measured, free)
+            free = {key: replace(part, start=fit[key]) for key, part in free.items() if key != name}
+            fit = fit_output(blocks.model, measured, free)
     middle = np.asarray(time, dtype=float)[0] + period * smoothing * (np.arange(measured.size) + 0.5)
-    findings, usable = _fit_findings(found, "velocity")
-    return FirstOrderFit(found, middle, blocks.averaged(u), smoothing, usable, (*left_out, *findings))
+    findings, usable = _fit_findings(fit, "velocity")
+    return FirstOrderFit(fit, middle, blocks.averaged(u), smoothing, usable, (*left_out, *findings))
 
 
 def _start(blocks: _Blocks, measured: Array, with_friction: bool) -> dict[str, Free]:
@@ -274,6 +274,6 @@ def identify_closed_loop(
                 best, least = (a, b), cost
     a, b = best
     scale = max(b, 0.1 * a * velocity_gain, 1e-3 / period)
-    found = fit_output(model, p, {"a": Free(a, 1e-3 * a, 1e3 * a, a), "b": Free(b, 0.0, 10.0 / period, scale)})
-    findings, usable = _fit_findings(found, "position")
-    return FirstOrderFit(found, np.asarray(time, dtype=float), r, 1, usable, tuple(findings))
+    fit = fit_output(model, p, {"a": Free(a, 1e-3 * a, 1e3 * a, a), "b": Free(b, 0.0, 10.0 / period, scale)})
+    findings, usable = _fit_findings(fit, "position")
+    return FirstOrderFit(fit, np.asarray(time, dtype=float), r, 1, usable, tuple(findings))

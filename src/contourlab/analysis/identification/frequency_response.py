@@ -227,9 +227,9 @@ def _detrended(values: Array) -> Array:
     return np.asarray(values - np.polyval(np.polyfit(t, values, 1), t))
 
 
-def _coherence(cross: Complex, one: Complex, other: Complex) -> Array:
+def _coherence(cross: Complex, power: Complex, other_power: Complex) -> Array:
     with np.errstate(divide="ignore", invalid="ignore"):
-        return np.asarray(np.clip(np.nan_to_num(np.abs(cross) ** 2 / (one.real * other.real)), 0.0, 1.0))
+        return np.asarray(np.clip(np.nan_to_num(np.abs(cross) ** 2 / (power.real * other_power.real)), 0.0, 1.0))
 
 
 FEWEST_LINES, WIDTH = 15, 0.08
@@ -300,11 +300,11 @@ def _local(x: Complex, y: Complex, u: Complex, closed: bool) -> tuple[complex, f
         return None
 
     def solved(signal: Complex) -> tuple[complex, float, float]:
-        found = inverse @ signal
-        left = float(np.sum(np.abs(signal - columns @ found) ** 2))
+        solution = inverse @ signal
+        left = float(np.sum(np.abs(signal - columns @ solution) ** 2))
         variance = left / (x.size - 6)
-        explained = float(np.sum(np.abs(columns[:, :3] @ found[:3]) ** 2))
-        return complex(found[0]), spread * variance / 2.0, explained / (explained + left)
+        explained = float(np.sum(np.abs(columns[:, :3] @ solution[:3]) ** 2))
+        return complex(solution[0]), spread * variance / 2.0, explained / (explained + left)
 
     top, top_variance, coherence = solved(y)
     if not closed:

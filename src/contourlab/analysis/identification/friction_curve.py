@@ -189,9 +189,9 @@ def _columns(model: FrictionModel, v: Array, vs: float, offset: bool) -> tuple[l
     parts: list[tuple[str, Array]] = []
     if model.directed:
         for sign, mark in ((1.0, "+"), (-1.0, "-")):
-            there = (way == sign).astype(float)
-            parts += [(f"Fc{mark}", way * there), (f"Fv{mark}", v * there)]
-            parts += [(f"drop{mark}", way * there * bend)] if model.stribeck else []
+            here = (way == sign).astype(float)
+            parts += [(f"Fc{mark}", way * here), (f"Fv{mark}", v * here)]
+            parts += [(f"drop{mark}", way * here * bend)] if model.stribeck else []
     else:
         parts = [("Fc", way)] if model.coulomb else []
         parts += [("Fv", v)] if model.viscous else []
@@ -212,8 +212,8 @@ def _weighted(columns: Array, u: Array, s: Array, precision: float = 1e-3) -> tu
         return x, float(np.sum(np.log(2.0 * math.pi * variance) + left**2 / variance))
 
     top = math.log(max(float(np.abs(u).max()), 1e-300))
-    found = minimize_scalar(lambda z: solved(math.exp(z))[1], bounds=(top - 20.0, top), method="bounded", options={"xatol": precision})
-    best = math.exp(float(found.x))
+    scatter = minimize_scalar(lambda z: solved(math.exp(z))[1], bounds=(top - 20.0, top), method="bounded", options={"xatol": precision})
+    best = math.exp(float(scatter.x))
     x, likelihood = solved(best)
     nothing = solved(0.0)
     return (nothing[0], 0.0, nothing[1]) if nothing[1] <= likelihood else (x, best, likelihood)

@@ -68,16 +68,10 @@ class InverseDynamicsSettings:
     lost_degrees: int | None = None
 
     def __post_init__(self) -> None:
-        if self.friction not in PARAMETERS:
-            raise ParameterError("friction", repr(self.friction), f"one of {', '.join(map(repr, PARAMETERS))}")
         if not (isinstance(self.decimation, int) and self.decimation >= 1):
             raise ParameterError("decimation", self.decimation, "a whole number of 1 or more")
-        if len(self.dropped) != 2 or min(self.dropped) < 0:
-            raise ParameterError("dropped", self.dropped, "two numbers of samples >= 0, at the start and at the end")
         if not (math.isfinite(self.slowest) and self.slowest >= 0.0):
             raise ParameterError("slowest", f"{self.slowest:g}", ">= 0", "m/s")
-        if self.lost_degrees is not None and self.lost_degrees < 0:
-            raise ParameterError("lost_degrees", self.lost_degrees, ">= 0")
 
 
 @dataclass(frozen=True, eq=False)

@@ -95,8 +95,8 @@ def _frequency(part: Array, period: float) -> float | None:
     def left(frequency: float) -> float:
         w = 2.0 * math.pi * frequency
         columns = np.column_stack([np.ones_like(t), np.sin(w * t), np.cos(w * t)])
-        found = np.linalg.lstsq(columns, part, rcond=None)[0]
-        return float(np.sum((part - columns @ found) ** 2))
+        solution = np.linalg.lstsq(columns, part, rcond=None)[0]
+        return float(np.sum((part - columns @ solution) ** 2))
 
     size = 8 * part.size
     spectrum = np.abs(np.fft.rfft((part - part.mean()) * np.hanning(part.size), size))
@@ -104,8 +104,8 @@ def _frequency(part: Array, period: float) -> float | None:
     step = 1.0 / (part.size * period)
     candidates = np.linspace(max(peak - 1.5 * step, 0.5 * step), peak + 1.5 * step, 25)
     start = float(candidates[int(np.argmin([left(float(f)) for f in candidates]))])
-    found = minimize_scalar(left, bounds=(start - 0.2 * step, start + 0.2 * step), method="bounded", options={"xatol": 1e-7 * start})
-    return float(found.x) if float(found.fun) < PURE**2 * spread else None
+    optimum = minimize_scalar(left, bounds=(start - 0.2 * step, start + 0.2 * step), method="bounded", options={"xatol": 1e-7 * start})
+    return float(optimum.x) if float(optimum.fun) < PURE**2 * spread else None
 
 
 def sine_point(run: Measured, start: int, stop: int, frequency: float) -> SinePoint:
@@ -167,13 +167,13 @@ def _harmonics(values: Array, t: Array, w: float, most: int, trend: int) -> tupl
     polynomial = [(middle / (abs(middle[0]) or 1.0)) ** k for k in range(trend + 1)]
     waves = [part for h in range(1, most + 1) for part in (np.cos(h * w * t), -np.sin(h * w * t))]
     columns = np.column_stack([*polynomial, *waves])
-    found, *_ = np.linalg.lstsq(columns, values, rcond=None)
-    left = values - columns @ found
+    solution, *_ = np.linalg.lstsq(columns, values, rcond=None)
+    left = values - columns @ solution
     inverse = np.linalg.pinv(columns.T @ columns)
     enough = left.size > 2 * columns.shape[1]
     spread = coloured_deviations(columns, left, inverse, lasting_window(left)) if enough else np.zeros(columns.shape[1])
     k = trend + 1
-    amplitudes = found[k::2] + 1j * found[k + 1 :: 2]
+    amplitudes = solution[k::2] + 1j * solution[k + 1 :: 2]
     return amplitudes, float(np.hypot(spread[k], spread[k + 1]) / math.sqrt(2.0)), left
 
 

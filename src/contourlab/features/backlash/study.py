@@ -262,7 +262,7 @@ def _axis_gap(machine: Machine, controller: Controller, axis: Axis, result: Resu
     try:
         model = axis_backlash_loop(axis, loop, machine.servo_period, machine.carried_mass(axis.name))
         prediction = predict_limit_cycles(model) if model.contact_a is None else None
-        predicted = None if prediction is None else tuple(_cycle(cycle, cycle.validity) for cycle in prediction.cycles)
+        predicted = None if prediction is None else tuple(_cycle(cycle, cycle.validity) for cycle in prediction)
         exact = tuple(_cycle(orbit) for orbit in find_orbits(model, prediction=prediction).orbits)
     except ComponentError as error:
         findings.append(finding("CL383", place=place, reason=str(error)))

@@ -49,7 +49,7 @@ from contourlab.features.identify.axis_tables import (
 from contourlab.features.identify.records import TRAVEL, AxisRecord, common_unit, newton_option, reference_name
 from contourlab.features.identify.result import Drawn, Graph, Identified, Picture, Propagated, Tables, figures, propagate
 from contourlab.findings import Finding, finding
-from contourlab.logs.error_context import about
+from contourlab.logs.load import about
 from contourlab.report.table import Column, Table
 
 Array = NDArray[np.float64]

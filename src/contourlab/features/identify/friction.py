@@ -30,7 +30,7 @@ from contourlab.features.identify.result import (
 )
 from contourlab.features.identify.rigid import direction_findings
 from contourlab.findings import Finding, finding
-from contourlab.logs.error_context import about
+from contourlab.logs.load import about
 from contourlab.report.table import Column, Table
 
 DIP, RISE = "stribeck_velocity", "rise_velocity"

@@ -19,7 +19,7 @@ from contourlab.features.identify.rigid import identify_rigid
 from contourlab.features.measure.log_choice import LogChoice, distinct_names, open_log, positive
 from contourlab.findings import Finding, finding
 from contourlab.logs import Log
-from contourlab.logs.error_context import about
+from contourlab.logs.load import about
 from contourlab.units import split, to_si
 
 

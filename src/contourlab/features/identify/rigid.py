@@ -20,7 +20,7 @@ from contourlab.features.identify.axis_tables import forces_of, friction_tables,
 from contourlab.features.identify.records import AxisRecord, newton_option, samples_digest
 from contourlab.features.identify.result import Graph, Identified, Picture, Tables, figures, propagate
 from contourlab.findings import Finding, finding
-from contourlab.logs.error_context import about
+from contourlab.logs.load import about
 
 MODELS = {"symmetric": "rigid", "asymmetric": "rigid-by-direction"}
 UNITS = {"M": "kg", "Fv": "N*s/m", "Fc": "N", "offset": "N"}

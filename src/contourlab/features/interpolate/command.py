@@ -16,7 +16,7 @@ from contourlab.errors import ParameterError, UnitError
 from contourlab.features.interpolate.signals import read_quadrature
 from contourlab.features.interpolate.study import Interpolated, Interpolation
 from contourlab.features.interpolate.text import counts_csv
-from contourlab.logs.error_context import about
+from contourlab.logs.load import about
 from contourlab.units import to_si
 
 FILES = {"counts": "interpolated.csv", "picture": "interpolation.png", "summary": "interpolation.json"}

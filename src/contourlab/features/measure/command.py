@@ -31,7 +31,7 @@ from contourlab.features.run.summary import SCHEMA
 from contourlab.figures import figure
 from contourlab.findings import Finding, finding
 from contourlab.logs import Log
-from contourlab.logs.error_context import about
+from contourlab.logs.load import about
 from contourlab.metrics import reversal_figures
 from contourlab.metrics.circles import pairs
 from contourlab.result import write_text_atomic

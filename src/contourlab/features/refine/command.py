@@ -20,7 +20,7 @@ from contourlab.features.refine.study import Refined, RefineSettings, Window, re
 from contourlab.features.run.command import check_plots
 from contourlab.figures import figure
 from contourlab.findings import Finding, finding
-from contourlab.logs.error_context import about
+from contourlab.logs.load import about
 from contourlab.report.table import Column, Table, paragraphs
 from contourlab.result import write_text_atomic
 from contourlab.units import to_si

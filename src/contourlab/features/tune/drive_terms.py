@@ -16,8 +16,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from contourlab.analysis.linear.delay_form import DelayForm
 from contourlab.analysis.linear.sampled_loop import SampledLoop, sampled_loop
+from contourlab.analysis.linear.tick_map import DelayForm
 from contourlab.components.contract import Component
 from contourlab.errors import ComponentError
 from contourlab.features.tune.pole_placement import model_of
