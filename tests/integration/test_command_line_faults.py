@@ -11,8 +11,7 @@ from typing import Any
 import pytest
 from typed_commands import CIRCLE, ON_XYZ, PART, Run, contents
 
-from contourlab.app.folder import staged
-from contourlab.app.written_files import LIST
+from contourlab.app.results import LIST, staged
 
 RUBBISH = bytes(range(128, 256)) * 8
 

@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 from typed_commands import contents
 
-from contourlab.app.folder import staged
+from contourlab.app.results import staged
 from contourlab.cli.main import main
 from contourlab.scenario import load_machine, load_scenario
 

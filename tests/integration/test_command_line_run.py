@@ -12,7 +12,7 @@ import pytest
 from typed_commands import CIRCLE, ON_XYZ, PART, Finished, Run, contents
 
 import contourlab as package
-from contourlab.app.written_files import LIST
+from contourlab.app.results import LIST
 from contourlab.result import Result
 
 SCHEMA = Path(__file__).parents[2] / "docs" / "summary-schema.md"

@@ -15,7 +15,7 @@ from pathlib import Path
 import pytest
 from typed_commands import CIRCLE, COMMAND, ON_XYZ, PART, Finished, Run, contents, environment
 
-from contourlab.app.written_files import LIST
+from contourlab.app.results import LIST
 
 POSIX = pytest.mark.skipif(os.name == "nt", reason="signals, pipes and limits of a POSIX system")
 

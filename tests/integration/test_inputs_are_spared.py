@@ -8,8 +8,7 @@ from pathlib import Path
 import pytest
 from typed_commands import CIRCLE, Finished, contents
 
-from contourlab.app.folder import staged
-from contourlab.app.written_files import LIST
+from contourlab.app.results import LIST, staged
 from contourlab.cli.main import main
 
 IDENTIFY = ("identify", "log.csv", "--validation", "second.csv", "--columns", "columns.toml", "--out")

@@ -44,7 +44,7 @@ def test_a_study_says_what_matters_and_keeps_its_runs(circle: Path, capsys: pyte
     again = json.loads(capsys.readouterr().out)
     assert (again["runs_made"], again["runs_reused"]) == (0, found["runs_made"])
     assert again["study"] == study and again["ranking"] == found["ranking"]
-    assert "CL653" in {one["code"] for one in again["findings"]}
+    assert "CL900" in {one["code"] for one in again["findings"]}
 
 
 def test_the_text_has_the_tables_and_the_words(circle: Path, capsys: pytest.CaptureFixture[str]) -> None:
@@ -86,7 +86,7 @@ def test_runs_of_another_scenario_are_left_alone_and_told(circle: Path, capsys: 
     capsys.readouterr()
     assert main(words) == 0
     said = capsys.readouterr().out
-    assert "CL654" in said and "CL653" not in said
+    assert "CL901" in said and "CL900" not in said
 
 
 def test_runs_of_a_plugin_that_has_changed_are_not_taken_for_its_own(contourlab: Run, circle: Path) -> None:

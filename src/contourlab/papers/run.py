@@ -38,7 +38,7 @@ def check_pictures(folder: str | Path, formats: Sequence[str]) -> None:
     OutputError
         If the folder is not writable.
     """
-    from contourlab.app.folder import staged
+    from contourlab.app.results import staged
     from contourlab.report.plots import write_charts
 
     write_charts((), folder, formats)

@@ -7,7 +7,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from contourlab.design import Number
+from contourlab.design import DesignVariable
 from contourlab.features.sensitivity.curves import Curve, Interval, Minimum
 from contourlab.features.sensitivity.pictures import curve_tile, indices_chart, interactions_chart
 from contourlab.report.charts import Multiples, traces_chart
@@ -17,7 +17,7 @@ from contourlab.report.plots import write_charts
 
 X = np.geomspace(1.0, 4.0, 9)
 Y = np.where(X > 3.0, np.nan, 1.0 + (X - 2.0) ** 2)
-NUMBER = Number("controller.axes.x.controller.gain", 2.5, 1.0, 4.0, "1/s", "1/s")
+NUMBER = DesignVariable("controller.axes.x.controller.gain", 2.5, 1.0, 4.0, "1/s", "1/s")
 CURVE = curve_tile(Curve(NUMBER, X, 1e-6 * Y, Minimum(2.0, 1e-6, 0.1, ""), None, (Interval(3.1, 4.0, False, True),)))
 NAMES = ("a", "b_", "$c")
 

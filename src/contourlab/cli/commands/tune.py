@@ -44,7 +44,7 @@ def tune(
     """Calibrate gains, innermost loop first, within margins and drive limits; write a controller file."""
     import math
 
-    from contourlab.design.bounds import Bounds
+    from contourlab.design.guards import Bounds
     from contourlab.features.tune.command import tune_scenario
     from contourlab.features.tune.line_search import LineRule
     from contourlab.features.tune.objective import Goal

@@ -19,7 +19,7 @@ from contourlab.analysis.linear.contour_transfer import (
 from contourlab.analysis.linear.divided_loop import link_growth
 from contourlab.analysis.linear.margins import Margins
 from contourlab.analysis.linear.sampled_loop import sampled_loop
-from contourlab.app.folder import staged
+from contourlab.app.results import staged
 from contourlab.errors import ComponentError
 from contourlab.features.learn.foretold import learning_findings
 from contourlab.features.run.command import file_names

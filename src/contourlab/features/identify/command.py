@@ -9,8 +9,8 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from contourlab.app.folder import check_file, staged
 from contourlab.app.json_values import json_values
+from contourlab.app.results import check_file, staged
 from contourlab.components.origin import Origin
 from contourlab.features.identify.request import Request
 from contourlab.features.identify.result import Identified, Picture, join_names

@@ -10,8 +10,8 @@ from pathlib import Path
 from typing import Any
 
 from contourlab.analysis.encoder.interpolation import interpolation_order
-from contourlab.app.folder import spared
 from contourlab.app.json_values import json_values
+from contourlab.app.results import spared
 from contourlab.errors import ParameterError, UnitError
 from contourlab.features.interpolate.signals import read_quadrature
 from contourlab.features.interpolate.study import Interpolated, Interpolation

@@ -12,7 +12,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from contourlab.app.folder import spared
+from contourlab.app.results import spared
 from contourlab.errors import ScenarioError, UnitError
 from contourlab.features.machines import sizing
 from contourlab.features.machines.command import refuse_existing

@@ -13,8 +13,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from contourlab import __version__
-from contourlab.app.folder import staged
 from contourlab.app.json_values import json_values
+from contourlab.app.results import staged
 from contourlab.errors import LogError, ParameterError, ResultError, UnitError
 from contourlab.features.measure.log_choice import (
     LogChoice,

@@ -5,8 +5,8 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from contourlab.app.progress import progress_along
 from contourlab.errors import ResultError
+from contourlab.features.measure.path_progress import progress_along
 from contourlab.geometry import Path
 
 Array = NDArray[np.float64]

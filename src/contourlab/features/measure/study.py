@@ -8,9 +8,9 @@ from typing import Literal
 import numpy as np
 from numpy.typing import NDArray
 
-from contourlab.app.progress import farthest, progress_along, size_of
 from contourlab.errors import ResultError
 from contourlab.features.measure.laps import last_lap
+from contourlab.features.measure.path_progress import farthest, progress_along, size_of
 from contourlab.features.measure.plausibility import motion_findings, period_findings, same_column_findings
 from contourlab.features.measure.sample_path import moving, path_of_samples
 from contourlab.features.measure.shift import fitted_shift

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from contourlab.app.folder import check_file, spared, staged
+from contourlab.app.results import check_file, spared, staged
 from contourlab.errors import ParameterError, UnitError
 from contourlab.features.measure.log_choice import LogChoice, distinct_names, open_log
 from contourlab.features.measure.plausibility import motion_findings, same_column_findings

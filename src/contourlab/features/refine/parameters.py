@@ -9,7 +9,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from contourlab.design.numbers import Number, Space
+from contourlab.design.variables import DesignVariable, Space
 from contourlab.errors import ParameterError
 from contourlab.features.refine.log_run import LogRun
 from contourlab.figures import figure
@@ -25,7 +25,7 @@ class Sought:
 
     Attributes
     ----------
-    variable : Number
+    variable : DesignVariable
         Its name, start, range and unit.
     runs : tuple of int
         The runs that share it.
@@ -35,7 +35,7 @@ class Sought:
         Whether it may be below zero.
     """
 
-    variable: Number
+    variable: DesignVariable
     runs: tuple[int, ...]
     label: str
     signed: bool
@@ -52,7 +52,7 @@ class Sought:
 
     def shown(self, value: float, digits: int = 5) -> str:
         """Return a value [SI] in the display unit."""
-        return f"{figure(self.variable.shown(value), digits=digits)} {self.variable.written_in}".strip()
+        return f"{figure(self.variable.display_value(value), digits=digits)} {self.variable.display_unit}".strip()
 
 
 @dataclass(frozen=True)
@@ -105,9 +105,9 @@ def seek(runs: Sequence[LogRun], wanted: Iterable[str]) -> tuple[Sought, ...]:
     return tuple(sought.values())
 
 
-def _chosen(runs: Sequence[LogRun], among: Sequence[int], text: str) -> dict[int, dict[str, Number]]:
+def _chosen(runs: Sequence[LogRun], among: Sequence[int], text: str) -> dict[int, dict[str, DesignVariable]]:
     """Return for each run the parameters that a text chooses there; raise only if it chooses none in any."""
-    chosen: dict[int, dict[str, Number]] = {}
+    chosen: dict[int, dict[str, DesignVariable]] = {}
     for i in among:
         try:
             space = Space.chosen(runs[i].machine, runs[i].controller, [text], SPAN)
@@ -121,7 +121,7 @@ def _chosen(runs: Sequence[LogRun], among: Sequence[int], text: str) -> dict[int
     return chosen
 
 
-def _sought(runs: Sequence[LogRun], variables: Sequence[Number], held: tuple[int, ...], label: str) -> Sought:
+def _sought(runs: Sequence[LogRun], variables: Sequence[DesignVariable], held: tuple[int, ...], label: str) -> Sought:
     variable = variables[0]
     part, name = parameter_names(runs[held[0]].machine, runs[held[0]].controller)[variable.name]
     sought = Sought(variable, held, f"{label}:{variable.name}" if label else variable.name, part.parameters[name].minimum < 0.0)

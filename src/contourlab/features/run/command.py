@@ -9,7 +9,7 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from contourlab.app.folder import staged
+from contourlab.app.results import staged
 from contourlab.app.stages import shown
 from contourlab.components.friction.laws import NoFriction
 from contourlab.errors import DivergenceError, ParameterError, ProgramError, ScenarioError

@@ -7,7 +7,7 @@ import json
 from pathlib import Path
 from typing import Any
 
-from contourlab.app.folder import staged
+from contourlab.app.results import staged
 from contourlab.features.run.command import RunOptions, RunOutcome, run_session
 from contourlab.figures import figure, number
 from contourlab.report.table import Column, Table

@@ -8,11 +8,9 @@ from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from contourlab.app.component_sources import plugin_digests
-from contourlab.app.folder import staged
+from contourlab.app.checkpoint import resumable, run_identity
 from contourlab.app.json_values import json_values
-from contourlab.app.kept_notes import taken_up_again
-from contourlab.app.program_version import DECIDES_RUNS, program_version
+from contourlab.app.results import staged
 from contourlab.app.stages import Stages, shown
 from contourlab.design import Evaluator, Space
 from contourlab.errors import ParameterError
@@ -149,10 +147,11 @@ def sensitivity_of(
     if case.changes:
         raise ParameterError("scenario", "controllers that change while it runs", "one controller from start to end: choose such a scheme")
     left_out = () if request.scheme else tuple(repr(other.name) for other in scenario.all_cases)
-    with taken_up_again(Path(out) / KEPT, "runs"), staged(out, "summary.json", inputs=scenario.inputs) as stage:
+    with resumable(Path(out) / KEPT, "runs"), staged(out, "summary.json", inputs=scenario.inputs) as stage:
         with shown(progress) as stages:
             study, runs = _studied(case, request, Path(out) / KEPT, stages)
-        findings = (*_on_case(case, left_out), *_on_runs(runs), *verdict(study))
+        kept = () if runs.kept is None else runs.kept.findings("runs", runs.reused)
+        findings = (*_on_case(case, left_out), *kept, *verdict(study))
         name, period = case.machine.name, case.machine.servo_period
         result = Sensitivity(str(file), request, case.name, name, period, runs.made, runs.reused, study, ranking(study), findings)
         write_text_atomic(stage / "summary.json", json.dumps(json_values(result), indent=2, allow_nan=False) + "\n")
@@ -172,7 +171,8 @@ def _studied(case: Case, request: Request, folder: Path, stages: Stages) -> tupl
     stages.begin("planning the motion")
     reference = case.reference()
     evaluator = Evaluator(machine, controller, reference, moving=case.moving, seed=case.seed, threads=request.threads, effort=False)
-    runs = Runs(evaluator, Kept(folder, _model(case, reference)), stages.advance)
+    identity = run_identity([machine], controller, reference, seed=case.seed, moving=case.moving)
+    runs = Runs(evaluator, Kept(folder, identity), stages.advance)
     if not holds(space, runs):
         # A single run says where and when it fails.
         simulate(machine, controller, reference, seed=case.seed, moving=case.moving)
@@ -192,14 +192,6 @@ def _failure_level(case: Case, reference: Reference, plan: Plan) -> float:
     return limit * (stop - start) * case.machine.servo_period
 
 
-def _model(case: Case, reference: Reference) -> str:
-    """Return all that decides a run, but the values of the parameters: machine, controller, motion, noise, and the program itself."""
-    from contourlab.scenario.dump import dump
-
-    lines = [dump(case.machine), dump(case.controller, case.machine), reference.digest, f"seed {case.seed}", f"moving {case.moving}"]
-    return "\n".join([*lines, program_version(DECIDES_RUNS), *plugin_digests([case.machine], case.controller)])
-
-
 def _on_case(case: Case, left_out: tuple[str, ...]) -> Iterator[Finding]:
     if left_out:
         yield finding("CL650", schemes=left_out)
@@ -207,14 +199,3 @@ def _on_case(case: Case, left_out: tuple[str, ...]) -> Iterator[Finding]:
         yield finding("CL651")
     if case.machine.squareness or any(axis.error.position.size or axis.error.repeatability for axis in case.machine.axes):
         yield finding("CL652")
-
-
-def _on_runs(runs: Runs) -> Iterator[Finding]:
-    if runs.kept is None:
-        return
-    if runs.reused:
-        yield finding("CL653", count=runs.reused, folder=str(runs.kept.home))
-    if runs.kept.others:
-        yield finding("CL654", folder=str(runs.kept.folder))
-    if runs.kept.damaged:
-        yield finding("CL655", count=runs.kept.damaged)

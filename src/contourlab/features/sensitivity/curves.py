@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from contourlab.design import Number, Space
+from contourlab.design import DesignVariable, Space
 from contourlab.features.sensitivity.runs import Array, Columns, Judge
 
 CHANGE = 0.05
@@ -55,7 +55,7 @@ class Curve:
 
     Attributes
     ----------
-    variable : Number
+    variable : DesignVariable
     values : ndarray (n,) [SI]
         Of the parameter, rising.
     figures : ndarray (n,) [SI]
@@ -68,7 +68,7 @@ class Curve:
         Where runs fail.
     """
 
-    variable: Number
+    variable: DesignVariable
     values: Array
     figures: Array
     minimum: Minimum | None
@@ -116,7 +116,7 @@ def one_at_a_time(space: Space, grids: Sequence[Array]) -> Columns:
     return columns
 
 
-def _minimum(variable: Number, values: Array, figures: Array) -> Minimum | None:
+def _minimum(variable: DesignVariable, values: Array, figures: Array) -> Minimum | None:
     if np.isnan(figures).all():
         return None
     at = int(np.nanargmin(figures))

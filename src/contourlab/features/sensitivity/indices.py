@@ -10,7 +10,7 @@ from typing import Any
 
 import numpy as np
 
-from contourlab.design import Number, Space
+from contourlab.design import DesignVariable, Space
 from contourlab.errors import ParameterError, UnitError
 from contourlab.features.sensitivity.runs import Array
 from contourlab.scenario.quantities import read_number
@@ -31,14 +31,14 @@ class Distribution:
 
     Attributes
     ----------
-    variable : Number
+    variable : DesignVariable
     kind : str
         One of `KINDS`; ``"normal"`` is centred on the present value and cut off at the bounds.
     deviation : float [SI], > 0
         Of a normal one, before it is cut off.
     """
 
-    variable: Number = field(metadata=HIDDEN)
+    variable: DesignVariable = field(metadata=HIDDEN)
     kind: str = UNIFORM
     deviation: float = 0.0
 
@@ -99,12 +99,12 @@ def distributions(space: Space, kind: str = UNIFORM, deviations: Sequence[str] =
     )
 
 
-def _matches(variable: Number, name: str) -> bool:
+def _matches(variable: DesignVariable, name: str) -> bool:
     return any(fnmatchcase(known, pattern) for known in (variable.name, variable.short) for pattern in (name, f"*.{name}"))
 
 
-def _deviation(variable: Number, text: str) -> float:
-    unit = variable.written_in
+def _deviation(variable: DesignVariable, text: str) -> float:
+    unit = variable.display_unit
     wanted = f"a deviation of {variable.short} above 0, as 5 %{f' or 2 {unit}' if unit else ''}"
     try:
         if text.endswith("%"):
@@ -238,7 +238,7 @@ def saltelli_points(n: int, base: int, second: bool = False, seed: int = 0) -> A
     Parameters
     ----------
     n : int, >= 2
-        Number of parameters.
+        DesignVariable of parameters.
     base : int
         A power of two, at which a Sobol sequence is balanced. The points of a smaller base are the first of those of a larger one.
     second : bool

@@ -10,7 +10,7 @@ from itertools import combinations
 import numpy as np
 from numpy.typing import NDArray
 
-from contourlab.design import Number, Space
+from contourlab.design import DesignVariable, Space
 from contourlab.features.sensitivity.runs import Array, Judge
 from contourlab.findings import Finding, finding
 
@@ -30,7 +30,7 @@ class Slope:
 
     Attributes
     ----------
-    variable : Number
+    variable : DesignVariable
     sensitivity : float
         Percent of the figure per percent of the parameter; nan if unknown. For a parameter at 0, per percent of its range.
     step : float
@@ -43,7 +43,7 @@ class Slope:
         What speaks against the sensitivity.
     """
 
-    variable: Number
+    variable: DesignVariable
     sensitivity: float
     step: float
     difference: float
@@ -101,12 +101,12 @@ def local(space: Space, judge: Judge, limits: Mapping[str, tuple[float, float]] 
     return Local(slopes, full, np.abs(full - half), tops)
 
 
-def _scale(variable: Number) -> float:
+def _scale(variable: DesignVariable) -> float:
     """Return what a step of 1 is [SI]: the value, or the range of a parameter at 0."""
     return abs(variable.value) or variable.high - variable.low
 
 
-def _top(variable: Number, limits: tuple[float, float]) -> float:
+def _top(variable: DesignVariable, limits: tuple[float, float]) -> float:
     """Return the largest relative step: less where the component accepts no more, 0 where it accepts none."""
     room = min(variable.value - limits[0], limits[1] - variable.value) / _scale(variable)
     return min(LARGEST, room) if room > 1e-6 else 0.0
@@ -131,7 +131,7 @@ def _ladder(space: Space, judge: Judge, tops: Array) -> tuple[float, Array]:
     return float(figures[0]), figures[1:].reshape(len(tops), STEPS, 2)
 
 
-def _slope(variable: Number, top: float, rows: Array, figure: float) -> Slope:
+def _slope(variable: DesignVariable, top: float, rows: Array, figure: float) -> Slope:
     nan, place = float("nan"), variable.short
     if top == 0.0:
         return Slope(variable, nan, 0.0, nan, nan, nan, finding("CL670", place))

@@ -36,14 +36,14 @@ def curve_tile(curve: Curve) -> Tile:
     """Return the small picture of one parameter, with its minimum and present value, failed runs shaded."""
     variable, lowest = curve.variable, curve.minimum
     colour, dash = scheme_style(0, 1)
-    x = np.array([variable.shown(value) for value in curve.values])
+    x = np.array([variable.display_value(value) for value in curve.values])
     return Tile(
         variable.short,
-        variable.written_in or "value",
+        variable.display_unit or "value",
         (Line(x, MICRO * curve.figures, "others at their present values", colour, dash),),
-        () if lowest is None else ((variable.shown(lowest.value), MICRO * lowest.figure, scheme_style(0, 2)[0]),),
-        ((variable.shown(variable.value), MUTED),),
-        tuple((variable.shown(interval.low), variable.shown(interval.high)) for interval in curve.failed),
+        () if lowest is None else ((variable.display_value(lowest.value), MICRO * lowest.figure, scheme_style(0, 2)[0]),),
+        ((variable.display_value(variable.value), MUTED),),
+        tuple((variable.display_value(interval.low), variable.display_value(interval.high)) for interval in curve.failed),
         variable.logarithmic,
     )
 

@@ -10,7 +10,7 @@ from typing import NamedTuple, TypeAlias
 import numpy as np
 from numpy.typing import NDArray
 
-from contourlab.app.checkpoint import KeptFolder
+from contourlab.app.checkpoint import Checkpoint
 
 Array: TypeAlias = NDArray[np.float64]
 Columns: TypeAlias = Mapping[str, Array]
@@ -39,30 +39,23 @@ FIGURES = {
 KEYS = tuple(figure.key for figure in FIGURES.values())
 
 
-class Kept(KeptFolder):
-    """Figures of runs in a folder, a file for each chunk; the model is all that decides a run but the values of the parameters."""
+class Kept(Checkpoint):
+    """Figures of runs in a folder: a file for each chunk."""
 
     def file(self, columns: Columns) -> Path:
-        """Return the file of a chunk: its name is a digest of model, names and values."""
-        return self.named(
-            *(f"\n{name}\n".encode() + np.ascontiguousarray(values, dtype="<f8").tobytes() for name, values in columns.items())
-        )
+        """Return the file of a chunk, named by the names and values of its columns."""
+        rows = {name: np.ascontiguousarray(values, dtype="<f8") for name, values in columns.items()}
+        return self.path(*(f"\n{name}\n".encode() + values.tobytes() for name, values in rows.items()))
 
     def read(self, columns: Columns) -> dict[str, Array] | None:
         """Return the figures of a chunk if they are kept."""
-        n = len(next(iter(columns.values())))
-
-        def take(data: Mapping[str, Array]) -> dict[str, Array]:
-            figures = {key: np.asarray(data[key], dtype=float) for key in KEYS}
-            if any(values.shape != (n,) for values in figures.values()):
-                raise ValueError("figures of another number of runs")
-            return figures
-
-        return self.load(self.file(columns), take)
+        return self.load(self.file(columns))
 
     def write(self, columns: Columns, figures: Mapping[str, Array]) -> Path:
         """Keep the figures of a chunk; return its file."""
-        return self.store(self.file(columns), {key: figures[key] for key in KEYS})
+        file = self.file(columns)
+        self.store(file, {key: figures[key] for key in KEYS})
+        return file
 
 
 @dataclass(eq=False)

@@ -6,7 +6,7 @@ from collections.abc import Iterator, Sequence
 
 import numpy as np
 
-from contourlab.design import Number
+from contourlab.design import DesignVariable
 from contourlab.features.sensitivity.curves import CHANGE, Interval
 from contourlab.features.sensitivity.indices import Distribution, Sample
 from contourlab.features.sensitivity.runs import Array
@@ -30,8 +30,8 @@ def _table(title: str, heads: Sequence[str], left: Sequence[str] = (), prose: Se
     return Table([Column("parameter", left=True), *(Column(head, left=head in left, prose=head in prose) for head in heads)], title)
 
 
-def _shown(variable: Number, *values: float) -> Iterator[str]:
-    return (figure(variable.shown(value), digits=4) for value in values)
+def _shown(variable: DesignVariable, *values: float) -> Iterator[str]:
+    return (figure(variable.display_value(value), digits=4) for value in values)
 
 
 def _curves(study: Study) -> Iterator[Table]:
@@ -46,13 +46,13 @@ def _curves(study: Study) -> Iterator[Table]:
         variable, lowest = curve.variable, curve.minimum
         minimum = ["-"] * 3 + [""]
         if lowest is not None:
-            within = figure(variable.shown(lowest.within), digits=1)
+            within = figure(variable.display_value(lowest.within), digits=1)
             minimum = [*_shown(variable, lowest.value), within, figure(lowest.figure, unit, 4), lowest.bound]
         failed = ", ".join(_range(variable, interval) for interval in curve.failed)
         table.add(
             variable.short,
             *_shown(variable, variable.value, variable.low, variable.high),
-            variable.written_in,
+            variable.display_unit,
             *minimum,
             "" if curve.flat is None else _range(variable, curve.flat),
             failed,
@@ -60,8 +60,8 @@ def _curves(study: Study) -> Iterator[Table]:
     yield table
 
 
-def _range(variable: Number, interval: Interval) -> str:
-    return f"{figure(variable.shown(interval.low))} to {figure(variable.shown(interval.high))}"
+def _range(variable: DesignVariable, interval: Interval) -> str:
+    return f"{figure(variable.display_value(interval.low))} to {figure(variable.display_value(interval.high))}"
 
 
 def _local(study: Study) -> Iterator[Table]:

@@ -9,7 +9,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from contourlab.app.folder import check_file, staged
+from contourlab.app.results import check_file, staged
 from contourlab.app.stages import shown
 from contourlab.errors import ParameterError, ScenarioError
 from contourlab.features.run.command import check_plots, refuse_drawing

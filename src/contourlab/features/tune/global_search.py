@@ -57,9 +57,9 @@ def global_search(
     given : sequence of mapping of str to float [SI]
         Known starts; the others are drawn from the middle half of the box.
     starts : int, >= 1
-        Number of starts in all.
+        DesignVariable of starts in all.
     budget : int
-        Number of runs in all.
+        DesignVariable of runs in all.
     seed : int
         Of the draw and the search; the same seed gives the same result.
     progress : callable, optional

@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from contourlab.analysis.linear.sampled_loop import SampledLoop
-from contourlab.design import Number, Space
+from contourlab.design import DesignVariable, Space
 from contourlab.design.guards import Guards
 from contourlab.errors import ParameterError
 from contourlab.features.tune.objective import Objective
@@ -61,7 +61,7 @@ class Step:
     ----------
     stage : str
         "repair", or "pass 1" and so on.
-    variable : Number
+    variable : DesignVariable
     before, after : float [SI]
     objective_before, objective_after : float
     bound : str
@@ -71,7 +71,7 @@ class Step:
     """
 
     stage: str
-    variable: Number
+    variable: DesignVariable
     before: float
     after: float
     objective_before: float
@@ -135,7 +135,7 @@ def sequential(
 
 
 def line_search(
-    objective: Objective, guards: Guards, variable: Number, values: Mapping[str, float], rule: LineRule, stage: str = "pass 1"
+    objective: Objective, guards: Guards, variable: DesignVariable, values: Mapping[str, float], rule: LineRule, stage: str = "pass 1"
 ) -> Step:
     """Find the best value of one parameter, all others as in `values` [SI].
 
@@ -145,7 +145,7 @@ def line_search(
     it further.
     """
     line = _Line(objective, guards, variable, values)
-    line.add(np.append(np.linspace(0.0, 1.0, rule.lanes - 1), variable.place(line.own)), keep_present=True)
+    line.add(np.append(np.linspace(0.0, 1.0, rule.lanes - 1), variable.normalise(line.own)), keep_present=True)
     for _ in range(REFINEMENTS):
         low, high = line.neighbours(line.best())
         if not high > low:
@@ -160,7 +160,7 @@ def line_search(
 class _Line:
     """All values of one parameter that were tried, rising, with their runs and loops."""
 
-    def __init__(self, objective: Objective, guards: Guards, variable: Number, values: Mapping[str, float]) -> None:
+    def __init__(self, objective: Objective, guards: Guards, variable: DesignVariable, values: Mapping[str, float]) -> None:
         self.objective, self.guards, self.variable, self.given = objective, guards, variable, dict(values)
         self.axes = guards.concerned(variable.name)
         self.values = self.value = self.limited = self.largest = np.zeros(0)
@@ -215,7 +215,7 @@ class _Line:
 
     def neighbours(self, i: int) -> tuple[float, float]:
         """Return the places of the values next to one."""
-        place = self.variable.place(self.values)
+        place = self.variable.normalise(self.values)
         return float(place[max(i - 1, 0)]), float(place[min(i + 1, len(place) - 1)])
 
     def chosen(self, best: int, rule: LineRule) -> int:
@@ -283,7 +283,7 @@ def restore_margins(objective: Objective, guards: Guards, space: Space, values: 
 
 
 def _repair(
-    objective: Objective, guards: Guards, axis: str, variable: Number, now: Mapping[str, float]
+    objective: Objective, guards: Guards, axis: str, variable: DesignVariable, now: Mapping[str, float]
 ) -> tuple[float, float, float, Step]:
     """Return for the best value of one parameter: by how much margins fall short, the objective, the distance moved, and the step."""
     own = now[variable.name]
@@ -295,7 +295,7 @@ def _repair(
     finite = np.isfinite(objectives)
     usable = finite if finite.any() else np.ones(values.size, dtype=bool)
     least = float(missing[usable].min(initial=math.inf))
-    distance = np.abs(variable.place(values) - variable.place(own))
+    distance = np.abs(variable.normalise(values) - variable.normalise(own))
     at = int(np.lexsort((distance, objectives, ~(usable & (missing <= least))))[0])
     present, reached = int(np.flatnonzero(values == own)[0]), float(objectives[at])
     barrier = "margins" if bool((objectives[usable & (missing > least)] < reached).any()) else ""

@@ -12,13 +12,13 @@ import numpy as np
 from contourlab.analysis.linear.loop_lanes import rough_margins, sampled_loops
 from contourlab.components.contract import Component
 from contourlab.design import Evaluator
-from contourlab.design.bounds import SLACK, Bounds
+from contourlab.design.guards import SLACK, Bounds
 from contourlab.errors import ComponentError, ParameterError
 from contourlab.features.tune.objective import Goal, Objective
 from contourlab.loop import Axis, AxisController, Controller, Machine, parameter_names
 
 SPEEDS = 96
-"""Number of pole speeds tried, from a ten-thousandth of the Nyquist frequency to half of it."""
+"""DesignVariable of pole speeds tried, from a ten-thousandth of the Nyquist frequency to half of it."""
 FRACTIONS = np.geomspace(0.1, 1.0, 32)
 """Fractions of the fastest poles that are tried for all axes together."""
 SCALED = {"natural_frequency": 1.0, "bandwidth": 1.0, "crossover": 1.0, "pole": 1.4}

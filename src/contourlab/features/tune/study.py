@@ -7,8 +7,7 @@ from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, field, replace
 
 from contourlab.design import Evaluator, Space, calibration_order
-from contourlab.design.bounds import Bounds
-from contourlab.design.guards import Guards
+from contourlab.design.guards import Bounds, Guards
 from contourlab.design.values import with_values
 from contourlab.errors import ParameterError
 from contourlab.features.tune.drive_terms import DriveTerms, drive_terms, linuxcnc_findings

@@ -34,9 +34,9 @@ def _steps(goal: Goal, tuned: Tuned) -> Table:
     table = Table([*(Column(head, left=head in left) for head in heads), Column("bound", prose=True)], keys=2)
     for step in tuned.path.steps:
         variable = step.variable
-        values = (figure(variable.shown(value), digits=5) for value in (step.before, step.after))
+        values = (figure(variable.display_value(value), digits=5) for value in (step.before, step.after))
         objectives = (figure(value, goal.unit, 4) for value in (step.objective_before, step.objective_after))
-        table.add(step.stage, variable.short, *values, variable.written_in, *objectives, step.bound)
+        table.add(step.stage, variable.short, *values, variable.display_unit, *objectives, step.bound)
     return table
 
 
@@ -65,8 +65,8 @@ def _modulus(margins: Margins | None) -> str:
 def _parameters(tuned: Tuned) -> Table:
     table = Table([Column("parameter", left=True), Column("start"), Column("tuned"), Column("unit", left=True)])
     for variable in tuned.space.numbers:
-        values = (figure(variable.shown(value), digits=6) for value in (variable.value, tuned.values[variable.name]))
-        table.add(variable.short, *values, variable.written_in)
+        values = (figure(variable.display_value(value), digits=6) for value in (variable.value, tuned.values[variable.name]))
+        table.add(variable.short, *values, variable.display_unit)
     return table
 
 

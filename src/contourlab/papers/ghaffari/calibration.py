@@ -17,8 +17,7 @@ from functools import cache
 
 from contourlab.analysis.linear.margins import Margins
 from contourlab.design import Evaluator, Space
-from contourlab.design.bounds import Bounds
-from contourlab.design.guards import Guards
+from contourlab.design.guards import Bounds, Guards
 from contourlab.design.values import with_values
 from contourlab.features.tune.line_search import LineRule, SearchPath, sequential
 from contourlab.features.tune.objective import Evaluation, Goal, Objective, evaluate

@@ -84,7 +84,7 @@ def _moved(number: int, name: str) -> dict[str, float]:
     """Return the line of Table III with one parameter at its minimum."""
     curve = axis_curves(number)[name]
     assert curve.minimum is not None
-    return _gains(number) | {name: curve.variable.shown(curve.minimum.value)}
+    return _gains(number) | {name: curve.variable.display_value(curve.minimum.value)}
 
 
 def _minima() -> Iterator[Row]:
@@ -141,7 +141,7 @@ def _flat() -> Iterator[Row]:
         for name in ("K_V", "K_P", "K_I"):
             curve = axis_curves(number)[name]
             if curve.flat is not None:
-                low, high = (curve.variable.shown(value) for value in (curve.flat.low, curve.flat.high))
+                low, high = (curve.variable.display_value(value) for value in (curve.flat.low, curve.flat.high))
                 beyond = "" if curve.flat.last else ", beyond which the error grows"
                 note = f"up to {high:.3g}{beyond}; the longest stretch of the curve"
                 case = f"axis {number}, {name}"

@@ -11,7 +11,7 @@ import pytest
 from contourlab.components.controller.position import PositionController
 from contourlab.components.friction.laws import NoFriction
 from contourlab.components.ideal import IdealSensor
-from contourlab.design import Evaluator, Number, Space
+from contourlab.design import DesignVariable, Evaluator, Space
 from contourlab.errors import ParameterError
 from contourlab.features.sensitivity.curves import curves
 from contourlab.features.sensitivity.indices import distributions
@@ -33,11 +33,17 @@ REFERENCE = uniform(contour("circle", radius=0.02), 0.5, 2, READING.servo_period
 GAINS = Space.chosen(MACHINE, CONTROLLER, ["3.model_gain", "3.position_gain"], 2.0)
 
 
-def number(name: str, value: float, low: float, high: float, logarithmic: bool = True) -> Number:
-    return Number(f"controller.axes.x.controller.{name}", value, low, high, logarithmic=logarithmic)
+def number(name: str, value: float, low: float, high: float, logarithmic: bool = True) -> DesignVariable:
+    return DesignVariable(f"controller.axes.x.controller.{name}", value, low, high, logarithmic=logarithmic)
 
 
 PLANE = Space((number("a", 2.0, 0.5, 8.0), number("b", 3.0, 1.0, 9.0)))
+
+
+def around(value: float) -> Space:
+    """Return `PLANE` with another start value of its first variable."""
+    first, *others = PLANE.numbers
+    return Space((replace(first, value=value), *others))
 
 
 def model(columns: Columns) -> dict[str, np.ndarray]:
@@ -76,7 +82,7 @@ def test_a_number_on_its_bound_and_one_that_fails_are_told() -> None:
     found = local(PLANE, judge, {PLANE.names[0]: (2.0, 9.0)})
     assert np.isnan(found.slopes[0].sensitivity) and found.slopes[0].doubt is not None and found.slopes[0].doubt.code == "CL670"
     assert np.isfinite(found.slopes[1].sensitivity) and np.isnan(found.interactions[0, 1])
-    near = local(PLANE.around({PLANE.names[0]: 5.9}), judge)
+    near = local(around(5.9), judge)
     assert near.slopes[0].doubt is not None and near.slopes[0].doubt.code == "CL671"
 
 
@@ -224,4 +230,4 @@ def test_failures_are_told() -> None:
 
 def test_a_run_that_fails_as_it_is_has_no_sensitivities() -> None:
     with pytest.raises(ParameterError, match="holds"):
-        sensitivity_study(PLANE.around({PLANE.names[0]: 7.0}), Runs(model), Plan(("local",)), distributions(PLANE), 1.0)
+        sensitivity_study(around(7.0), Runs(model), Plan(("local",)), distributions(PLANE), 1.0)

@@ -7,7 +7,7 @@ import math
 import numpy as np
 import pytest
 
-from contourlab.design import Number, Space
+from contourlab.design import DesignVariable, Space
 from contourlab.errors import ParameterError
 from contourlab.features.sensitivity.indices import (
     Distribution,
@@ -23,7 +23,7 @@ from contourlab.features.sensitivity.study import Plan, Study, sensitivity_study
 from contourlab.features.sensitivity.verdict import verdict
 
 A, B = 7.0, 0.1
-PI = Space(tuple(Number(f"controller.axes.{name}.controller.p", 1.0, -math.pi, math.pi, logarithmic=False) for name in "xyz"))
+PI = Space(tuple(DesignVariable(f"controller.axes.{name}.controller.p", 1.0, -math.pi, math.pi, logarithmic=False) for name in "xyz"))
 
 
 def ishigami(columns: Columns) -> dict[str, np.ndarray]:
@@ -108,7 +108,7 @@ def test_too_little_is_refused() -> None:
         Plan(("all",))
 
 
-NUMBER = Number("controller.axes.x.controller.gain", 3.0, 1.0, 9.0)
+NUMBER = DesignVariable("controller.axes.x.controller.gain", 3.0, 1.0, 9.0)
 
 
 def test_a_distribution_is_what_it_says() -> None:
@@ -130,7 +130,7 @@ def test_a_normal_distribution_cut_off_is_scipys() -> None:
     np.testing.assert_allclose(Distribution(NUMBER, "normal", 2.0).values(places), known, rtol=1e-10)
 
 
-SPACE = Space((NUMBER, Number("controller.axes.y.controller.rate", 2.0, 1.0, 4.0, "1/s", "1/s")))
+SPACE = Space((NUMBER, DesignVariable("controller.axes.y.controller.rate", 2.0, 1.0, 4.0, "1/s", "1/s")))
 
 
 def test_deviations_are_read_by_name_or_for_all() -> None:

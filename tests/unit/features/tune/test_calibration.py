@@ -13,8 +13,7 @@ from tuned_axes import DAMPING, GAIN, circle, position_control, rigid_stage
 from contourlab.analysis.linear.sampled_loop import sampled_loop
 from contourlab.components.sensor.encoder import Encoder
 from contourlab.design import Evaluator, Space
-from contourlab.design.bounds import Bounds
-from contourlab.design.guards import Guards
+from contourlab.design.guards import Bounds, Guards
 from contourlab.design.values import with_values
 from contourlab.errors import ParameterError
 from contourlab.features.tune.line_search import LineRule, line_search, sequential

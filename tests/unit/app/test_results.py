@@ -7,8 +7,7 @@ from pathlib import Path
 
 import pytest
 
-from contourlab.app.folder import check_file, staged
-from contourlab.app.written_files import LIST
+from contourlab.app.results import LIST, check_file, staged
 from contourlab.errors import OutputError, ParameterError
 
 OLD = {"report.html": "old", "summary.json": "old", "plots/path.svg": "old"}

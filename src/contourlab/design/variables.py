@@ -1,4 +1,4 @@
-"""The numbers that a study moves, each between its bounds."""
+"""Design variables: the parameters that a study varies, each between its bounds."""
 
 from __future__ import annotations
 
@@ -13,42 +13,45 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from contourlab.components.contract import Component
-from contourlab.design.digits import with_digits
-from contourlab.design.order import calibration_order
+from contourlab.design.values import calibration_order
 from contourlab.errors import ParameterError, UnitError
 from contourlab.loop import Controller, Machine, parameter_names
 from contourlab.scenario.quantities import read_number
-from contourlab.units import from_si
+from contourlab.units import from_si, in_si
 
 Array = NDArray[np.float64]
 WIDTH = 4.0
-"""Bounds are this factor either side of the value where none are given."""
+"""Bounds without a text: the value divided and multiplied by this."""
 NEAR = 0.005
-"""So close to a bound, in parts of the range, a value counts as standing on it."""
+"""Distance to a bound, as a part of the range, that counts as on it."""
+DIGITS = 6
+"""Digits of a value in a file."""
+ROUNDING = 1e-9
+"""Part of a bound by which a value may lie beyond it."""
 MOST_NAMES = 8
-"""So many names are listed where one is wrong."""
+"""Names suggested for one that is wrong, at most."""
 
 
 @dataclass(frozen=True)
-class Number:
-    """One number of a machine or controller.
+class DesignVariable:
+    """A parameter of a machine or controller, to be varied between bounds.
 
     Attributes
     ----------
     name : str
-        Dotted, as `contourlab.loop.parameter_names` lists it.
+        Dotted name, as of `contourlab.loop.parameter_names`.
     value : float [SI]
-        What the scenario has.
+        Value of the scenario.
     low, high : float [SI]
         Bounds, `low` < `high`.
     unit : str
-        SI unit of these.
+        SI unit.
     display : str
-        Unit in which people write it.
+        Display unit.
     logarithmic : bool
         Whether equal steps are equal factors.
     least, most : float [SI]
-        Beyond which the component itself takes no value.
+        Limits of the component itself.
     """
 
     name: str
@@ -72,32 +75,32 @@ class Number:
 
     @property
     def short(self) -> str:
-        """The name as people say it: axis, and the parameter with its slot where that is not the controller."""
+        """The short name: axis, slot unless it is the controller, parameter."""
         words = self.name.removeprefix("controller.").removeprefix("axes.").split(".")
         return ".".join(word for word in words if word != "controller")
 
     @property
     def bounds(self) -> str:
-        """The bounds in words, in the unit that people write."""
-        return f"bounds {self.shown(self.low):g} to {self.shown(self.high):g} {self.written_in}".rstrip()
+        """The bounds in the display unit."""
+        return f"bounds {self.display_value(self.low):g} to {self.display_value(self.high):g} {self.display_unit}".rstrip()
 
     @property
     def nearest(self) -> float:
-        """The value [SI], or the bound that is nearest to it where it lies beyond."""
+        """The value [SI], or the nearest bound if it lies outside."""
         return min(max(self.value, self.low), self.high)
 
     @property
-    def written_in(self) -> str:
-        """The unit that people write."""
+    def display_unit(self) -> str:
+        """The unit in which the value is written."""
         return self.display or self.unit
 
-    def shown(self, value: float) -> float:
-        """Return a value in the unit that people write."""
-        return from_si(value, self.written_in)
+    def display_value(self, value: float) -> float:
+        """Convert a value [SI] to the display unit."""
+        return from_si(value, self.display_unit)
 
     def end(self, value: float) -> str:
-        """Return in words on which end of the range a value [SI] stands, or within `NEAR` of it; empty for one between them."""
-        place = float(self.place(value))
+        """Name the end of the range within `NEAR` of a value [SI]; empty if neither is."""
+        place = float(self.normalise(value))
         if place < NEAR:
             return "lower end of its range" if self.low > self.least else "the least it may be"
         if place > 1.0 - NEAR:
@@ -105,28 +108,28 @@ class Number:
         return ""
 
     def cramped(self, value: float) -> bool:
-        """Tell whether a value [SI] stands on an end of the range beyond which the component would take more."""
+        """Tell whether a value [SI] lies on a bound that could be wider."""
         return self.end(value).endswith("its range")
 
     def written(self, values: ArrayLike) -> Array:
-        """Return values [SI] within the range as a file has them: six digits in the unit that people write, the bounds kept.
+        """Round values [SI] to the digits that a file has, within the bounds.
 
-        What comes to the digits of the scenario's own value is that one as it is.
+        A value with the same digits as the scenario's becomes the scenario's own, unrounded.
         """
-        made = np.clip(with_digits(values, self.written_in, self.low, self.high), self.least, self.most)
+        made = np.clip(with_digits(values, self.display_unit, self.low, self.high), self.least, self.most)
         if not math.isfinite(self.value):
             return made
-        return np.where(made == with_digits(self.value, self.written_in), self.value, made)
+        return np.where(made == with_digits(self.value, self.display_unit), self.value, made)
 
     def physical(self, place: ArrayLike) -> Array:
-        """Return the values [SI] at places from 0 (lower bound) to 1 (upper bound)."""
+        """Return the values [SI] at positions from 0 (lower bound) to 1 (upper bound)."""
         x = np.asarray(place, dtype=float)
         if self.logarithmic:
             return np.asarray(np.clip(self.low * (self.high / self.low) ** x, self.low, self.high))
         return np.asarray(np.clip(self.low + (self.high - self.low) * x, self.low, self.high))
 
-    def place(self, value: ArrayLike) -> Array:
-        """Return the places from 0 to 1 of values [SI]; those beyond a bound are put on it."""
+    def normalise(self, value: ArrayLike) -> Array:
+        """Return the positions from 0 to 1 of values [SI]; values outside are clipped to the bound."""
         v = np.clip(np.asarray(value, dtype=float), self.low, self.high)
         if self.logarithmic:
             return np.asarray(np.log(v / self.low) / math.log(self.high / self.low))
@@ -135,16 +138,16 @@ class Number:
 
 @dataclass(frozen=True)
 class Space:
-    """A box of numbers; points in it are rows of places from 0 to 1.
+    """A box of design variables; its points are rows of positions from 0 to 1.
 
     Attributes
     ----------
-    numbers : tuple of Number
+    numbers : tuple of DesignVariable
     written : bool
-        Whether the values of points are those that a file has, as of `Number.written`.
+        Whether values of points are rounded as in a file, see `DesignVariable.written`.
     """
 
-    numbers: tuple[Number, ...]
+    numbers: tuple[DesignVariable, ...]
     written: bool = False
 
     def __post_init__(self) -> None:
@@ -156,26 +159,26 @@ class Space:
     @property
     def names(self) -> tuple[str, ...]:
         """Dotted names, in order."""
-        return tuple(number.name for number in self.numbers)
+        return tuple(variable.name for variable in self.numbers)
 
     @cached_property
     def start(self) -> Array:
-        """Places of the scenario's own values (n_number,)."""
-        return np.array([float(number.place(number.value)) for number in self.numbers])
+        """Positions of the scenario's own values (n_variable,)."""
+        return np.array([float(variable.normalise(variable.value)) for variable in self.numbers])
 
     def columns(self, points: ArrayLike) -> dict[str, Array]:
-        """Return values [SI] of points (n, n_number) as `contourlab.loop.simulate_batch` takes them: name -> (n,)."""
+        """Return the values [SI] of points (n, n_variable) by name, each (n,), as `contourlab.loop.simulate_batch` takes them."""
         rows = np.atleast_2d(np.asarray(points, dtype=float))
-        found = {number: number.physical(rows[:, i]) for i, number in enumerate(self.numbers)}
-        return {number.name: number.written(values) if self.written else values for number, values in found.items()}
+        found = {variable: variable.physical(rows[:, i]) for i, variable in enumerate(self.numbers)}
+        return {variable.name: variable.written(values) if self.written else values for variable, values in found.items()}
 
     def values(self, point: ArrayLike) -> dict[str, float]:
         """Return the values [SI] of one point."""
         return {name: float(column[0]) for name, column in self.columns(point).items()}
 
     def points(self, values: Mapping[str, ArrayLike]) -> Array:
-        """Return the places (n, n_number) of values [SI]; a name that is not given stays where the scenario has it."""
-        given = [np.atleast_1d(number.place(values.get(number.name, number.value))) for number in self.numbers]
+        """Return the positions (n, n_variable) of values [SI]; for missing names those of the scenario."""
+        given = [np.atleast_1d(variable.normalise(values.get(variable.name, variable.value))) for variable in self.numbers]
         return np.stack(np.broadcast_arrays(*given), axis=1)
 
     @staticmethod
@@ -188,27 +191,27 @@ class Space:
         called: str = "parameter",
         machine_only: bool = False,
     ) -> Space:
-        """Return the numbers that texts choose, each with its bounds.
+        """Choose variables by text, each with its bounds.
 
         Parameters
         ----------
         machine, controller
-            Whose numbers they are.
+            Their owners.
         texts : sequence of str
             ``NAME`` or ``NAME=LOW..HIGH`` with units, such as ``"3.observer.model_damping=5 1/s..50 1/s"``. A name may be the end of a
-            dotted name, and may have ``*``: it then stands for all that fit. None for all of `calibration_order` that are not zero.
+            dotted name and may contain ``*``; it stands for all that match. By default all of `calibration_order` that are not zero.
         width : float, > 1
-            Factor either side of the value where no bounds are given.
+            Bounds are the value divided and multiplied by it where the text has none.
         called : str
-            What the texts are called in an error.
+            Name of the texts in an error.
         machine_only : bool
-            Whether the numbers of the controller are left out: a name then stands for those of the machine alone.
+            Whether only parameters of the machine may be chosen.
 
         Raises
         ------
         ParameterError
-            If a name fits nothing, a bound has the wrong unit or is out of range, a number is given two pairs of bounds, or a value of zero
-            is given none.
+            If a name matches nothing, a bound has the wrong unit or is out of range, a variable gets two pairs of bounds, or a value of
+            zero gets none.
         """
         if not (width > 1.0 and math.isfinite(width)):
             raise ParameterError("width", f"{width:g}", "above 1 and finite: a factor either side of a value")
@@ -219,7 +222,7 @@ class Space:
         if not texts:
             order = calibration_order(machine, controller)
             names = [name for name in order if _value(known[name]) not in (0.0, math.inf)]
-            return Space(tuple(_number(name, known[name], units, "", width) for name in names))
+            return Space(tuple(_variable(name, known[name], units, "", width) for name in names))
         asked: dict[str, str] = {}
         for text in texts:
             wanted, _, bounds = (part.strip() for part in text.partition("="))
@@ -227,16 +230,52 @@ class Space:
                 if bounds and asked.get(name, bounds) not in ("", bounds):
                     raise ParameterError(name, f"{asked[name]} and {bounds}", "given bounds once")
                 asked[name] = bounds or asked.get(name, "")
-        return Space(tuple(_number(name, known[name], units, bounds, width) for name, bounds in asked.items()))
+        return Space(tuple(_variable(name, known[name], units, bounds, width) for name, bounds in asked.items()))
 
     def only(self, names: Iterable[str]) -> Space:
-        """Return the space of some of the numbers."""
+        """Return the space of some of the variables."""
         wanted = set(names)
-        return replace(self, numbers=tuple(number for number in self.numbers if number.name in wanted))
+        return replace(self, numbers=tuple(variable for variable in self.numbers if variable.name in wanted))
 
-    def around(self, values: Mapping[str, float]) -> Space:
-        """Return the space with other values to start from, in the same bounds."""
-        return replace(self, numbers=tuple(replace(one, value=float(values.get(one.name, one.value))) for one in self.numbers))
+
+# --- values as a file has them -----------------------------------------------------------------------------------------------------------
+
+
+def with_digits(values: ArrayLike, unit: str, low: float = -np.inf, high: float = np.inf) -> Array:
+    """Round values [SI] to six digits in a display unit: the result is, bit for bit, what their text is read as.
+
+    Parameters
+    ----------
+    values : array_like [SI], low to high
+    unit : str
+        The display unit.
+    low, high : float [SI]
+        A value that would be rounded beyond one of them is rounded inwards, or left as it is if no six digits lie between.
+
+    >>> with_digits([0.0123456789, 0.99999996], "m", high=1.0).tolist()
+    [0.0123457, 1.0]
+    """
+    v = np.asarray(values, dtype=float)
+    whole, power = _split(np.asarray(from_si(v, unit)))
+    under, over = low - ROUNDING * abs(low), high + ROUNDING * abs(high)
+    made = in_si(_over(whole, -power), unit)
+    inwards = np.where(made > over, -1.0, np.where(made < under, 1.0, 0.0))
+    made = in_si(_over(whole + inwards, -power), unit)
+    return np.where((made > over) | (made < under), v, made)
+
+
+def _split(values: Array) -> tuple[Array, Array]:
+    """Return values as whole numbers of `DIGITS` digits, and the powers of ten that these count."""
+    power = np.floor(np.log10(np.where(values == 0.0, 1.0, np.abs(values)))) - (DIGITS - 1)
+    return np.rint(_over(values, power)), power
+
+
+def _over(values: Array, power: Array) -> Array:
+    """Divide values by powers of ten with one rounding, as their text has."""
+    return np.where(power < 0.0, values * 10.0 ** np.maximum(-power, 0.0), values / 10.0 ** np.maximum(power, 0.0))
+
+
+# --- from text ---------------------------------------------------------------------------------------------------------------------------
 
 
 def _value(known: tuple[Component, str]) -> float:
@@ -244,11 +283,11 @@ def _value(known: tuple[Component, str]) -> float:
 
 
 def _fitting(wanted: str, known: Mapping[str, tuple[Component, str]], called: str, whose: str) -> list[str]:
-    """Return the dotted names that a text stands for."""
+    """Return the dotted names that a text matches."""
     if wanted in known:
         return [wanted]
     found = [name for name in known if fnmatchcase(name, wanted) or fnmatchcase(name, f"*.{wanted}")]
-    # "3.position_gain" for controller.axes.3.controller.position_gain: the slot of the controller goes without saying.
+    # "3.position_gain" means controller.axes.3.controller.position_gain: the slot of the controller may be left out.
     found += [name for name in known if name not in found and fnmatchcase(name.replace(".controller.", "."), f"*.{wanted}")]
     if not wanted or not found:
         raise ParameterError(called, repr(wanted), f"a number of {whose}, such as {', '.join(_near(wanted, known))}")
@@ -256,8 +295,8 @@ def _fitting(wanted: str, known: Mapping[str, tuple[Component, str]], called: st
 
 
 def _near(wanted: str, known: Iterable[str]) -> list[str]:
-    """Return the names nearest to one that there is not: those that end alike, or are spelt alike, or else a few of them."""
-    names = sorted(known, key=lambda name: name.startswith("axes."))  # what people look for are gains
+    """Return the names nearest to an unknown one: with the same last word, or spelt alike, or else the first few."""
+    names = sorted(known, key=lambda name: name.startswith("axes."))  # gains first
     ends = {name: name.rpartition(".")[2] for name in names}
     word = wanted.rpartition(".")[2]
     alike = get_close_matches(word, dict.fromkeys(ends.values()), n=3)
@@ -265,8 +304,8 @@ def _near(wanted: str, known: Iterable[str]) -> list[str]:
     return list(dict.fromkeys(found))[:MOST_NAMES] or names[:MOST_NAMES]
 
 
-def _number(name: str, known: tuple[Component, str], units: Mapping[str, tuple[str, str]], bounds: str, width: float) -> Number:
-    """Return a number between the bounds of a text, or else a factor either side of its value."""
+def _variable(name: str, known: tuple[Component, str], units: Mapping[str, tuple[str, str]], bounds: str, width: float) -> DesignVariable:
+    """Make a variable with the bounds of a text, or else a factor either side of its value."""
     part, word = known
     axis = next((axis for axis in units if f".axes.{axis}." in f".{name}"), next(iter(units)))
     parameter = replace(part.parameters[word].for_plant(*units[axis]), name=name)
@@ -282,7 +321,7 @@ def _number(name: str, known: tuple[Component, str], units: Mapping[str, tuple[s
     else:
         low, high = max(value / width, parameter.minimum), min(value * width, parameter.maximum)
     least, most = parameter.minimum, parameter.maximum
-    return Number(name, value, low, high, parameter.unit, parameter.display, logarithmic=low > 0.0, least=least, most=most)
+    return DesignVariable(name, value, low, high, parameter.unit, parameter.display, logarithmic=low > 0.0, least=least, most=most)
 
 
 def _bounds(name: str, text: str, unit: str, display: str) -> tuple[float, float]:
@@ -291,10 +330,10 @@ def _bounds(name: str, text: str, unit: str, display: str) -> tuple[float, float
         if dots:
             first, second = (read_number(side.strip() if unit else float(side), unit, display) for side in (low, high))
             return first, second
-        said = "two of them are wanted"
+        fault = "two of them are needed"
     except (UnitError, ValueError) as error:
-        said = str(error)
+        fault = str(error)
     shown = display or unit
     raise ParameterError(
-        name, repr(text), f"bounds LOW..HIGH, each with its unit, as {f'1 {shown}..2 {shown}' if unit else '1..2'}: {said}"
+        name, repr(text), f"bounds LOW..HIGH, each with its unit, as {f'1 {shown}..2 {shown}' if unit else '1..2'}: {fault}"
     )

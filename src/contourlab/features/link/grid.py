@@ -1,4 +1,4 @@
-"""Which values of a quantity of the links are looked at: a grid that hangs on nothing but the servo clock, and what it passes over."""
+"""The values at which a quantity of the links is tested: a grid that depends on the servo period alone, and the gaps in it."""
 
 from __future__ import annotations
 
@@ -13,27 +13,27 @@ Array = NDArray[np.float64]
 Mask = NDArray[np.bool_]
 LOSSES = np.linspace(0.0, 0.98, 50)
 EACH = 128
-"""Servo periods of which each is looked at."""
+"""Servo periods up to which each is tested."""
 FARTHER = 64
-"""Values to each doubling beyond them."""
+"""Values per doubling beyond them."""
 
 
 def times(quantity: str, period: float, longest: float) -> Array:
-    """Return the values of a time that are looked at [s]: each servo period up to `EACH`, then `FARTHER` of them to each doubling.
+    """Return the values of a time to test [s]: each servo period up to `EACH`, then `FARTHER` values per doubling.
 
-    Up to where two grids reach they are the same, so that a limit does not hang on how far one looks.
+    Grids of different length agree where they overlap, so that a limit does not depend on `longest`.
 
     Parameters
     ----------
     quantity : str
-        A message period, which begins at one servo period, or another time, which begins at 0.
+        ``message_period`` begins at one servo period, other times begin at 0.
     period, longest : float [s]
-        Servo period, and the end, which is looked at itself.
+        Servo period, and the last value.
 
     Raises
     ------
     ParameterError
-        If the longest time is below a servo period.
+        If the longest time is shorter than a servo period.
     """
     if not longest >= period:
         raise ParameterError("longest", f"{longest:g}", f">= the servo period, {period:g}", "s")
@@ -48,17 +48,18 @@ def times(quantity: str, period: float, longest: float) -> Array:
 
 
 def passed_over(values: Array, bad: Mask, unknown: Mask, period: float, most: int) -> Array:
-    """Return whole servo periods between the last value that is good ahead of the first bad one and that one, evenly, so many at most.
+    """Return multiples of the servo period, evenly spaced, between the last good value and the first bad one.
 
     Parameters
     ----------
     values : ndarray (n,) [s]
         Rising.
     bad, unknown : ndarray (n,)
-        A value of which nothing is known is neither good nor bad.
+        An unknown value is neither good nor bad.
     period : float [s]
         Servo period.
     most : int
+        Values at most.
 
     Examples
     --------
