@@ -130,7 +130,7 @@ def test_a_gap_is_refused_with_its_place() -> None:
         Path(lines)
     near = [Line((0.0, 0.0), (1.0, 0.0)), Line((1.0, 0.9e-9), (1.0, 1.0))]
     assert Path(near).length == pytest.approx(2.0)
-    with pytest.raises(GeometryError, match=r"curve 2 begins 1.1e-09 m away"):
+    with pytest.raises(GeometryError, match=r"curve 2 starts 1.1e-09 m away"):
         Path([near[0], Line((1.0, 1.1e-9), (1.0, 1.0))])
 
 
