@@ -148,7 +148,7 @@ def test_the_window_is_shaded_in_the_pictures(scene: Path, tmp_path: Path, monke
     assert main(words(scene, "--window", "0.5 s..9 s", *more, names=NAMES[:1])) == 0
     end = drawn[0].panels[0].curves[0].x[-1]
     assert [chart.panels[0].span for chart in drawn] == [(0.5, end)] * 4
-    assert {chart.panels[0].span_label for chart in drawn} == {"fitted to what is shaded"}
+    assert all(chart.panels[0].span_label for chart in drawn)
     drawn.clear()
     assert main(words(scene, *more, names=NAMES[:1])) == 0
     assert [chart.panels[0].span for chart in drawn] == [None] * 4
@@ -269,7 +269,8 @@ def test_a_log_in_a_wrong_unit_makes_no_machine(scene: Path, tmp_path: Path, cap
     assert parameters(found)["axes.x.plant.mass"]["at_bound"] and not found["result"]["usable"] and not out.exists()
     (tmp_path / "log.csv").write_text((scene / "log.csv").read_text().replace("pos [mm]", "pos [um]"))
     assert main([str(tmp_path / "log.csv") if word == str(scene / "log.csv") else word for word in given]) == 2
-    assert "coordinates and units?" in capsys.readouterr().err
+    said = capsys.readouterr().err
+    assert "log.csv: " in said and said.count("\n") == 1
 
 
 def test_samples_that_are_missing_are_told(scene: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
@@ -325,5 +326,6 @@ def test_what_is_read_is_not_written_over(
     assert name in before
     monkeypatch.setattr(refine, "refine", lambda *args, **more: pytest.fail("refined"))
     assert main(words(copy, "--validation", str(copy / "second.csv"), "--out", str(copy / name))) == 2
-    assert f"must be another file than {copy / name}, which is read" in capsys.readouterr().err
+    said = capsys.readouterr().err
+    assert str(copy / name) in said and "--out" in said and said.count("\n") == 1
     assert contents(copy) == before

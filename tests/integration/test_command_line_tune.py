@@ -207,11 +207,11 @@ def test_a_place_that_cannot_be_written_is_told_before_anything_runs(
 
 def test_pictures_leave_the_results_beside_them_alone(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     (tmp_path / "results").mkdir()
-    (tmp_path / "results" / "report.html").write_text("of a run")
+    (tmp_path / "results" / "report.html").write_text("older")
     words = ["--parameter", "x.integral_gain", "--plots", "svg", "--folder", str(tmp_path / "results")]
     assert main(["tune", str(written(tmp_path)), *words]) == 0
-    assert f"plot: {tmp_path / 'results' / 'plots' / 'tune-course.svg'}" in capsys.readouterr().out
-    assert (tmp_path / "results" / "report.html").read_text() == "of a run"
+    assert str(tmp_path / "results" / "plots" / "tune-course.svg") in capsys.readouterr().out
+    assert (tmp_path / "results" / "report.html").read_text() == "older"
 
 
 def test_a_start_beyond_its_bounds_is_begun_within_and_says_so(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
@@ -229,12 +229,14 @@ def test_the_scenario_and_its_files_are_not_written_over(name: str, tmp_path: Pa
     before = contents(tmp_path)
     assert main(["tune", str(file), "--out", str(tmp_path / name)]) == 2
     assert contents(tmp_path) == before
-    assert f"must be another file than {tmp_path / name}, which is read" in capsys.readouterr().err
+    said = capsys.readouterr().err
+    assert str(tmp_path / name) in said and "--out" in said and said.count("\n") == 1
 
 
 def test_placing_is_refused_where_a_kind_places_nothing(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     assert main(["tune", str(written(tmp_path, "pid")), "--start", "placed"]) == 2
-    assert "pid on axis x works out no gains" in capsys.readouterr().err
+    said = capsys.readouterr().err
+    assert "pid" in said and "axis x" in said and said.count("\n") == 1
 
 
 def test_the_written_controller_is_the_one_that_was_judged(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
@@ -247,7 +249,7 @@ def test_the_written_controller_is_the_one_that_was_judged(tmp_path: Path, capsy
     for name, value in values.items():
         _, _, axis, slot, word = name.split(".")
         assert getattr(getattr(made.axes[axis], slot), word) == value
-    assert "integral of the contour error" in out.read_text().splitlines()[0]
+    assert out.read_text().startswith("# ")
 
 
 def test_in_a_process_of_its_own(contourlab: Run, tmp_path: Path) -> None:

@@ -50,7 +50,7 @@ def test_known_figures_are_found_and_make_an_axis(tmp_path: Path, capsys: pytest
         origin, told = part.origins[name], found["parameters"][figure]
         assert (origin.source, origin.reference) == ("fitted", "log-0.csv")
         assert origin.deviation == pytest.approx(max(told["deviation"], told["robust_deviation"]), rel=5e-3)
-    assert axis.limits.origins["velocity"].note == "20 % above the largest in the log: give the axis' own"
+    assert axis.limits.origins["velocity"].note.startswith("20 %")
     assert {frozenset(pair[:2]) for pair in axis.correlations} >= {frozenset(("plant.damping", "friction.coulomb"))}
 
 
@@ -76,11 +76,14 @@ def test_a_torque_is_a_force_by_the_lead_for_every_model(
     assert main([*words, "--gain", f"{1.0 / arm:.12g} N/(N*m)", "--json"]) == 0
     assert json.loads(capsys.readouterr().out)["parameters"]["M"]["value"] == pytest.approx(found["M"]["value"], rel=1e-8)
     assert main([*words, "--lead", "10 mm", "--gain", "628 N/(N*m)"]) == 2
-    assert "of which --lead makes a force: leave --gain out" in capsys.readouterr().err
+    said = capsys.readouterr().err
+    assert "--lead" in said and "--gain" in said and said.count("\n") == 1
     assert main([*words, "--model", "friction", "--lead", "10 mm", "--full-scale", "3 N*m"]) == 2
-    assert "must be one of the two: newtons, or parts of full scale" in capsys.readouterr().err
+    said = capsys.readouterr().err
+    assert "--full-scale" in said and said.count("\n") == 1
     assert main(words) == 2
-    assert 'Give --lead, the travel per turn, as "10 mm"' in capsys.readouterr().err
+    said = capsys.readouterr().err
+    assert "--lead" in said and said.count("\n") == 1
 
 
 def test_a_command_in_millivolts_is_in_volts(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
@@ -88,7 +91,8 @@ def test_a_command_in_millivolts_is_in_volts(tmp_path: Path, capsys: pytest.Capt
     assert main(words) == 0
     assert json.loads(capsys.readouterr().out)["parameters"]["M"]["value"] == pytest.approx(2.0 * MASS, rel=0.01)
     assert main([*words[:4], "--gain", "2 N/A"]) == 2
-    assert 'must be per V, as "35 N/V"' in capsys.readouterr().err
+    said = capsys.readouterr().err
+    assert "--gain" in said and "N/V" in said and said.count("\n") == 1
 
 
 def test_the_measured_axis(shared: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
@@ -127,8 +131,8 @@ def test_the_measured_axis_can_be_asked_for_its_motion_again(
     axis = scenario.machine.axes[0]
     # The reference of the log has 0.842 m/s^2, its motion 0.1278 m/s.
     assert 1.15 * 0.842 < axis.limits.acceleration < 1.3 * 0.842 and axis.limits.velocity == pytest.approx(1.2 * 0.1278, rel=1e-3)
-    said = " of the reference" if asked else " over 50 ms"
-    assert axis.limits.origins["acceleration"].note == f"20 % above the largest{said} in the log: give the axis' own"
+    note = axis.limits.origins["acceleration"].note
+    assert note.startswith("20 %") and ("reference" in note) == bool(asked) and ("50 ms" in note) != bool(asked)
     result = simulate(scenario.machine, scenario.controller, scenario.base.reference())
     assert float(np.abs(result["command"]).max()) < axis.drive.values()["limit"]
     assert float(np.abs(np.diff(result["reference"], 2, axis=0)).max()) / 1e-6 > 0.842
@@ -160,7 +164,8 @@ def test_what_is_wrong_is_said(tmp_path: Path, capsys: pytest.CaptureFixture[str
 def test_a_force_counted_the_other_way_round_is_no_axis(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     log = written(tmp_path, sign=-1.0)
     assert main(["identify", str(log), "--column", "force.x=push", "--out", str(tmp_path / "axis.toml")]) == 2
-    assert "counted the other way round" in capsys.readouterr().err
+    said = capsys.readouterr().err
+    assert "log-0.csv: M = -" in said and said.count("\n") == 1
     assert main(["identify", str(log), "--column", "force.x=-push", "--out", str(tmp_path / "axis.toml")]) == 0
 
 
@@ -247,7 +252,7 @@ def test_settings_are_called_as_the_options_are(tmp_path: Path, capsys: pytest.C
     assert main(["identify", log, "--column", "force.x=push", "--slowest", "10 m/s"]) == 2
     assert "--slowest = 10 m/s" in capsys.readouterr().err
     assert main(["identify", log, "--column", "force.x=push", "--cutoff", "9 kHz"]) == 2
-    assert "--cutoff = 9000 Hz: must be > 0 and below the Nyquist frequency" in capsys.readouterr().err
+    assert "--cutoff = 9000 Hz" in capsys.readouterr().err
     assert main(["identify", log, "--column", "force.x=push", "--decimation=0"]) == 2
     assert "--decimation = 0" in capsys.readouterr().err
     assert main(["identify", log, "--column", "command.x=push [V]", "--gain", "1e13 N/V"]) == 2

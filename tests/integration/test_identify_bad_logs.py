@@ -128,7 +128,7 @@ def test_an_axis_that_goes_against_its_command_is_none(tmp_path: Path, capsys: p
         wanted = "CL509" if model == "frequency-response" else "CL527"
         assert code == 1 and wanted in codes(found)
     else:
-        assert code == 2 and ("counted the other way round" in said or "goes against" in said)
+        assert code == 2 and said.startswith("contourlab: ") and said.count("\n") == 1
 
 
 @pytest.mark.parametrize("model", MODELS)
@@ -179,7 +179,7 @@ def test_nothing_is_fitted_across_a_long_gap(tmp_path: Path, capsys: pytest.Capt
     code, found, _ = identified(tmp_path, model, each(log, lambda values: values[kept]), capsys)
     figure = found["parameters"][name]
     assert code == 0 and figure["value"] == pytest.approx(whole["value"], rel=1e-2)
-    assert any(f"{n // 30} of {n} samples are missing" in one["values"].get("note", "") for one in found["findings"])
+    assert any(f"{n // 30} of {n} samples" in one["values"].get("note", "") for one in found["findings"])
     assert ("CL501" in codes(found)) == (model in ("rigid", "first-order"))
     assert found["logs"] == ["log.csv"]
 

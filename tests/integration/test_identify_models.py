@@ -194,7 +194,7 @@ def test_a_gain_makes_the_same_kind_of_axis_by_every_model(tmp_path: Path, capsy
         assert axis.plant.values()["mass"] == pytest.approx(50.0 / 1.695, rel=0.05 if model == "linear-motor" else 0.01)
         largest = 10.0 * float(np.abs(steps()).max())
         assert axis.drive.values()["limit"] == pytest.approx(1.5 * largest)
-        assert "50 % above the largest in the log, as velocity and acceleration take it" in axis.drive.origins["limit"].note
+        assert "50 %" in axis.drive.origins["limit"].note
         assert axis.limits.velocity == pytest.approx(load_axis(tmp_path / "rigid.toml").limits.velocity, rel=0.1)
         if model != "linear-motor":  # a command of half a newton is what the constant force of the axis takes
             assert axis.disturbance.values()["force"] == pytest.approx(0.5, rel=0.05)
@@ -220,8 +220,8 @@ def test_an_identified_axis_follows_plans_at_its_limits(
     drive = axis.drive.values()["limit"]
     assert 0.8 * drive < taken < 0.95 * drive
     assert limits.jerk == pytest.approx(100.0 * limits.acceleration, rel=1e-4)
-    assert "as the drive's limit gives no more of velocity and acceleration at once" in limits.origins["acceleration"].note
-    assert limits.origins["velocity"].source == "assumed" and "give the axis' own" in limits.origins["velocity"].note
+    assert "drive" in limits.origins["acceleration"].note
+    assert limits.origins["velocity"].source == "assumed" and limits.origins["velocity"].note
     assert Machine("m", (axis,), PERIOD).planner_limits().acceleration[0] == limits.acceleration
 
 
@@ -232,7 +232,7 @@ def test_a_limit_that_is_missing_is_told_with_its_file(tmp_path: Path, capsys: p
     (tmp_path / "run.toml").write_text(text)
     assert main(["run", str(tmp_path / "run.toml"), "--out", str(tmp_path / "out")]) == 2
     said = capsys.readouterr().err
-    assert f"{tmp_path / 'axis.toml'}: axis x of found has no limit for its ramps: give it limits.acceleration" in said
+    assert f"{tmp_path / 'axis.toml'}: axis x" in said and "limits.acceleration" in said and said.count("\n") == 1
 
 
 def test_logs_of_one_name_are_told_apart_by_their_folders(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
@@ -248,7 +248,7 @@ def test_logs_of_one_name_are_told_apart_by_their_folders(tmp_path: Path, capsys
     assert {point["source"] for point in found["points"]} == {"slow/jog.csv", "fast/jog.csv"}
     assert 'from = "slow/jog.csv and 1 more"' in out.read_text() and str(tmp_path) not in out.read_text()
     assert main(["identify", *words]) == 0
-    assert "slow/jog.csv, fast/jog.csv, axis x" in capsys.readouterr().out
+    assert "slow/jog.csv, fast/jog.csv, " in capsys.readouterr().out
     # What is to be said of one log only names it.
     rows = (tmp_path / "fast" / "jog.csv").read_text().splitlines()
     (tmp_path / "fast" / "jog.csv").write_text("\n".join([*rows[:700], *rows[703:]]) + "\n")
@@ -271,14 +271,14 @@ def test_pictures_have_points_labels_and_a_folder(
     assert main(["identify", *logs, *UBC, "--model", model, *more, "--plots", "svg", "--folder", str(tmp_path / "seen")]) == 0
     assert sorted(file.stem for file in (tmp_path / "seen" / "plots").iterdir()) == files
     drawn = "".join((tmp_path / "seen" / "plots" / f"{file}.svg").read_text() for file in files)
-    assert all(f">{label}<" in drawn for label in labels) and ">measured, two deviations<" in drawn
-    assert f"plot: {tmp_path / 'seen' / 'plots' / files[0]}.svg" in capsys.readouterr().out
+    assert all(f">{label}<" in drawn for label in labels) and ">measured, " in drawn
+    assert f"{tmp_path / 'seen' / 'plots' / files[0]}.svg" in capsys.readouterr().out
 
 
 def test_a_file_that_was_asked_for_and_is_not_written_is_no_success(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     out = tmp_path / "axis.toml"
-    out.write_text("of another day")
+    out.write_text("older")
     words = [stepped(tmp_path, "V", 10.0), "--column", "command.x=cmd", "--model", "frequency-response"]
     assert main(["identify", *words]) == 0
     assert main(["identify", *words, "--out", str(out)]) == 1
-    assert "is not written" in capsys.readouterr().out and out.read_text() == "of another day"
+    assert str(out) in capsys.readouterr().out and out.read_text() == "older"

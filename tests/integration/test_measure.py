@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import re
 from collections.abc import Callable
 from datetime import datetime, timedelta
 from pathlib import Path
@@ -180,7 +181,7 @@ def test_a_part_program_as_the_reference(tmp_path: Path, capsys: pytest.CaptureF
     assert metrics["contour_error"]["max"] == pytest.approx(15e-6, rel=2e-2)
     assert metrics["tracking_error"][0]["rms"] is None
     assert main([*words[:-1], "--tolerance", "20 um"]) == 0
-    assert "PASS, largest contour error 15" in capsys.readouterr().out
+    assert re.search(r"PASS\b.* 15", capsys.readouterr().out)
     assert main([*words[:-1], "--tolerance", "10 um"]) == 1
 
 
@@ -228,9 +229,11 @@ def test_a_part_program_in_other_coordinates(tmp_path: Path, capsys: pytest.Capt
     assert given == pytest.approx(8e-6 / np.sqrt(2.0), rel=0.02)
     assert fitted == pytest.approx(given, rel=0.01)
     assert main(["measure", str(log), "--reference", str(program), "--out", str(tmp_path / "o")]) == 2
-    assert "same coordinates" in capsys.readouterr().err
+    said = capsys.readouterr().err
+    assert "log.csv: " in said and said.count("\n") == 1
     assert main(["measure", str(log), "--reference", str(program), "--shift", "3 mm", "--out", str(tmp_path / "o")]) == 2
-    assert "a length for each of x, y" in capsys.readouterr().err
+    said = capsys.readouterr().err
+    assert "--shift" in said and "x, y" in said and said.count("\n") == 1
 
 
 def test_a_straight_path_does_not_tell_its_shift() -> None:
@@ -408,7 +411,8 @@ def test_a_position_that_does_not_go_with_its_reference(
     np.savetxt(log, rows, delimiter=",", comments="", header="t [s],x ref [mm],y ref [mm],x pos [mm],y pos [mm]")
     code = main(["measure", str(log), "--out", str(tmp_path / "out")])
     if axes == "refused":
-        assert code == 2 and "coordinates and units?" in capsys.readouterr().err and not (tmp_path / "out").exists()
+        said = capsys.readouterr().err
+        assert code == 2 and "log.csv: " in said and said.count("\n") == 1 and not (tmp_path / "out").exists()
         return
     findings = json.loads((tmp_path / "out" / "summary.json").read_text())["schemes"]["log"]["findings"]
     unlike = [", ".join(one["values"]["axes"]) for one in findings if one["code"] == "CL405"]
@@ -436,17 +440,16 @@ def test_wrong_columns_are_refused_or_told(tmp_path: Path, capsys: pytest.Captur
         return ["measure", log, *(word for name, column in said.items() if column for word in ("--column", f"{name}={column}")), *out]
 
     assert main(typed(position_x="b", position_y="a")) == 2
-    assert (
-        "on a path of 120 mm in size, and moves by 120 mm: are the columns of position and reference the right ones"
-        in capsys.readouterr().err
-    )
+    said = capsys.readouterr().err
+    assert said.count("120 mm") == 2 and said.count("\n") == 1
     assert main(typed(reference_y="")) == 2
-    assert "no reference of y" in capsys.readouterr().err
+    said = capsys.readouterr().err
+    assert re.search(r"reference\b.*\by\b", said) and said.count("\n") == 1
     assert not (tmp_path / "out").exists()
     assert main(typed()) == 0
     assert "CL404" not in capsys.readouterr().out
     assert main(typed(position_x="ar")) == 0
-    assert "CL404 warning: Position and reference of x" in capsys.readouterr().out
+    assert "CL404 warning" in capsys.readouterr().out
 
 
 def test_a_program_in_other_units_or_without_its_laps_is_refused(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
@@ -457,8 +460,10 @@ def test_a_program_in_other_units_or_without_its_laps_is_refused(tmp_path: Path,
     for units, code in (("G21", 0), ("G20", 2)):
         (tmp_path / "part.ngc").write_text(f"{units} {program}")
         assert main(["measure", log, "--reference", str(tmp_path / "part.ngc"), "--out", str(tmp_path / units)]) == code
-    assert "and moves by 40 mm: are both in the same coordinates and units?" in capsys.readouterr().err
+    said = capsys.readouterr().err
+    assert "40 mm" in said and said.count("\n") == 1
     log = named(tmp_path, "x pos [mm],y pos [mm]", *np.vstack([there, there[::-1], there]).T)
     (tmp_path / "part.ngc").write_text(f"G21 {program}")
     assert main(["measure", log, "--reference", str(tmp_path / "part.ngc"), "--out", str(tmp_path / "laps")]) == 2
-    assert "The tool goes 3 times the path's length" in capsys.readouterr().err
+    said = capsys.readouterr().err
+    assert " 3 times " in said and said.count("\n") == 1

@@ -1,9 +1,8 @@
-"""Feed: from a path with its programmed feed and the limits of the axes to a sampled reference.
+"""Feed: from a path with feedrates, and the limits of the axes, to a sampled reference.
 
-Inside: `limits`; `route` (path and feed data); `bounds` (limits of axes -> limits along the path), `pieces` (where one
-set of them holds), `scurve` (speed changes in closed form), `profile` (spans of constant jerk), `stretches`
-(from stop to stop), `smooth` with its `kernels` (stretches that are not straight), `planner`; `binding` (what holds the speed); `uniform`
-(the constant-frequency law); `reference` (samples on demand); `verify` (the independent judge).
+`limits`, `route`: the inputs. `merging`, `blending`: short lines joined, corners rounded. `segments`: from stop to stop. Straight segments:
+`bounds`, `pieces`, `scurve`. Others: `smooth`, `kernels`, `speed_profile`. `planner` combines both; `profile`, `reference` are the outputs.
+`uniform`: constant speed. `binding`: what limits the speed. `verify`: an independent check.
 """
 
 from contourlab.feed.binding import Binding, limiting

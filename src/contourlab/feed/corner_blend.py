@@ -1,27 +1,28 @@
 """The shape of a blend: the quintic curve that rounds a corner within a tolerance.
 
-A corner of turning angle q is rounded between the points at arc length a before it and a after it. The quintic Bezier curve through control
-points P0 ... P5 has there the position, tangent and curvature vector of the path: P1, P2 lie on the tangent at (1 - b) a and (1 - c) a from
-P0, and P2 is moved by 5/4 ((1 - b) a)^2 times the curvature vector (from r' = 5 (P1 - P0), r'' = 20 (P2 - 2 P1 + P0)); the other end
-likewise. Between lines b a and c a are the distances of P1 and P2 from the corner.
+A corner of turning angle q is rounded between the points at arc length a before and after it. At these points the quintic Bezier curve with
+control points P0 ... P5 has the position, tangent and curvature vector of the path: P1, P2 lie on the tangent at (1 - b) a and (1 - c) a
+from P0, and P2 is moved by 5/4 ((1 - b) a)^2 times the curvature vector (from r' = 5 (P1 - P0), r'' = 20 (P2 - 2 P1 + P0)); the other end
+likewise. Between lines, b a and c a are the distances of P1 and P2 from the corner.
 
-Between lines the curve is nearest to the corner at its middle, (P0 + 5 P1 + 10 P2 + 10 P3 + 5 P4 + P5)/32, which is
-a (1 + 5 b + 10 c)/16 sin(q/2) away; the curve lies within the triangle of its ends and the corner, so it is nowhere further from the lines.
-That gives a for a tolerance.
+Between lines the curve is nearest to the corner at its middle, (P0 + 5 P1 + 10 P2 + 10 P3 + 5 P4 + P5)/32, at a distance of
+a (1 + 5 b + 10 c)/16 sin(q/2). It lies within the triangle of its ends and the corner, so nowhere further from the lines. This gives a for
+a tolerance.
 
-The shape b(q), c(q) decides how fast the corner can be driven. With the deviation d held, acceleration permits a speed as the root of
-1/max|r''|, jerk one as the cube root of 1/max|r'''| (both by arc length). The least curvature alone (b = 0.835, c = 0.393 at 90 degrees, as
-Sencer, Ishizaki & Shamoto 2015, doi 10.1007/s00170-014-6386-2, choose theirs) comes within 0.3 % of the circular arc, but its curvature
-rises so steeply that where jerk is the limit it is 3 times slower than what is possible; the least |r'''| costs 20 % of curvature. The
-table below makes the larger of the two losses of speed smallest: 4 to 7 % at any angle, whichever limit binds.
+The shape b(q), c(q) determines the speed. For a given deviation, acceleration limits the speed by the root of 1/max|r''|, jerk by the cube
+root of 1/max|r'''|. The least curvature (b = 0.835, c = 0.393 at 90 degrees; Sencer, Ishizaki & Shamoto 2015,
+doi 10.1007/s00170-014-6386-2) comes within 0.3 % of the circular arc, but where jerk limits the speed it is 3 times slower than possible;
+the least |r'''| costs 20 % of curvature. The table below minimises the larger of the two speed losses: 4 to 7 % at any angle.
 
-Where jerk is scarce, a stop at the corner can be quicker than creeping around it. `quicker_blended` compares both in closed form for a
-corner whose neighbours are like itself, so that it owns half of its two curves. With a stop, each half is half of a move from rest to rest.
-With a blend, it is half of a move over what the blend leaves, from the speed at the blend's end to that speed again, and the time within
-the blend. Along a polygon of equal sides that is nearly exact.
+Where jerk is scarce, a stop at the corner can be quicker than a blend. `quicker_blended` compares both in closed form, for a corner between
+corners like itself, which owns half of its two curves. With a stop, each half is half of a move from rest to rest. With a blend, it is half
+of a move over the rest of the curve, from the speed at the end of the blend to the same speed, plus the time within the blend. For a
+regular polygon this is nearly exact.
 """
 
 from __future__ import annotations
+
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -37,82 +38,83 @@ Array = NDArray[np.float64]
 Index = NDArray[np.int64]
 
 MOST_TURN = np.radians(175.0)
-"""Corners that turn by more are left as they are: their blend would all but stop at its tip."""
+"""Corners that turn by more stay: their blend would almost stop at its tip."""
 LEAST_REACH = 1e-8
-"""Shortest piece of a curve [m] that a blend may use; where the tolerance permits no more, the corner stays."""
+"""Shortest piece of a curve [m] that a blend may use."""
 _SHARPEST_BEND = 1.0
-"""A blend uses at most so much of an arc [rad]."""
+"""Largest angle of an arc [rad] that a blend may use."""
 _TURN = np.radians([0.0, 15.0, 30.0, 45.0, 60.0, 75.0, 90.0, 105.0, 120.0, 135.0, 150.0, 165.0, 170.0, 175.0])
 _B = np.array([0.5035, 0.5053, 0.5096, 0.5180, 0.5304, 0.5495, 0.5769, 0.6105, 0.6698, 0.7383, 0.8088, 0.8951, 0.9277, 0.9627])
 _C = np.array([0.2085, 0.2118, 0.2196, 0.2340, 0.2549, 0.2840, 0.3229, 0.3790, 0.4474, 0.5353, 0.6445, 0.7911, 0.8523, 0.9219])
 _ENOUGH, _AIM = 0.9955, 0.988
-"""Samples were found to miss 0.35 % of the largest deviation at most."""
+"""Of the tolerance: samples miss at most 0.35 % of the largest deviation."""
 _ROUNDS = 12
 _GRID = np.linspace(0.0, 1.0, 33)
 _COARSE = np.linspace(0.0, 1.0, 17)
 _CHUNK, _TIMED = 512, 1024  # corners measured, and timed, together
 _WHOLE = Share(1.0, 1.0, 1.0, 1.0)
 _BLEND = Share(1.0, 1.0, 0.8, 1.0)
-"""Part of the limits that the planner spends on turning in a blend: the rest of the jerk is for braking and speeding up around it."""
+"""Limits for turning in a blend; the rest of the jerk is for braking and speeding up."""
+
+
+class Corners(NamedTuple):
+    """Corners of a path: numbers of the curves before and after each, and its turning angle [rad]; arrays (n,)."""
+
+    before: Index
+    after: Index
+    turn: Array
+
+    def only(self, which: Index | slice) -> Corners:
+        """Return some of the corners."""
+        return Corners(self.before[which], self.after[which], self.turn[which])
 
 
 def shape(turn: Array) -> tuple[Array, Array]:
-    """Return b and c of corners that turn by `turn` (n,) [rad]."""
+    """Return b and c of corners with turning angles (n,) [rad]."""
     return np.interp(turn, _TURN, _B), np.interp(turn, _TURN, _C)
 
 
-def control_points(path: Path, before: Index, after: Index, turn: Array, reach: Array) -> Array:
-    """Return the control points (n, 6, n_axis) of blends of corners.
-
-    Parameters
-    ----------
-    path : Path
-    before, after : ndarray (n,) of int
-        The curves that end and begin at each corner.
-    turn : ndarray (n,) [rad]
-    reach : ndarray (n,) [m]
-        How much of either curve is used.
-    """
-    b, c = shape(turn)
+def control_points(path: Path, corners: Corners, reach: Array) -> Array:
+    """Return the control points (n, 6, n_axis) of blends that use `reach` (n,) [m] of both curves."""
+    b, c = shape(corners.turn)
     h, k = ((1.0 - b) * reach)[:, None], ((1.0 - c) * reach)[:, None]
-    p, d, bend = path.at(before, np.diff(path.breaks)[before] - reach, 2)
-    q, e, other = path.at(after, reach, 2)
+    p, d, bend = path.at(corners.before, np.diff(path.breaks)[corners.before] - reach, 2)
+    q, e, other = path.at(corners.after, reach, 2)
     return np.stack([p, p + h * d, p + k * d + 1.25 * h**2 * bend, q - k * e + 1.25 * h**2 * other, q - h * e, q], axis=1)
 
 
-def largest_reach(path: Path, before: Index, after: Index, turn: Array, tolerance: Array, room: Array) -> Array:
-    """Return how much of either curve the largest blend within the tolerance uses (n,) [m]; 0 where there is none.
+def largest_reach(path: Path, corners: Corners, tolerance: Array, room: Array) -> Array:
+    """Return how much of both curves the largest blend within the tolerance uses (n,) [m]; 0 where there is none.
 
     Parameters
     ----------
     path : Path
-    before, after : ndarray (n,) of int
-    turn : ndarray (n,) [rad]
+    corners : Corners
     tolerance : ndarray (n,) [m], > 0
         Largest distance of the corner from its blend, and of the blend from the path.
     room : ndarray (n,) [m]
-        How much of either curve may be used at most.
+        Usable length of both curves.
     """
-    b, c = shape(turn)
-    in_closed_form = 16.0 * tolerance / ((1.0 + 5.0 * b + 10.0 * c) * np.sin(0.5 * turn))
-    span = np.diff(path.breaks)
-    bend = np.maximum(*(np.linalg.norm(path.at(i, at, 2)[2], axis=1) for i, at in ((before, span[before]), (after, 0.0 * room))))
-    # Blunt the closed form by a rounding, so that a measured deviation never comes out above the tolerance.
+    b, c = shape(corners.turn)
+    in_closed_form = 16.0 * tolerance / ((1.0 + 5.0 * b + 10.0 * c) * np.sin(0.5 * corners.turn))
+    ends = (corners.before, np.diff(path.breaks)[corners.before]), (corners.after, 0.0 * room)
+    bend = np.maximum(*(np.linalg.norm(path.at(curve, at, 2)[2], axis=1) for curve, at in ends))
+    # The margin keeps rounding from lifting a measured deviation above the tolerance.
     reach = np.minimum(room, in_closed_form * (1.0 - 1e-9))
     on = np.flatnonzero(bend > 0.0)
     if on.size:
-        most = np.minimum(room[on], _SHARPEST_BEND / bend[on])
-        reach[on] = _measured_reach(path, before[on], after[on], turn[on], tolerance[on], np.minimum(most, 4.0 * in_closed_form[on]))
+        most = np.minimum(np.minimum(room[on], _SHARPEST_BEND / bend[on]), 4.0 * in_closed_form[on])
+        reach[on] = _measured_reach(path, corners.only(on), tolerance[on], most)
     return np.where(reach < LEAST_REACH, 0.0, reach)
 
 
-def _measured_reach(path: Path, before: Index, after: Index, turn: Array, tolerance: Array, most: Array) -> Array:
-    """Return reaches whose measured deviation is just below the tolerance: the deviation grows nearly in proportion to the reach."""
+def _measured_reach(path: Path, corners: Corners, tolerance: Array, most: Array) -> Array:
+    """Return reaches with a measured deviation just below the tolerance; the deviation grows almost in proportion to the reach."""
     low, high = np.zeros_like(most), most.copy()
     reach = most.copy()
     on = np.arange(most.size)
     for _ in range(_ROUNDS):
-        off = _deviation(path, before[on], after[on], turn[on], reach[on])
+        off = _deviation(path, corners.only(on), reach[on])
         good = off <= _ENOUGH * tolerance[on]
         low[on] = np.where(good, reach[on], low[on])
         high[on] = np.where(good, high[on], reach[on])
@@ -125,61 +127,53 @@ def _measured_reach(path: Path, before: Index, after: Index, turn: Array, tolera
     return low
 
 
-def _deviation(path: Path, before: Index, after: Index, turn: Array, reach: Array) -> Array:
+def _deviation(path: Path, corners: Corners, reach: Array) -> Array:
     """Return the larger of the corner's distance from its blend and the blend's largest distance from the path; inf for a loop."""
-    parts = [slice(i, i + _CHUNK) for i in range(0, turn.size, _CHUNK)]
-    return np.concatenate([_deviation_of_some(path, before[part], after[part], turn[part], reach[part]) for part in parts])
-
-
-def _deviation_of_some(path: Path, before: Index, after: Index, turn: Array, reach: Array) -> Array:
-    """Return what `_deviation` does, all at once."""
-    points = control_points(path, before, after, turn, reach)
-    corner = path.breaks[before + 1]
+    if reach.size > _CHUNK:
+        parts = [slice(i, i + _CHUNK) for i in range(0, reach.size, _CHUNK)]
+        return np.concatenate([_deviation(path, corners.only(part), reach[part]) for part in parts])
+    points, corner = control_points(path, corners, reach), path.breaks[corners.before + 1]
     away, at = _distances(path, points, np.broadcast_to(_GRID, (reach.size, _GRID.size)), corner, reach)
-    missed = np.linalg.norm(at - path.starts[0][after][:, None, :], axis=2).min(axis=1)
-    # Where the nearer curve changes the distance has a peak, which falls between the samples.
+    missed = np.linalg.norm(at - path.starts[0][corners.after][:, None, :], axis=2).min(axis=1)
+    # The distance has a peak between samples where the nearer curve changes.
     top = _GRID[np.argmax(away, axis=1)]
     step = _GRID[1] * np.linspace(-1.0, 1.0, 17)
     fine, _ = _distances(path, points, np.clip(top[:, None] + step, 0.0, 1.0), corner, reach)
-    # A blend that turns back on itself is none.
+    # A blend must not turn back on itself.
     forward = np.einsum("ijk,ik->ij", np.diff(at, axis=1), points[:, 5] - points[:, 0]).min(axis=1) > 0.0
     return np.where(forward, np.maximum(missed, np.maximum(away.max(axis=1), fine.max(axis=1))), np.inf)
 
 
 def _distances(path: Path, points: Array, u: Array, corner: Array, reach: Array) -> tuple[Array, Array]:
-    """Return the distances (n, m) of blends at parameters u (n, m) from the path near the corner, and the places (n, m, n_axis)."""
+    """Return the distances (n, m) of blends at parameters u (n, m) from the path near the corner, and their positions (n, m, n_axis)."""
     w = 1.0 - u
     weights = np.stack([w**5, 5.0 * u * w**4, 10.0 * u**2 * w**3, 10.0 * u**3 * w**2, 5.0 * u**4 * w, u**5], axis=2)
     at = np.einsum("nmk,nkj->nmj", weights, points)
     m = u.shape[1]
-    found = path.foot_point(at.reshape(-1, path.n_axis), np.repeat(corner, m), np.repeat(reach, m))
-    return found.distance.reshape(u.shape), at
+    feet = path.foot_point(at.reshape(-1, path.n_axis), np.repeat(corner, m), np.repeat(reach, m))
+    return feet.distance.reshape(u.shape), at
 
 
 # --- blend or stop -------------------------------------------------------------------------------------------------------------------
 
 
-def quicker_blended(route: Route, before: Index, after: Index, reach: Array, points: Array, limits: AxisLimits) -> NDArray[np.bool_]:
+def quicker_blended(route: Route, corners: Corners, reach: Array, points: Array, limits: AxisLimits) -> NDArray[np.bool_]:
     """Return at which corners the blend takes less time than a stop (n,).
 
     Parameters
     ----------
     route : Route
-    before, after : ndarray (n,) of int
-        The curves that end and begin at each corner.
+    corners : Corners
     reach : ndarray (n,) [m]
-        How much of either curve the blend uses.
+        Length of both curves that the blend uses.
     points : ndarray (n, 6, n_axis) [m]
         Control points of the blends.
     limits : AxisLimits
         For the path's number of axes.
-
-    Returns
-    -------
-    ndarray (n,) of bool
     """
+    before, after, _ = corners
     feedrate = np.minimum(route.feedrate[before], route.feedrate[after])
-    parts = [_passed(points[i : i + _TIMED], feedrate[i : i + _TIMED], limits) for i in range(0, max(len(points), 1), _TIMED)]
+    parts = [_times_and_speeds(points[i : i + _TIMED], feedrate[i : i + _TIMED], limits) for i in range(0, max(len(points), 1), _TIMED)]
     blend, *ends = (np.concatenate(column) for column in zip(*parts, strict=True))
     stop = np.zeros_like(reach)
     span = np.diff(route.path.breaks)
@@ -191,32 +185,30 @@ def quicker_blended(route: Route, before: Index, after: Index, reach: Array, poi
 
 
 class _Side:
-    """Limits along a curve next to its corner."""
+    """Limits along the curves on one side of the corners."""
 
     def __init__(self, route: Route, curve: Index, at: Array, limits: AxisLimits) -> None:
         _, tangent, second = route.path.at(curve, at, 2)
         with np.errstate(divide="ignore"):
-            share = np.abs(tangent)
-            self.acceleration, self.jerk = (np.min(limit / share, axis=1) for limit in (limits.acceleration, limits.jerk))
+            self.acceleration, self.jerk = (np.min(limit / np.abs(tangent), axis=1) for limit in (limits.acceleration, limits.jerk))
         samples = Samples(tangent, second, np.zeros_like(second), route.feedrate[curve])
         self.ceiling = speed_limit(samples, limits, _WHOLE)
 
     def time(self, length: Array, speed: Array) -> Array:
-        """Return the times (n,) [s] of moves over `length` from `speed` to `speed`."""
-        ceiling = np.maximum(self.ceiling, speed)
-        shape = self.acceleration, self.jerk, self.jerk
-        peak = peak_speed(length, speed, speed, ceiling, *shape)
-        ramp = ramps(speed, peak, *shape)
+        """Return the durations (n,) [s] of moves over `length` from `speed` to the same speed."""
+        limits = self.acceleration, self.jerk, self.jerk
+        peak = peak_speed(length, speed, speed, np.maximum(self.ceiling, speed), *limits)
+        ramp = ramps(speed, peak, *limits)
         cruise = np.maximum(length - 2.0 * ramp.distance, 0.0)
         with np.errstate(divide="ignore", invalid="ignore"):
             return 2.0 * (ramp.rise_time + ramp.hold_time + ramp.taper_time) + np.where(cruise > 0.0, cruise / peak, 0.0)
 
 
-def _passed(points: Array, feedrate: Array, limits: AxisLimits) -> tuple[Array, Array, Array]:
-    """Return the time that each blend takes, and the speeds at its ends.
+def _times_and_speeds(points: Array, feedrate: Array, limits: AxisLimits) -> tuple[Array, Array, Array]:
+    """Return the duration of each blend, and the speeds at its ends.
 
-    Away from its slowest place a blend is driven as fast as it bends there, as acceleration permits, v^2 + 2 A d, and as the jerk
-    left beside the turning does, a fifth of J, in the time d/v that the way d takes: v + (J/5)/4 (d/v)^2.
+    At the distance d from the slowest place, with speed v, the speed is limited by the bend, by the acceleration, v^2 + 2 A d, and by the
+    jerk that turning leaves, a fifth of J, acting for the time d/v: v + (J/5)/4 (d/v)^2.
     """
     n, m = len(points), _COARSE.size
     derivatives, stretch = shapes(quintic_bezier(points), _COARSE)

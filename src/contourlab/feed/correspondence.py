@@ -1,4 +1,4 @@
-"""Map arc length on the planned path to arc length on the programmed one."""
+"""Map arc length on the planned path to arc length on the programmed path."""
 
 from __future__ import annotations
 
@@ -15,13 +15,12 @@ Array = NDArray[np.float64]
 
 @dataclass(frozen=True, eq=False)
 class Correspondence:
-    """A rising map from arc length on the planned path to arc length on the programmed one, linear between its nodes.
+    """A piecewise linear map from arc length on the planned path to arc length on the programmed path.
 
     Parameters
     ----------
-    planned, programmed : array_like (n_node,) [m]
-        Rising strictly. The first and the last planned ones are the ends of the planned path. Behind them, on a path driven in laps, the
-        map goes on with a lap of each.
+    planned, programmed : array_like (n_node,) [m], strictly rising
+        `planned` starts and ends with the planned path. On a closed path the map repeats lap by lap.
 
     Raises
     ------
@@ -36,11 +35,11 @@ class Correspondence:
         for name in ("planned", "programmed"):
             values = np.array(getattr(self, name), dtype=float)
             if values.ndim != 1 or values.size < 2 or not np.all(np.diff(values) > 0.0):
-                raise FeedError(f"{name}: give two nodes or more, strictly rising")
+                raise FeedError(f"{name}: give two or more strictly rising nodes")
             values.flags.writeable = False
             object.__setattr__(self, name, values)
         if self.planned.size != self.programmed.size:
-            raise FeedError(f"{self.planned.size} planned nodes and {self.programmed.size} programmed ones: give as many of each")
+            raise FeedError(f"{self.planned.size} planned and {self.programmed.size} programmed nodes: give the same number of each")
 
     def _laps(self, s: ArrayLike) -> tuple[Array, Array]:
         along, lap = np.atleast_1d(np.asarray(s, dtype=float)), self.planned[-1] - self.planned[0]
@@ -53,19 +52,19 @@ class Correspondence:
         return np.asarray(np.interp(along, self.planned, self.programmed) + lap)
 
     def span(self, s: ArrayLike) -> Array:
-        """Return the length on the programmed path (n,) [m] of the node interval that holds each planned arc length (n,)."""
+        """Return the length on the programmed path (n,) [m] of the node interval around each planned arc length (n,)."""
         along, _ = self._laps(s)
         i = np.clip(np.searchsorted(self.planned, along, side="right") - 1, 0, self.planned.size - 2)
         return np.asarray(np.diff(self.programmed)[i])
 
     def after(self, first: Correspondence) -> Correspondence:
         """Compose: apply `first`, then this map."""
-        # A lap of `first` may begin anywhere on a lap of this one: the nodes of two laps are within its reach.
-        own = np.concatenate([self.planned, self.planned[1:] + (self.planned[-1] - self.planned[0])])
-        own = own[(own > first.programmed[0]) & (own < first.programmed[-1])]
-        nodes = np.unique(np.concatenate([first.planned, np.interp(own, first.programmed, first.planned)]))
+        # A lap of `first` may start anywhere on a lap of this map, so it can span the nodes of two laps.
+        inner = np.concatenate([self.planned, self.planned[1:] + (self.planned[-1] - self.planned[0])])
+        inner = inner[(inner > first.programmed[0]) & (inner < first.programmed[-1])]
+        nodes = np.unique(np.concatenate([first.planned, np.interp(inner, first.programmed, first.planned)]))
         values = self(first(nodes))
-        # Nodes that coincide but for rounding are one.
+        # Merge nodes that differ by rounding alone.
         values = np.minimum(np.maximum.accumulate(values), values[-1])
         keep = np.append(True, np.diff(values) > 0.0)
         nodes, values = nodes[keep], values[keep]
@@ -74,7 +73,7 @@ class Correspondence:
 
 
 def place_on_programmed(correspondence: Correspondence | None, path: Path, programmed: Path, s: ArrayLike) -> Array:
-    """Return the programmed arc lengths (n,) of planned ones (n,); in proportion where the paths differ and no map is given."""
+    """Return programmed arc lengths (n,) of planned ones (n,); without a map, in proportion to the path lengths."""
     if correspondence is not None:
         return correspondence(s)
     return np.atleast_1d(np.asarray(s, dtype=float)) * (1.0 if programmed is path else programmed.length / path.length)

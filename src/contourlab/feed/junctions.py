@@ -1,4 +1,4 @@
-"""Junctions of the curves of a path: exact stops, jumps of curvature, and small jumps of direction."""
+"""Junctions of curves: exact stops, curvature jumps, small direction jumps, and the speed at which they may be passed."""
 
 from __future__ import annotations
 
@@ -7,93 +7,77 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from contourlab.errors import FeedError
+from contourlab.feed.limits import AxisLimits
 from contourlab.feed.route import Route
 from contourlab.geometry import Path
 from contourlab.geometry.path import CORNER_ANGLE
 
 Array = NDArray[np.float64]
 
-NUDGE = 1e-7  # of a curve's length: the ends are evaluated from inside the curve
+NUDGE = 1e-7  # of a curve's length: evaluate the ends this far inside
 MOST_KINK = 0.1
-"""Larger jumps of direction [rad] are corners, and stops."""
+"""Largest direction jump [rad] that is passed without a stop."""
 KINK_TIME = 1e-5
-"""At a smaller one, the velocity of an axis jumps by at most what its acceleration limit gives in this time [s]."""
-JUMP = 1e-6  # [1/m], and as a part of the curvature: jumps below this are rounding
+"""At a kink an axis velocity may jump by what its acceleration limit gives in this time [s]."""
+JUMP = 1e-6  # [1/m], and relative to the curvature: smaller jumps are rounding
 
 
 class Junctions(NamedTuple):
-    """Where curves meet; arrays (n_curve,), entry i for the end of curve i (the last: the end of the path)."""
+    """Where curves meet; entry i is the end of curve i, the last one the end of the path.
 
-    stop: NDArray[np.bool_]  # exact stop
-    jump: Array  # (n_curve, n_axis) [1/m] step of d2r/ds2
-    kink: Array  # (n_curve, n_axis) step of dr/ds where the motion does not stop
-    room: Array  # [m] the shorter of the two curves that meet
+    stop : ndarray (n_curve,) of bool
+    jump : ndarray (n_curve, n_axis) [1/m]
+        Step of d2r/ds2.
+    kink : ndarray (n_curve, n_axis)
+        Step of dr/ds; zero at stops.
+    room : ndarray (n_curve,) [m]
+        Length of the shorter of the two curves.
+    """
+
+    stop: NDArray[np.bool_]
+    jump: Array
+    kink: Array
+    room: Array
 
 
-def _sides(path: Path, order: int) -> tuple[Array, Array]:
-    """Return a derivative by arc length (n_curve, n_axis) at the end of each curve, and at the start of the next."""
+def _steps(path: Path, order: int) -> tuple[Array, Array, Array]:
+    """Return the step of a derivative (n_curve, n_axis) at the end of each curve, and its values before and after."""
     breaks = np.asarray(path.breaks)
     inside = np.diff(breaks) * NUDGE
-    after, before = path.derivatives(breaks[:-1] + inside, order + 1), path.derivatives(breaks[1:] - inside, order + 1)
-    # One Taylor term takes the values from just inside a curve to its ends.
-    first = after[order] - inside[:, None] * after[order + 1]
-    return before[order] + inside[:, None] * before[order + 1], np.roll(first, -1, axis=0)
+    start, end = path.derivatives(breaks[:-1] + inside, order + 1), path.derivatives(breaks[1:] - inside, order + 1)
+    # Extrapolate from just inside each curve to its ends.
+    after = np.roll(start[order] - inside[:, None] * start[order + 1], -1, axis=0)
+    before = end[order] + inside[:, None] * end[order + 1]
+    step = after - before
+    if not path.closed:
+        step[-1] = 0.0
+    return step, before, after
 
 
 def curvature_jump(path: Path) -> Array:
-    """Return the step of d2r/ds2 at the end of each curve.
-
-    Parameters
-    ----------
-    path : Path
-
-    Returns
-    -------
-    ndarray (n_curve, n_axis) [1/m]
-        From the end of a curve to the start of the next; the last row leads back to the first curve, and is zero on an open path.
-    """
-    last, following = _sides(path, 2)
-    jump = following - last
-    scale = np.maximum(1.0, np.maximum(np.linalg.norm(following, axis=1), np.linalg.norm(last, axis=1)))
+    """Return the step of d2r/ds2 (n_curve, n_axis) [1/m] at the end of each curve; at the end of an open path 0."""
+    jump, before, after = _steps(path, 2)
+    scale = np.maximum(1.0, np.maximum(np.linalg.norm(after, axis=1), np.linalg.norm(before, axis=1)))
     jump[np.abs(jump) < JUMP * scale[:, None]] = 0.0
-    return _of_closed(path, jump)
+    return jump
 
 
 def direction_jump(path: Path) -> Array:
-    """Return the step of dr/ds (n_curve, n_axis) at the end of each curve, as `curvature_jump` does; zero where curves are tangent.
-
-    Its length is the angle [rad] where that is small.
-    """
-    last, following = _sides(path, 1)
-    jump = following - last
+    """Return the step of dr/ds (n_curve, n_axis) at the end of each curve; its size is the angle [rad] if that is small."""
+    jump, _, _ = _steps(path, 1)
     jump[np.linalg.norm(jump, axis=1) <= CORNER_ANGLE] = 0.0
-    return _of_closed(path, jump)
-
-
-def _of_closed(path: Path, jump: Array) -> Array:
-    if not path.closed:
-        jump[-1] = 0.0
-    return np.asarray(jump)
+    return jump
 
 
 def junctions(route: Route) -> Junctions:
-    """Find exact stops, and jumps of curvature and direction that are driven through.
-
-    The motion stops where the direction jumps by more than `MOST_KINK`, at a dwell, where rapid and feed moves meet, where the route asks
-    for it, and at the end of an open path.
-
-    Parameters
-    ----------
-    route : Route
-
-    Returns
-    -------
-    Junctions
+    """Find exact stops, and the jumps of curvature and direction that are passed without a stop.
 
     Notes
     -----
-    Rounded coordinates leave small jumps of direction. As controls do in exact path mode, the motion passes them where the velocity of no
-    axis jumps by more than its acceleration limit makes up for in `KINK_TIME`, or on the way to the next junction if that is shorter.
+    The motion stops at direction jumps above `MOST_KINK`, at dwells and requested stops, between rapid and feed moves, and at the end of an
+    open path. Rounded coordinates cause smaller direction jumps. Like controls in exact path mode, the motion passes them at a speed where
+    no axis velocity jumps by more than its acceleration limit gives in `KINK_TIME`, or on the way to a nearer junction.
     """
     turn = direction_jump(route.path)
     angle = np.linalg.norm(turn, axis=1)
@@ -101,3 +85,16 @@ def junctions(route: Route) -> Junctions:
     stop[-1] |= not route.path.closed
     length = np.diff(np.asarray(route.path.breaks))
     return Junctions(stop, curvature_jump(route.path), np.where(stop[:, None], 0.0, turn), np.minimum(length, np.roll(length, -1)))
+
+
+def junction_speed(at: Junctions, limits: AxisLimits, curvature_step: float) -> Array:
+    """Return the speed ceiling (n_curve,) [m/s] of each junction from its steps of acceleration, |jump| v^2, and velocity, |kink| v."""
+    if not curvature_step >= 0.0:
+        raise FeedError(f"curvature_step = {curvature_step}: give a fraction of the acceleration limit, >= 0")
+    with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
+        square = np.where(at.jump == 0.0, np.inf, curvature_step * limits.acceleration / np.abs(at.jump))
+        step = min(curvature_step, 1.0) * limits.acceleration * KINK_TIME
+        speed = np.where(at.kink == 0.0, np.inf, step / np.abs(at.kink)).min(axis=1)
+        # Kinks in quick succession are a curve: turning from one to the next takes acceleration.
+        turning = np.where(at.kink == 0.0, np.inf, step / KINK_TIME / np.abs(at.kink)).min(axis=1) * at.room
+    return np.asarray(np.minimum(np.sqrt(np.minimum(square.min(axis=1), turning)), speed))

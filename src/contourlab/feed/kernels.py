@@ -1,8 +1,7 @@
-"""Recursions along the samples of a stretch. They are compiled by `contourlab.native.compile`, and run as plain Python as well.
+"""Recursions along the samples of segments, compiled by `contourlab.native.compile`; they also run as plain Python.
 
-Arrays over samples have the length n, derivatives of the path the shape (n, n_axis). Two samples may lie at one place, the end of one curve
-and the start of the next, where the curvature jumps. x is v^2: between samples the acceleration a is constant, so x is linear in
-the arc length, x' = 2 a.
+Arrays over samples have the length n, derivatives of the path the shape (n, n_axis). Two samples may lie at one place, where the curvature
+jumps between two curves. x is v^2: the acceleration a is constant between samples, so x is linear in the arc length, x' = 2 a.
 """
 
 # mypy: disable-error-code="no-untyped-def, no-untyped-call"
@@ -11,14 +10,14 @@ from __future__ import annotations
 import math
 
 LIMITED, BEHIND, LOWERED, MOVED = 1, 2, 4, 8  # flags of a sample; see `reach`
-TINY = 1e-9  # of a tangent: an axis that moves less has no say in the acceleration
+TINY = 1e-9  # smallest tangent component that limits the acceleration
 N_NEWTON = 60
 
 
 def _tightest(x, i, double, sign, tangent, second, third, turning, speeding, reference, acceleration, jerk, period):
-    """Return the upper limit of sign * a between the samples i and i + 1 where x is given at i, and the limit's slope over x.
+    """Return the upper limit of sign * a between the samples i and i + 1, for a given x at i, and its derivative by x.
 
-    The axes' accelerations are held at both ends of the interval; the second end is where x has become x + 2 a ds.
+    The axis accelerations are limited at both ends of the interval; at the second, x is x + 2 a ds.
     """
     best, slope = math.inf, 0.0
     for axis in range(acceleration.size):
@@ -44,7 +43,7 @@ def _tightest(x, i, double, sign, tangent, second, third, turning, speeding, ref
 
 
 def _note(reference, ceiling, known_reference, known_ceiling, flags):
-    """Flag as LIMITED the intervals whose limits have changed, and note the new ones."""
+    """Flag the intervals whose limits have changed as LIMITED, and store the new limits."""
     for i in range(reference.size):
         flags[i] &= LOWERED
         if flags[i] != 0:
@@ -57,9 +56,9 @@ def _note(reference, ceiling, known_reference, known_ceiling, flags):
 
 
 def _controllable(i, double, following, x, tangent, second, third, turning, speeding, reference, acceleration, jerk, period):
-    """Return the greatest v^2 up to x at sample i from which the next sample can be reached with no more than `following`.
+    """Return the largest v^2 up to x at sample i from which the next sample can be reached with at most `following`.
 
-    The interval of accelerations is a concave function of v^2: Newton's steps from above end at its last root.
+    The width of the interval of accelerations is concave in v^2, so Newton steps from above end at its last root.
     """
     for _ in range(N_NEWTON):
         high, high_slope = _tightest(x, i, double, 1.0, tangent, second, third, turning, speeding, reference, acceleration, jerk, period)
@@ -80,34 +79,34 @@ def reach(
     arc_length, tangent, second, third, turning, speeding, reference, ceiling, acceleration, jerk, period, known_reference, known_ceiling,
     behind, square, flags
 ):  # fmt: skip
-    """Find the fastest v^2 from rest to rest: backward the speeds from which the rest can be driven, forward the greatest of them.
+    """Find the fastest v^2 from rest to rest: a backward pass for speeds that can stop, a forward pass for the largest.
 
-    Called again with other limits, it recomputes only what they change.
+    A second call with other limits recomputes only what has changed.
 
     Parameters
     ----------
     arc_length (n,); tangent, second, third (n, n_axis)
     turning, speeding (n,)
-        Parts of the acceleration limits, and of the jerk kept for changes of the tangential acceleration, that may be used.
+        Usable fractions of the acceleration limits, and of the jerk for changes of the tangential acceleration.
     reference (n,) [m/s]
-        Speed at which the shares of the jerk limit are reckoned; at or above the true one they are on the safe side.
+        Speed at which the jerk limits are evaluated; safe if not below the true speed.
     ceiling (n,) [m/s]
-        Zero where the motion is at rest, the first and the last sample among them.
+        Zero where the motion rests, at least at the first and the last sample.
     acceleration, jerk (n_axis,)
     period [s]
-        In which the tangential acceleration may rise to its full; 0: the jerk does not count.
+        Time in which the tangential acceleration may rise to its limit; 0 without jerk limits.
     known_reference, known_ceiling, behind, square (n,)
-        Of the call before, all nan for the first; then filled: the limits (one array will do where `reference` and `ceiling` are one),
-        the greatest v^2 from which the rest can be driven, and the result v^2 [m^2/s^2].
+        Kept from call to call, nan before the first: the limits (the same array if `reference` and `ceiling` are the same), the largest
+        v^2 from which the motion can stop, and the result v^2 [m^2/s^2].
     flags (n,)
-        LOWERED where `turning` or `speeding` have changed since the call before, which is left as it is. Filled with MOVED where the
-        result has changed; the others are working memory.
+        Input: LOWERED where `turning` or `speeding` have changed since the last call. Output: MOVED where the result has changed. Others
+        are working memory.
     """
     n = arc_length.size
     _note(reference, ceiling, known_reference, known_ceiling, flags)
     moved = True
     for i in range(n - 1, -1, -1):
-        # A change of what follows reaches the interval that ends there.
+        # A change behind an interval affects the interval too.
         if flags[i] & (LIMITED | BEHIND) == 0 and not moved:
             continue
         x = ceiling[i] * ceiling[i]
@@ -143,25 +142,25 @@ def reach(
 
 
 def lower(arc_length, faults, factors, half, haste, low, parts, flags):
-    """Lower parts of the limits around faults.
+    """Lower the usable fractions of the limits around violations.
 
     Parameters
     ----------
     arc_length (n,)
     faults (m, 7)
-        As filled by `speed_profile.demand`.
+        From `speed_profile.demand`.
     factors (3, m)
-        By which each part is to be lowered.
+        Factor on each fraction.
     half [s]
-        What a motion takes in on either side of a place.
+        Half of the averaging window.
     haste
-        Power to which the factors are taken.
+        Exponent of the factors.
     low (n,)
         Working memory, full of ones.
     parts (3, n)
-        Lowered: of the acceleration, of the jerk, of the speed.
+        Fractions of the acceleration, jerk and speed; lowered.
     flags (n,)
-        LOWERED is set where one of the first two is.
+        LOWERED is set where one of the first two is lowered.
     """
     n = arc_length.size
     for part in range(3):
@@ -169,7 +168,7 @@ def lower(arc_length, faults, factors, half, haste, low, parts, flags):
             for fault in range(faults.shape[0]):
                 place, width = faults[fault, 1], faults[fault, 2] * half
                 first = last = int(faults[fault, 0])
-                # An interval takes its limits from its first sample; where curves meet, there are two at one place.
+                # The first sample of an interval gives its limits; where curves meet, two samples lie at one place.
                 while first > 0 and arc_length[first] >= place - width:
                     first -= 1
                 if first > 0 and arc_length[first - 1] == arc_length[first]:
@@ -187,9 +186,9 @@ def lower(arc_length, faults, factors, half, haste, low, parts, flags):
 
 
 def spread(arc_length, value, half, result, queue):
-    """Find at each place the least of the speeds that reach it: that of sample i reaches as far as it gets in the time `half`.
+    """Fill the least speed in reach of each sample: the value of sample i reaches as far as that speed gets in the time `half`.
 
-    Where a lesser value comes by, what reaches further than it is forgotten.
+    A smaller value hides larger ones that reach beyond it.
     """
     n = arc_length.size
     for i in range(n):
@@ -209,15 +208,15 @@ def spread(arc_length, value, half, result, queue):
             result[i] = min(result[i], value[queue[head]])
 
 
-def _foot(arc_length, speed, at, towards, level):
-    """Return where the speed falls to `level` between the samples `at` and `towards`; at `at` where it is below it already."""
+def _crossing(arc_length, speed, at, towards, level):
+    """Return where the speed falls to `level` between the samples `at` and `towards`; that of `at` if it is lower already."""
     if level >= speed[at]:
         return arc_length[at]
     return arc_length[at] + (arc_length[towards] - arc_length[at]) * (speed[at] - level) / (speed[at] - speed[towards])
 
 
 def flatten(arc_length, speed, lasting, ceiling):
-    """Lower the ceiling over each summit of the speed to where it lasts `lasting` seconds: time for the acceleration to change its sign."""
+    """Lower the ceiling over each speed peak to the level that lasts `lasting` seconds: time for the acceleration to change its sign."""
     n = speed.size
     i = 1
     while i < n - 1:
@@ -226,17 +225,17 @@ def flatten(arc_length, speed, lasting, ceiling):
             continue
         level = speed[i]
         left, right = i, i
-        # Both feet go down, the higher one first, until the way between them takes long enough or another summit joins.
+        # Move both ends down, the higher one first, until the way between takes long enough or another peak joins.
         while left > 0 and right < n - 1 and speed[left - 1] <= speed[left] and speed[right + 1] <= speed[right]:
             lower = max(speed[left - 1], speed[right + 1])
             on_left = left - 1 if speed[left - 1] >= lower else left
             on_right = right + 1 if speed[right + 1] >= lower else right
             if lower < level:
-                a, b = _foot(arc_length, speed, left, left - 1, lower), _foot(arc_length, speed, right, right + 1, lower)
+                a, b = _crossing(arc_length, speed, left, left - 1, lower), _crossing(arc_length, speed, right, right + 1, lower)
                 if b - a >= lower * lasting:
                     for _ in range(40):
                         middle = 0.5 * (lower + level)
-                        a, b = _foot(arc_length, speed, left, left - 1, middle), _foot(arc_length, speed, right, right + 1, middle)
+                        a, b = _crossing(arc_length, speed, left, left - 1, middle), _crossing(arc_length, speed, right, right + 1, middle)
                         if b - a >= middle * lasting:
                             lower = middle
                         else:

@@ -1,4 +1,4 @@
-"""What each axis of a machine can do: velocity, acceleration, jerk."""
+"""Velocity, acceleration and jerk limits of the axes."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ Array = NDArray[np.float64]
 
 
 def _checked(name: str, value: ArrayLike, unit: str, *, finite: bool) -> Array:
-    """Return `value` as a read-only vector; refuse one out of range."""
+    """Return `value` as a read-only vector of valid limits."""
     array = np.array(value, dtype=np.float64, ndmin=1)
     if array.ndim != 1:
         raise ParameterError(name, array.tolist(), "one number per axis", unit)
@@ -26,7 +26,7 @@ def _checked(name: str, value: ArrayLike, unit: str, *, finite: bool) -> Array:
 
 @dataclass(frozen=True, eq=False)
 class AxisLimits:
-    """Limits of each axis; the planner keeps to them and `limit_report` judges by them.
+    """Limits of each axis; a single number applies to all axes.
 
     Parameters
     ----------
@@ -34,8 +34,6 @@ class AxisLimits:
         Also the rate of rapid moves.
     acceleration : array_like (n_axis,) [m/s^2], > 0, inf for no limit
     jerk : array_like (n_axis,) [m/s^3], > 0, inf for no limit
-
-    A single number applies to all axes.
 
     Raises
     ------
@@ -59,29 +57,29 @@ class AxisLimits:
         size = max(part.size for part in parts.values())
         for name, part in parts.items():
             if part.size not in (1, size):
-                raise ParameterError(name, part.tolist(), f"of length 1 or {size}, as the other limits")
+                raise ParameterError(name, part.tolist(), f"of length 1 or {size}, like the other limits")
             object.__setattr__(self, name, np.broadcast_to(part, (size,)))
 
     @property
     def n_axis(self) -> int:
-        """Number of axes that the limits were given for."""
+        """Number of axes."""
         return int(self.velocity.size)
 
     @property
     def unbounded(self) -> NDArray[np.bool_]:
-        """Which axes have neither a limit of acceleration nor one of jerk (n_axis,)."""
+        """Which axes have neither an acceleration nor a jerk limit (n_axis,)."""
         return np.isinf(self.acceleration) & np.isinf(self.jerk)
 
     def for_axes(self, n_axis: int) -> AxisLimits:
-        """Return the limits for `n_axis` axes; limits of one axis apply to all.
+        """Return the limits for `n_axis` axes; limits of a single axis apply to all.
 
         Raises
         ------
         FeedError
-            If the limits are given for another number of axes.
+            If the limits are for another number of axes.
         """
         if self.n_axis == n_axis:
             return self
         if self.n_axis != 1:
-            raise FeedError(f"limits are given for {self.n_axis} axes, the path has {n_axis}: give one limit per axis")
+            raise FeedError(f"limits for {self.n_axis} axes, the path has {n_axis}: give one limit per axis")
         return AxisLimits(*(np.repeat(part, n_axis) for part in (self.velocity, self.acceleration, self.jerk)))

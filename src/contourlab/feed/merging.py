@@ -1,13 +1,12 @@
-"""Dust merged (G64 Q): successive lines that are one line within a tolerance become it, as in LinuxCNC's naive CAM detector.
+"""Merge short lines within a tolerance (G64 Q), like LinuxCNC's naive CAM detector.
 
-A line is drawn from the start of the first to the end of the last, as long as every point between is within the tolerance of it and they
-follow one another along it. From the start of a run, each point permits a cone of directions; what all of them permit is held as one cone
-that lies within their intersection. In the plane that is the intersection itself; in space it is a little less, so that a run may end early
-but never leaves the tolerance. The cost is that of the points: runs end at every 2048th line at the latest, and all of these blocks are
-walked through side by side.
+A run of lines becomes one line if all points between are within the tolerance of it and follow one another along it. Seen from the start
+of the run, each point permits a cone of directions; one cone within their intersection is stored. In the plane it is the intersection
+itself. In space it is a little smaller, so a run may end early but never leaves the tolerance. The cost is linear in the points: runs end
+at every 2048th line at the latest, and all blocks of that length are processed side by side.
 
-Merging and rounding share the tolerance of a corner: with Q up to P a point lies at most P/2 off its line, and the blends next to it get
-what is left of P. So the path leaves the programmed one by no more than P, or by Q + P/2 where Q is the larger.
+Merging and rounding share the tolerance of a corner: with Q up to P a point lies at most P/2 off its line, and the blends next to it use
+the rest of P. The deviation from the programmed path is at most P, or Q + P/2 where Q is greater.
 """
 
 from __future__ import annotations
@@ -27,23 +26,16 @@ Index = NDArray[np.int64]
 Flags = NDArray[np.bool_]
 
 LONGEST_RUN = 2048
-"""At most so many lines become one."""
+"""Most lines in a run."""
 _FORWARD = np.radians(89.0)
-"""A line of a run keeps at least this far from turning back: points then follow one another along the merged line."""
+"""Largest angle between a line and its run: points then follow one another along the merged line."""
 
 
 def merged(route: Route) -> Route:
-    """Return the route with successive feed lines merged within their `merge_tolerance`.
+    """Merge successive feed lines within their `merge_tolerance`; return the route itself where nothing is merged.
 
-    Parameters
-    ----------
-    route : Route
-        Lines are merged where feedrate, tolerances and mode are equal, none is rapid, and there is no dwell or exact stop between them.
-
-    Returns
-    -------
-    Route
-        The route itself where nothing is merged. A merged line has exactly the ends of its run and the line of the program of its first.
+    Lines are merged where feedrate, tolerances and mode are equal, none is rapid, and there is no dwell or exact stop between them. A
+    merged line has exactly the ends of its run, and the program line of its first.
     """
     linked = _linked(route)
     if not linked.any():
@@ -52,40 +44,39 @@ def merged(route: Route) -> Route:
     last_curve = path.curves[-1]
     points = np.concatenate([path.starts[0], last_curve.end[None] if isinstance(last_curve, Line) else path.ends[0][-1:]])
     first = run_starts(points, _reach(route), linked)
-    n = route.n_curve
-    last = np.append(first[1:], n) - 1
+    last = np.append(first[1:], route.n_curve) - 1
     many = last > first
     if not many.any():
         return route
-    made = Line.many(points[first[many]], points[last[many] + 1])
-    fresh = iter(made)
-    curves = [next(fresh) if joined else path.curves[i] for i, joined in zip(first.tolist(), many.tolist(), strict=True)]
+    made = iter(Line.many(points[first[many]], points[last[many] + 1]))
+    curves = [next(made) if joined else path.curves[i] for i, joined in zip(first.tolist(), many.tolist(), strict=True)]
     planned = Path(curves, path.closed)
-    along, aside = _feet(planned, points, first)
-    most = np.maximum.reduceat(np.where(np.repeat(many, last - first + 1), aside, 0.0), first)
+    run = np.repeat(np.arange(first.size), last - first + 1)
+    along, aside = _feet(planned, points, first[run], run)
+    most = np.maximum.reduceat(np.where(many[run], aside, 0.0), first)
     corner = route.corner_tolerance[first]
-    # What merging has used up next to a corner is not there for the blend.
-    left = np.clip(corner - np.maximum(most, np.roll(most, -1)), 0.5 * corner, corner)
+    unused = np.clip(corner - np.maximum(most, np.roll(most, -1)), 0.5 * corner, corner)
+    between = Correspondence(np.append(planned.breaks[run] + np.where(many[run], along, 0.0), planned.length), path.breaks)
     return replace(
         route,
         path=planned,
         programmed=route.programmed,
-        correspondence=_places(route, planned, along, first, many),
+        correspondence=between if route.correspondence is None else route.correspondence.after(between),
         dwell=route.dwell[last],
         exact_stop=route.exact_stop[last],
-        corner_tolerance=left,
+        corner_tolerance=unused,
         **{name: getattr(route, name)[first] for name in ("feedrate", "rapid", "source_line", "merge_tolerance")},
     )
 
 
 def _reach(route: Route) -> Array:
-    """Return how far a point may lie off its merged line [m]: half of the corner's tolerance at most, unless Q asks for more than that."""
+    """Return the largest distance of a point from its merged line [m]: Q, but at most half of P where Q is not greater than P."""
     corner, merge = route.corner_tolerance, route.merge_tolerance
     return np.asarray(np.where(merge <= corner, np.minimum(merge, 0.5 * corner), merge))
 
 
 def _linked(route: Route) -> Flags:
-    """Return which curves may be one with the next."""
+    """Return which curves may be merged with the next."""
     straight = np.array([type(curve) is Line for curve in route.path.curves], dtype=bool)
     usable = straight & ~route.rapid & (route.merge_tolerance > 0.0)
     linked = usable & np.roll(usable, -1) & (route.dwell == 0.0) & ~route.exact_stop
@@ -102,16 +93,16 @@ def run_starts(points: Array, tolerance: Array, linked: Flags) -> Index:
     Parameters
     ----------
     points : ndarray (n + 1, n_axis) [m]
-        Ends of n lines, one after another.
+        Ends of n successive lines.
     tolerance : ndarray (n,) [m]
     linked : ndarray (n,) of bool
-        Which lines may be one with the next.
+        Which lines may be merged with the next.
     """
     n = len(points) - 1
     longest = min(LONGEST_RUN, n)
     blocks = -(-n // longest)
     pad = blocks * longest - n
-    # Row by row a step of all blocks; what is added at the end stands by itself.
+    # Each row is one step of all blocks; the padding is linked to nothing.
     step = np.pad(np.diff(points, axis=0), ((0, pad), (0, 0)), constant_values=1.0).reshape(blocks, longest, -1).transpose(1, 0, 2)
     reach = np.pad(tolerance, (0, pad)).reshape(blocks, -1).T
     joins = np.pad(np.append(False, linked[:-1]), (0, pad)).reshape(blocks, -1).T
@@ -121,17 +112,17 @@ def run_starts(points: Array, tolerance: Array, linked: Flags) -> Index:
     begins = np.ones((longest, blocks), dtype=bool)
     chord, axis, open_by = step[0].copy(), heading[0].copy(), np.full(blocks, _FORWARD)
     for k in range(1, longest):
-        chord, axis, open_by, begins[k] = _one_more(chord, axis, open_by, step[k], heading[k], reach[k], joins[k])
+        chord, axis, open_by, begins[k] = _extend(chord, axis, open_by, step[k], heading[k], reach[k], joins[k])
     return np.flatnonzero(begins.T.ravel()[:n])
 
 
-def _one_more(
+def _extend(
     chord: Array, axis: Array, open_by: Array, step: Array, heading: Array, reach: Array, joins: Flags
 ) -> tuple[Array, Array, Array, Flags]:
-    """Take one line more into each run, or begin a new run with it: chord of the run, cone of directions (axis, half angle), new runs."""
+    """Add one line to each run, or start a new run with it; return chord, cone of directions (axis, half angle), and which runs are new."""
     away = np.linalg.norm(chord, axis=1)
     with np.errstate(divide="ignore", invalid="ignore"):
-        # The last point becomes one between: the merged line must pass it within the tolerance.
+        # The merged line must pass the former end point within the tolerance.
         sine = reach * (1.0 - 1e-9) / away
         near = np.where(sine < 1.0, np.arcsin(np.minimum(sine, 1.0)), np.pi)
         axis, open_by = _within(axis, open_by, chord / away[:, None], near)
@@ -146,7 +137,7 @@ def _one_more(
 
 
 def _within(axis: Array, wide: Array, other: Array, also: Array) -> tuple[Array, Array]:
-    """Return the largest cone within two cones, about unit vectors (n, n_axis) with half angles (n,); a negative angle where there is none.
+    """Return the largest cone within two cones around unit vectors (n, n_axis) with half angles (n,); a negative angle if there is none.
 
     >>> axis, wide = _within(np.array([[1.0, 0.0]]), np.array([0.2]), np.array([[np.cos(0.3), np.sin(0.3)]]), np.array([0.2]))
     >>> np.round(np.arctan2(axis[:, 1], axis[:, 0]), 12).tolist(), np.round(wide, 12).tolist()
@@ -164,18 +155,8 @@ def _within(axis: Array, wide: Array, other: Array, also: Array) -> tuple[Array,
     return np.where(stay[:, None], axis, turned), half
 
 
-def _feet(planned: Path, points: Array, first: Index) -> tuple[Array, Array]:
-    """Return where the start of each old line falls along the new one of its run, and how far beside it [m]."""
-    run = np.searchsorted(first, np.arange(len(points) - 1), side="right") - 1
-    direction, away = planned.starts[1][run], points[:-1] - points[first][run]
+def _feet(planned: Path, points: Array, first: Index, run: Index) -> tuple[Array, Array]:
+    """Return how far along the new line of its run the start of each old line lies, and how far beside it [m]."""
+    direction, away = planned.starts[1][run], points[:-1] - points[first]
     foot = np.einsum("ij,ij->i", away, direction)
     return foot, np.asarray(np.linalg.norm(away - foot[:, None] * direction, axis=1))
-
-
-def _places(route: Route, planned: Path, foot: Array, first: Index, many: Flags) -> Correspondence:
-    """Return the map: points between go to their feet on the merged line."""
-    n = route.n_curve
-    run = np.searchsorted(first, np.arange(n), side="right") - 1
-    along = np.append(planned.breaks[run] + np.where(many[run], foot, 0.0), planned.length)
-    here = Correspondence(along, route.path.breaks)
-    return here if route.correspondence is None else route.correspondence.after(here)

@@ -1,4 +1,4 @@
-"""A motion along a path as a list of spans of constant jerk."""
+"""A motion along a path: spans of constant jerk."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ Array = NDArray[np.float64]
 
 
 class Motion(NamedTuple):
-    """Progress along the path and its time derivatives: arrays (n,) in m, m/s, m/s^2, m/s^3."""
+    """Progress along the path and its time derivatives: arrays (n,) [m, m/s, m/s^2, m/s^3]."""
 
     arc_length: Array
     speed: Array
@@ -23,16 +23,16 @@ class Motion(NamedTuple):
 
 @dataclass(frozen=True, eq=False)
 class Profile:
-    """Spans of constant jerk, one after another, from t = 0.
+    """Spans of constant jerk, from t = 0.
 
-    Span i holds for ``t0[i] <= t < t0[i + 1]`` (the last one until `duration`)::
+    Span i applies for ``t0[i] <= t < t0[i + 1]``, the last one until `duration`::
 
         s = s0 + v0 dt + a0 dt^2 / 2 + j dt^3 / 6,     dt = t - t0
 
     Parameters
     ----------
     t0, s0, v0, a0, j : ndarray (n_span,) [s, m, m/s, m/s^2, m/s^3]
-        Start of each span: time, progress, speed, tangential acceleration; and its jerk.
+        Time, progress, speed and tangential acceleration at the start of each span, and its jerk.
     duration : float [s]
     length : float [m]
         Progress at the end.
@@ -61,24 +61,14 @@ class Profile:
         return int(self.t0.size)
 
     def motion(self, time: Array) -> Motion:
-        """Evaluate at any times; before the start and after the end the motion stands still.
-
-        Parameters
-        ----------
-        time : ndarray (n,) [s]
-
-        Returns
-        -------
-        Motion
-            Four arrays (n,).
-        """
+        """Evaluate at times (n,) [s]; before the start and after the end the motion is at rest."""
         clamped = np.minimum(np.maximum(time, 0.0), self.duration)
-        # A single span is broadcast, not gathered.
+        # Broadcast a single span; gathering it is slower.
         span = np.searchsorted(self.t0, clamped, side="right") - 1 if self.n_span > 1 else np.zeros(1, dtype=np.int64)
         dt = clamped - self.t0[span]
         start_speed, start_acceleration, jerk = self.v0[span], self.a0[span], self.j[span]
         progress = dt * (start_speed + dt * (start_acceleration / 2.0 + dt * jerk / 6.0))
-        # The end of a span is known exactly (it is where the next begins): rounding must not step over it.
+        # Rounding must not pass the end of the span, which is known exactly.
         arc_length = np.minimum(self.s0[span] + progress, self.ends[span])
         speed = np.maximum(start_speed + dt * (start_acceleration + dt * jerk / 2.0), 0.0)
         acceleration, jerk = start_acceleration + dt * jerk, np.broadcast_to(jerk, dt.shape).copy()
@@ -88,3 +78,14 @@ class Profile:
             for part in (speed, acceleration, jerk):
                 part[still] = 0.0
         return Motion(arc_length, speed, acceleration, jerk)
+
+    def reached(self, arc_length: Array) -> tuple[NDArray[np.intp], Array]:
+        """Return in which span each place (n,) [m] is reached, and the time since the start of that span (n,) [s]."""
+        span = np.clip(np.searchsorted(self.s0, arc_length, side="right") - 1, 0, self.n_span - 1)
+        s0, v0, a0, j = self.s0[span], self.v0[span], self.a0[span], self.j[span]
+        low, high = np.zeros_like(arc_length), np.diff(np.append(self.t0, self.duration))[span]
+        for _ in range(60):
+            middle = 0.5 * (low + high)
+            early = s0 + middle * (v0 + middle * (a0 / 2.0 + middle * j / 6.0)) < arc_length
+            low, high = np.where(early, middle, low), np.where(early, high, middle)
+        return span, high

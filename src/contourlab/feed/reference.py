@@ -1,4 +1,4 @@
-"""The reference of the servo loops: position, velocity and acceleration at each sample, computed on demand."""
+"""The reference of the servo loops: position, velocity and acceleration of each sample, computed on demand."""
 
 from __future__ import annotations
 
@@ -18,9 +18,9 @@ from contourlab.geometry import Path
 
 Array = NDArray[np.float64]
 CHUNK = 4096
-"""Samples computed at once."""
+"""Samples computed at once, so that they stay in the processor's cache."""
 KEPT_BLOCKS = 4
-"""Blocks kept for the next run: a study runs the same reference many times."""
+"""Blocks kept for the next run of the same reference."""
 
 
 class ReferenceBlock(NamedTuple):
@@ -28,11 +28,11 @@ class ReferenceBlock(NamedTuple):
 
     position, velocity, acceleration : ndarray (n, n_axis) [m, m/s, m/s^2]
     arc_length : ndarray (n,) [m]
-        Progress: it grows over the laps of a closed path.
+        Progress, counted over the laps of a closed path.
     feedrate : ndarray (n,) [m/s]
         Speed along the path.
     table : ndarray (n, 3 n_axis + 2)
-        All of these side by side, in this order; the others are views of it. Each signal is one row of memory.
+        All of these in this order; the others are views of it. Each signal is contiguous in memory.
     """
 
     position: Array
@@ -47,14 +47,14 @@ Filler: TypeAlias = "Callable[[Reference, int, int, Array], None]"
 
 
 class Recorded(NamedTuple):
-    """Positions made elsewhere (n, n_axis) [m], and their progress along the path (n,) [m]."""
+    """Imported positions (n, n_axis) [m], and their progress along the path (n,) [m]."""
 
     position: Array
     arc_length: Array
 
 
 def checked_period(servo_period: float) -> float:
-    """Return the servo period as a float; refuse one out of range."""
+    """Return the servo period as a float, after a range check."""
     if not (servo_period > 0.0 and np.isfinite(servo_period)):
         raise FeedError(f"servo_period = {servo_period!r}: must be finite and > 0 s, for example 0.001")
     return float(servo_period)
@@ -68,19 +68,13 @@ def whole_samples(duration: float, servo_period: float) -> int:
 
 def lap_ranges(profile: Profile, lap_length: float, laps: int, servo_period: float) -> tuple[tuple[int, int], ...]:
     """Return the samples [start, stop) of each lap of a planned motion."""
-    wanted = np.arange(1, laps) * lap_length
-    span = np.searchsorted(profile.s0, wanted, side="right") - 1
-    below, above = profile.t0[span], np.append(profile.t0[1:], profile.duration)[span]
-    for _ in range(64):
-        middle = 0.5 * (below + above)
-        early = profile.motion(middle).arc_length < wanted
-        below, above = np.where(early, middle, below), np.where(early, above, middle)
-    borders = [0, *(int(k) for k in np.ceil(above / servo_period)), whole_samples(profile.duration, servo_period)]
-    return tuple(pairwise(borders))
+    span, dt = profile.reached(np.arange(1.0, laps) * lap_length)
+    borders = [int(k) for k in np.ceil((profile.t0[span] + dt) / servo_period)]
+    return tuple(pairwise([0, *borders, whole_samples(profile.duration, servo_period)]))
 
 
 def _differences(position: Array, servo_period: float, start: int, stop: int) -> tuple[Array, Array]:
-    """Return central differences of recorded positions; before the first and after the last sample all is at rest."""
+    """Return central differences of recorded positions, which rest before the first and after the last sample."""
     index = np.clip(np.arange(start - 1, stop + 1), 0, position.shape[0] - 1)
     around = position[index]
     velocity = (around[2:] - around[:-2]) / (2.0 * servo_period)
@@ -88,7 +82,7 @@ def _differences(position: Array, servo_period: float, start: int, stop: int) ->
 
 
 def along_path(path: Path, arc_length: Array, speed: Array, acceleration: Array, rows: Array) -> None:
-    """Fill rows (3 n_axis, n) with the position, velocity and acceleration of each axis of a motion (n,) along a path."""
+    """Fill rows (3 n_axis, n) with position, velocity and acceleration of each axis, for a motion (n,) along a path."""
     n = path.n_axis
     position, first, second = path.derivatives(arc_length, 2).transpose(0, 2, 1)
     rows[:n] = position
@@ -99,26 +93,26 @@ def along_path(path: Path, arc_length: Array, speed: Array, acceleration: Array,
 
 @dataclass(frozen=True, eq=False, kw_only=True)
 class Reference:
-    """Set points of the axes, sample by sample; sample k belongs to the time ``k * servo_period``.
+    """Set points of the axes; sample k belongs to the time ``k * servo_period``.
 
-    Memory holds only the spans of the profile; `block` computes samples, in any order. Made by `plan`, `uniform` or
-    `Reference.from_samples`.
+    Memory holds only the spans of the profile; `block` computes samples, in any order. `plan`, `uniform` and `Reference.from_samples`
+    create references.
 
     Parameters
     ----------
     servo_period : float [s]
     n_sample : int
     path, programmed : Path
-        The path that is followed, and the programmed one.
+        The planned and the programmed path.
     profile : Profile or None
-        The motion along the path; None where the positions were recorded.
+        The motion along the path; None for recorded positions.
     source_lines : ndarray (n_curve,) of int
-        Line of the program of each curve, 0 where there is none.
+        Program line of each curve; 0 for none.
     laps : tuple of (start, stop)
-        Sample ranges [start, stop) of whole periods.
+        Sample ranges [start, stop) of whole laps.
     recorded : Recorded or None
     correspondence : Correspondence or None
-        Which programmed place belongs to a planned one, where the two paths differ.
+        Map from `path` to `programmed`, where they differ.
     """
 
     servo_period: float
@@ -139,22 +133,18 @@ class Reference:
 
     @property
     def duration(self) -> float:
-        """Time that the motion takes [s]; the last sample is at or after it."""
+        """Duration of the motion [s]; the last sample is at its end or later."""
         return self.profile.duration if self.profile is not None else (self.n_sample - 1) * self.servo_period
 
     def block(self, start: int, stop: int, fill: Filler | None = None) -> ReferenceBlock:
-        """Return the samples from `start` up to, but without, `stop`.
+        """Return the samples [start, stop).
 
         Parameters
         ----------
         start, stop : int, 0 <= start <= stop <= n_sample
         fill : callable, optional
-            Computes planned samples instead, as the compiled engine does: called with the reference, start, stop, and the rows
+            Function that computes planned samples, such as the compiled one: called with the reference, start, stop, and the rows
             (3 n_axis + 2, n) to fill.
-
-        Returns
-        -------
-        ReferenceBlock
 
         Raises
         ------
@@ -163,7 +153,7 @@ class Reference:
 
         Notes
         -----
-        velocity = r' s_dot and acceleration = r'' s_dot^2 + r' s_ddot; for recorded positions central differences.
+        velocity = r' s_dot and acceleration = r'' s_dot^2 + r' s_ddot; central differences for recorded positions.
         """
         if not 0 <= start <= stop <= self.n_sample:
             raise FeedError(f"block({start}, {stop}): the reference has the samples 0 to {self.n_sample}")
@@ -180,7 +170,6 @@ class Reference:
         if fill is not None:
             fill(self, start, stop, rows)
         else:
-            # A part that stays in the processor's cache from the first pass to the last.
             for first in range(start, stop, CHUNK):
                 last = min(first + CHUNK, stop)
                 self._sample(first, last, rows[:, first - start : last - start])
@@ -203,38 +192,16 @@ class Reference:
         along_path(self.path, motion.arc_length, motion.speed, motion.acceleration, rows[:-2])
 
     def source_line(self, arc_length: ArrayLike) -> NDArray[np.int64]:
-        """Return the line of the program at some progress.
-
-        Parameters
-        ----------
-        arc_length : array_like (n,) [m]
-
-        Returns
-        -------
-        ndarray (n,) of int
-            From 1; 0 where there is no program.
-        """
-        where = np.atleast_1d(np.asarray(arc_length, dtype=np.float64))
-        return np.asarray(self.source_lines[self.path.curve_index(where)], dtype=np.int64)
+        """Return the program line (n,), from 1, at some progress (n,) [m]; 0 where there is no program."""
+        return np.asarray(self.source_lines[self.path.curve_index(arc_length)], dtype=np.int64)
 
     def programmed_arc_length(self, arc_length: ArrayLike) -> Array:
-        """Return the progress along `programmed` that belongs to a progress along `path`.
-
-        Parameters
-        ----------
-        arc_length : array_like (n,) [m]
-            It may count the laps of a closed path.
-
-        Returns
-        -------
-        ndarray (n,) [m]
-            The same where the path is the programmed one.
-        """
+        """Return the progress (n,) [m] along `programmed` for a progress (n,) [m] along `path`; both may count laps."""
         return place_on_programmed(self.correspondence, self.path, self.programmed, arc_length)
 
     @property
     def digest(self) -> str:
-        """Stable hash of everything that determines the samples."""
+        """Stable hash of all data that determine the samples."""
         text = hashlib.sha256()
         text.update(np.array([self.servo_period, self.n_sample, self.duration]).tobytes())
         text.update(self.path.digest.encode() + b"/" + self.programmed.digest.encode())
@@ -259,25 +226,20 @@ class Reference:
         source_lines: ArrayLike | None = None,
         correspondence: Correspondence | None = None,
     ) -> Reference:
-        """Wrap positions from another planner or a log.
+        """Create a reference from the positions of another planner or a log.
 
         Parameters
         ----------
         position : array_like (n_sample, n_axis) [m], n_sample >= 2
         servo_period : float [s], > 0
         path : Path
-            The path that they follow.
+            The path they follow.
         arc_length : array_like (n_sample,) [m], optional
-            Progress along the path; by default the length of the polygon through the positions, which suits
-            positions without noise.
+            Progress along the path; by default the length of the polygon through the positions, for positions without noise.
         programmed : Path, optional
         source_lines : array_like (n_curve,) of int, optional
         correspondence : Correspondence, optional
-            Which programmed place belongs to one on `path`.
-
-        Returns
-        -------
-        Reference
+            Map from `path` to `programmed`.
 
         Raises
         ------
@@ -286,10 +248,10 @@ class Reference:
         """
         points = np.array(position, dtype=np.float64)
         if points.ndim != 2 or points.shape[0] < 2 or points.shape[1] != path.n_axis:
-            raise FeedError(f"position has shape {points.shape}: give (n_sample >= 2, {path.n_axis}), as the path")
-        if not np.all(np.isfinite(points)):
-            worst = int(np.argmin(np.all(np.isfinite(points), axis=1)))
-            raise FeedError(f"position is not finite at sample {worst}")
+            raise FeedError(f"position has shape {points.shape}: give (n_sample >= 2, {path.n_axis})")
+        finite = np.isfinite(points).all(axis=1)
+        if not finite.all():
+            raise FeedError(f"position is not finite at sample {int(np.argmin(finite))}")
         if arc_length is None:
             progress = np.append(0.0, np.cumsum(np.linalg.norm(np.diff(points, axis=0), axis=1)))
         else:
@@ -298,7 +260,7 @@ class Reference:
             raise FeedError(f"arc_length must be {points.shape[0]} finite numbers, one for each position")
         lines = np.zeros(len(path.curves), np.int64) if source_lines is None else np.array(source_lines, np.int64)
         if lines.shape != (len(path.curves),):
-            raise FeedError(f"source_lines has shape {lines.shape}: give one line for each of the path's curves")
+            raise FeedError(f"source_lines has shape {lines.shape}: give one line for each curve of the path")
         points.flags.writeable = progress.flags.writeable = False
         return cls(
             servo_period=checked_period(servo_period),

@@ -1,35 +1,34 @@
-"""Segments from one stop to the next, and the samples along those that are not straight."""
+"""Segments from one stop to the next, and samples along those that are not straight."""
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
 from contourlab.feed.limits import AxisLimits
-from contourlab.feed.pieces import FLAT, Nodes, Survey, look, nodes_of
+from contourlab.feed.pieces import LINE, Nodes, Survey, evaluate_nodes, sample_nodes, without_rounding
 from contourlab.feed.route import Route
 
 Array = NDArray[np.float64]
 Index = NDArray[np.intp]
 
-N_CURVE = 4  # intervals of a curve at least ...
-N_LONG = 96  # ... and for the sake of its length alone at most, ...
-N_RAMP = 12  # ... so many to the way in which full speed is reached
+N_CURVE = 4  # least number of intervals of a curve
+N_LONG = 96  # most intervals that length alone requires
+N_RAMP = 12  # intervals on the way to full speed
 CHUNK = 32_768  # samples per pass
 WINDOW = 1024  # curves sampled at once
-REST = 1e-4  # [m] least length that such a ramp counts with
+REST = 1e-4  # [m] shortest way to full speed that is counted
 
 
-class Stretches(NamedTuple):
+class Segments(NamedTuple):
     """Runs of curves from stop to stop, in the order of travel; curve i of lap k has the number i + k n_curve.
 
-    first, after : ndarray (n_stretch,) of int
+    first, after : ndarray (n_segment,) of int
         The curves [first, after).
-    straight : ndarray (n_stretch,) of bool
-        Whether all of them are lines in one direction.
+    straight : ndarray (n_segment,) of bool
+        Whether all are lines in one direction.
     """
 
     first: Index
@@ -37,19 +36,15 @@ class Stretches(NamedTuple):
     straight: NDArray[np.bool_]
 
 
-@dataclass(frozen=True, eq=False)
-class Samples:
-    """Samples of several stretches, one stretch after another; n in all.
+class SegmentSamples(NamedTuple):
+    """Samples of several segments, in order; where two curves meet there are two samples at one place.
 
-    Where two curves meet there are two samples at one place. `begin` (n_stretch + 1,) holds the first sample of each stretch.
-
-    Parameters
-    ----------
     arc_length : ndarray (n,) [m]
     tangent, second, third : ndarray (n, n_axis)
     ceiling : ndarray (n,) [m/s]
-        Programmed speed, and that at jumps of curvature.
-    begin : ndarray (n_stretch + 1,) of int
+        Programmed speed, or that permitted at a curvature jump.
+    begin : ndarray (n_segment + 1,) of int
+        First sample of each segment.
     """
 
     arc_length: Array
@@ -59,21 +54,15 @@ class Samples:
     ceiling: Array
     begin: Index
 
-    @property
-    def ends(self) -> Index:
-        """First and last sample of every stretch, where the motion is at rest."""
-        return np.concatenate([self.begin[:-1], self.begin[1:] - 1])
-
-    def speed_ceiling(self, limits: AxisLimits, *, held: bool) -> Array:
-        """Return the highest speed at each sample (n,) [m/s]; zero where the stretches end.
+    def speed_ceiling(self, limits: AxisLimits, *, steady: bool) -> Array:
+        """Return the highest speed at each sample (n,) [m/s]; zero at the ends of segments.
 
         Parameters
         ----------
         limits : AxisLimits
             For the path's number of axes.
-        held : bool
-            Whether the speed must be one that can be held: without acceleration, turning alone is within the limits. So must that of a
-            motion that is to be averaged.
+        steady : bool
+            Whether turning alone must respect the limits at constant speed. A motion that will be averaged needs this.
         """
         ceiling = self.ceiling.copy()
         for start in range(0, ceiling.size, CHUNK):
@@ -81,59 +70,47 @@ class Samples:
             tangent, second, third = (np.abs(part[rows]) for part in (self.tangent, self.second, self.third))
             with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
                 lowest = np.fmin.reduce(limits.velocity / tangent, axis=1)
-                if held:
-                    lowest = np.fmin(lowest, np.sqrt(np.fmin.reduce(limits.acceleration / second, axis=1)))
+                # An axis at right angles to the path has no tangential acceleration: there turning limits the speed.
+                turning = second if steady else np.where(tangent < 1e-6, second, 0.0)
+                lowest = np.fmin(lowest, np.sqrt(np.fmin.reduce(limits.acceleration / turning, axis=1)))
+                if steady:
                     lowest = np.fmin(lowest, np.cbrt(np.fmin.reduce(limits.jerk / third, axis=1)))
-                else:
-                    # An axis that does not move along the path has no acceleration along it: its share of turning is a limit of speed.
-                    still = np.where(tangent < 1e-6, second, 0.0)
-                    lowest = np.fmin(lowest, np.sqrt(np.fmin.reduce(limits.acceleration / still, axis=1)))
             ceiling[rows] = np.minimum(ceiling[rows], lowest)
-        ceiling[self.ends] = 0.0
+        ceiling[self.begin[:-1]] = ceiling[self.begin[1:] - 1] = 0.0
         return ceiling
 
 
-def stretches(seen: Survey, laps: int) -> Stretches:
-    """Divide a route at its stops.
-
-    Parameters
-    ----------
-    seen : Survey
-    laps : int
-
-    Returns
-    -------
-    Stretches
-    """
-    # The closing point of a lap may be driven through, the end of the last may not.
+def split_at_stops(seen: Survey, laps: int) -> Segments:
+    """Divide the laps of a route at its stops."""
+    # The closing point may be passed between laps; the end of the last lap is a stop.
     stop = np.tile(seen.stop, laps)
     stop[-1] = True
     after = np.flatnonzero(stop) + 1
     first = np.append(0, after[:-1])
-    turns = (seen.kind != 0) | np.any(seen.meet.kink != 0.0, axis=1)
+    turns = (seen.kind != LINE) | np.any(seen.junctions.kink != 0.0, axis=1)
     bent = np.add.reduceat(np.tile(turns, laps).astype(np.intp), first)
-    return Stretches(first, after, bent == 0)
+    return Segments(first, after, bent == 0)
 
 
 def ranges(first: Index, count: Index) -> Index:
-    """Return the numbers from each `first` on, `count` of them, one range after another."""
+    """Return `count` successive numbers from each `first`, one range after another."""
     return np.repeat(first - (np.cumsum(count) - count), count) + np.arange(int(count.sum()))
 
 
-def _gaps(route: Route, seen: Survey, limits: AxisLimits) -> Array:
-    """Return the longest interval of samples in each curve [m].
+def _longest_intervals(route: Route, seen: Survey, limits: AxisLimits) -> Array:
+    """Return the longest interval between samples of each curve [m].
 
-    Next to a stop the speed is low, and what is lost there counts: the way in which the acceleration alone permits full speed is taken for
-    the ramp. Elsewhere it is the way that the jerk permits as well, which is longer.
+    It depends on the way to full speed. Next to a stop the acceleration alone gives this way, since time lost at low speed counts;
+    elsewhere the jerk lengthens it.
     """
     lengths = np.diff(np.asarray(route.path.breaks))
     speed = np.minimum(route.feedrate, float(np.linalg.norm(limits.velocity)))
     a, j = float(np.min(limits.acceleration)), float(np.min(limits.jerk))
-    quick = speed**2 / (2.0 * a)
-    eased = np.where(speed * j > a**2, quick + 0.5 * speed * a / j, speed * np.sqrt(speed / j))
+    by_acceleration = speed**2 / (2.0 * a)
+    by_jerk = np.where(speed * j > a**2, by_acceleration + 0.5 * speed * a / j, speed * np.sqrt(speed / j))
     stop = seen.stop
     stop[-1] = True
-    ramp = np.maximum(np.where(stop | np.roll(stop, 1), quick, eased), REST)
+    ramp = np.maximum(np.where(stop | np.roll(stop, 1), by_acceleration, by_jerk), REST)
     return np.asarray(np.minimum(lengths / N_CURVE, np.maximum(ramp / N_RAMP, lengths / N_LONG)))
 
 
@@ -143,86 +120,69 @@ def _lengths(route: Route, curve: Index) -> Array:
     return np.asarray(breaks[curve + 1] - breaks[curve])
 
 
-def _denser(route: Route, nodes: Nodes, gap: Array) -> Nodes:
-    """Divide intervals of the samples that are longer than `gap` (one for each curve) [m]."""
-    length = _lengths(route, nodes.curve[:-1])
-    same = nodes.curve[1:] == nodes.curve[:-1]
-    step = np.where(same, np.diff(nodes.place), 0.0)
-    parts = np.maximum(np.ceil(step * length / gap[nodes.curve[:-1]]), 1.0).astype(np.intp)
+def _refined(route: Route, nodes: Nodes, longest: Array) -> Nodes:
+    """Divide the intervals that are longer than `longest` (one for each curve) [m]."""
+    curve = nodes.curve[:-1]
+    step = np.where(nodes.curve[1:] == curve, np.diff(nodes.place), 0.0)
+    parts = np.maximum(np.ceil(step * _lengths(route, curve) / longest[curve]), 1.0).astype(np.intp)
     at = np.repeat(np.arange(parts.size), parts - 1)
-    new = look(route, nodes.curve[at], nodes.place[at] + step[at] * (ranges(np.ones_like(parts), parts - 1)) / parts[at])
-    rows = np.concatenate([np.arange(nodes.curve.size), at + 0.5])
-    order = np.argsort(rows, kind="stable")
+    new = evaluate_nodes(route, curve[at], nodes.place[at] + step[at] * (ranges(np.ones_like(parts), parts - 1)) / parts[at])
+    order = np.argsort(np.concatenate([np.arange(nodes.curve.size), at + 0.5]), kind="stable")
     return Nodes(*(np.concatenate([old, more])[order] for old, more in zip(nodes, new, strict=True)))
 
 
-def _on_lines(route: Route, nodes: Nodes, gap: Array) -> Nodes:
-    """Sample lines, given by their two ends, more densely towards the ends, where speeds change."""
+def _on_lines(route: Route, nodes: Nodes, longest: Array) -> Nodes:
+    """Sample lines, given by their two ends, more densely towards the ends, where the speed changes."""
     curve = nodes.curve[::2]
-    count = np.ceil(_lengths(route, curve) / gap[curve]).astype(np.intp) + 1
+    count = np.ceil(_lengths(route, curve) / longest[curve]).astype(np.intp) + 1
     rows = np.repeat(np.arange(curve.size), count)
     place = 0.5 - 0.5 * np.cos(np.pi * ranges(np.zeros_like(count), count) / (count[rows] - 1.0))
-    none = np.zeros((rows.size, nodes.tangent.shape[1]))
-    return Nodes(curve[rows], place, nodes.tangent[::2][rows], none, none)
+    zero = np.zeros((rows.size, nodes.tangent.shape[1]))
+    return Nodes(curve[rows], place, nodes.tangent[::2][rows], zero, zero)
 
 
-def sampled(route: Route, seen: Survey, limits: AxisLimits, parts: Stretches, chosen: Index) -> Samples:
-    """Sample some of the stretches.
-
-    Parameters
-    ----------
-    route : Route
-    seen : Survey
-    limits : AxisLimits
-    parts : Stretches
-    chosen : ndarray of int
-        Which of the stretches, rising.
-
-    Returns
-    -------
-    Samples
-    """
-    n_curve = route.n_curve
-    curves = ranges(parts.first[chosen], parts.after[chosen] - parts.first[chosen])
-    lap, own = np.divmod(curves, n_curve)
-    once = np.unique(own)
-    gap = _gaps(route, seen, limits)
-    windows = [_window(route, seen, limits, gap, once[i : i + WINDOW]) for i in range(0, once.size, WINDOW)]
+def sample_segments(route: Route, seen: Survey, limits: AxisLimits, segments: Segments, chosen: Index) -> SegmentSamples:
+    """Sample some segments (rising numbers)."""
+    n_curve, n_chosen = route.n_curve, segments.after[chosen] - segments.first[chosen]
+    lap, curve = np.divmod(ranges(segments.first[chosen], n_chosen), n_curve)
+    once = np.unique(curve)
+    longest = _longest_intervals(route, seen, limits)
+    windows = [_window(route, seen, limits, longest, once[i : i + WINDOW]) for i in range(0, once.size, WINDOW)]
     count_once, arc_length, ceiling, *derivatives = _joined(windows)
     of_curve = np.zeros(n_curve, dtype=np.intp)
     of_curve[once] = count_once
-    count = of_curve[own]
+    count = of_curve[curve]
     if np.any(lap):
-        # Curves that are driven several times, in the order of travel.
-        rows = ranges((np.cumsum(of_curve) - of_curve)[own], count)
+        # Repeat curves that are driven several times, in the order of travel.
+        rows = ranges((np.cumsum(of_curve) - of_curve)[curve], count)
         arc_length = arc_length[rows] + np.repeat(lap, count) * float(route.path.length)
         ceiling, derivatives = ceiling[rows], [part[rows] for part in derivatives]
-    of_stretch = np.append(0, np.cumsum(parts.after[chosen] - parts.first[chosen]))
-    begin = np.append(0, np.cumsum(count))[of_stretch]
-    # The speed is zero at both ends by itself: the programmed one is what it is held against there.
-    ceiling[begin[:-1]] = route.feedrate[own[of_stretch[:-1]]]
-    ceiling[begin[1:] - 1] = route.feedrate[own[of_stretch[1:] - 1]]
-    return Samples(arc_length, derivatives[0], derivatives[1], derivatives[2], ceiling, begin)
+    first_curve = np.append(0, np.cumsum(n_chosen))
+    begin = np.append(0, np.cumsum(count))[first_curve]
+    # The speed is zero at both ends anyway; the check there compares with the programmed speed.
+    ceiling[begin[:-1]] = route.feedrate[curve[first_curve[:-1]]]
+    ceiling[begin[1:] - 1] = route.feedrate[curve[first_curve[1:] - 1]]
+    tangent, second, third = derivatives
+    return SegmentSamples(arc_length, tangent, second, third, ceiling, begin)
 
 
-def _window(route: Route, seen: Survey, limits: AxisLimits, gap: Array, curves: Index) -> list[NDArray[Any]]:
-    """Return, of some curves: the number of samples of each, then of the samples arc length, ceiling, and three derivatives."""
-    first = nodes_of(route, seen.kind, limits, curves)
-    found = []
+def _window(route: Route, seen: Survey, limits: AxisLimits, longest: Array, curves: Index) -> list[NDArray[Any]]:
+    """Return the number of samples of each curve; then of the samples arc length, ceiling, and three derivatives."""
+    first = sample_nodes(route, seen.kind, limits, curves)
+    sets = []
     for line in (True, False):
-        here = (seen.kind[first.curve] == 0) == line
+        here = (seen.kind[first.curve] == LINE) == line
         if np.any(here):
-            found.append((_on_lines if line else _denser)(route, Nodes(*(part[here] for part in first)), gap))
-    order = np.argsort(np.concatenate([part.curve for part in found]), kind="stable")
-    curve, place, tangent, second, third = (np.concatenate(part)[order] for part in zip(*found, strict=True))
+            sets.append((_on_lines if line else _refined)(route, Nodes(*(part[here] for part in first)), longest))
+    order = np.argsort(np.concatenate([part.curve for part in sets]), kind="stable")
+    curve, place, tangent, second, third = (np.concatenate(part)[order] for part in zip(*sets, strict=True))
     ceiling = route.feedrate[curve]
-    for end, joint in ((1.0, curve), (0.0, curve - 1)):
-        held = (place == end) & ~seen.meet.stop[joint]
-        ceiling = np.where(held, np.minimum(ceiling, seen.junction_speed[joint]), ceiling)
-    second[np.abs(second) < FLAT] = 0.0
-    third[np.abs(third) < FLAT] = 0.0
+    for end, junction in ((1.0, curve), (0.0, curve - 1)):
+        passed = (place == end) & ~seen.junctions.stop[junction]
+        ceiling = np.where(passed, np.minimum(ceiling, seen.junction_speed[junction]), ceiling)
     arc_length = np.asarray(route.path.breaks)[curve] + place * _lengths(route, curve)
-    return [np.bincount(curve - curves[0])[curves - curves[0]], arc_length, ceiling, tangent, second, third]
+    count = np.bincount(curve - curves[0])[curves - curves[0]]
+    return [count, arc_length, ceiling, tangent, without_rounding(second), without_rounding(third)]
 
 
 def _joined(windows: list[list[NDArray[Any]]]) -> list[NDArray[Any]]:

@@ -1,7 +1,4 @@
-"""Turn v^2 at samples into a motion, and check what it demands: recursions along the samples of stretches, as in `kernels`.
-
-They are compiled by `contourlab.native.compile`, and run as plain Python as well.
-"""
+"""Turn v^2 at samples into a motion, and check its demand on the limits: recursions like those of `kernels`."""
 
 # mypy: disable-error-code="no-untyped-def, no-untyped-call"
 from __future__ import annotations
@@ -10,21 +7,21 @@ import math
 
 
 def clock(arc_length, square, first, last, free, period, time, lasting, count):
-    """Fill the time at each sample, counted from the start of its block.
+    """Fill the time at each sample, from the start of its block.
 
     Parameters
     ----------
     arc_length, square (n,)
     first, last (n_block,)
-        Samples at which each block begins and ends; a block begins at the sample where the one before ends, or at a stop.
+        First and last sample of each block; a block starts at the last sample of the one before, or at a stop.
     free (n_block,)
-        Zero for a block that is to take a whole number of periods: it is slowed down for the rest of one, gently, and not at its ends.
+        Zero for a block that must take a whole number of periods: it is slowed down gently between its ends.
     period [s]
-        0: none is slowed down.
+        0: no block is slowed down.
     time (n,) [s]
-        Filled, but for the end of a block, whose time is `lasting`.
+        Output; the time at the end of a block is in `lasting` instead.
     lasting (n_block,) [s], count (n_block,)
-        Filled: the time that each block takes, and how many periods that are begun.
+        Output: duration of each block, and its number of periods, rounded up.
     """
     for block in range(first.size):
         so_far = 0.0
@@ -50,7 +47,7 @@ def clock(arc_length, square, first, last, free, period, time, lasting, count):
 
 
 def steps(arc_length, square, time, first, last, lasting, begin, count, period, mean):
-    """Fill the mean speed in each step of the time grid; the last step of a block that ends within it is short.
+    """Fill the mean speed in each step of the time grid; the last step of a block may be short.
 
     Parameters
     ----------
@@ -59,9 +56,9 @@ def steps(arc_length, square, time, first, last, lasting, begin, count, period, 
     begin (n_block,)
         First step of each block.
     period [s]
-        Of the grid.
+        Time step of the grid.
     mean (n_step,) [m/s]
-        Filled in the steps of the blocks.
+        Output, for the steps of the blocks.
     """
     for block in range(first.size):
         i, reached, end = first[block], 0.0, last[block]
@@ -72,7 +69,7 @@ def steps(arc_length, square, time, first, last, lasting, begin, count, period, 
             if k < count[block]:
                 while i + 1 < end and time[i + 1] <= at:
                     i += 1
-                # A block that was slowed down passes its intervals in proportion.
+                # Within a slowed-down block, time is scaled in each interval.
                 until = lasting[block] if i + 1 == end else time[i + 1]
                 part = (at - time[i]) / (until - time[i]) if until > time[i] else 1.0
                 low, high = math.sqrt(square[i]), math.sqrt(square[i + 1])
@@ -86,9 +83,9 @@ def steps(arc_length, square, time, first, last, lasting, begin, count, period, 
 
 
 def _over(tangent, second, third, row, v, a, j, velocity, acceleration, jerk, worst):
-    """Raise worst: velocity, acceleration, jerk as parts of the limits, and the part of the jerk limit that turning alone takes.
+    """Raise `worst`: velocity, acceleration, jerk as fractions of the limits, and the fraction of the jerk limit that turning alone needs.
 
-    The limits are given by their inverses.
+    `velocity`, `acceleration` and `jerk` are the inverses of the limits.
     """
     for axis in range(velocity.size):
         t, k = tangent[row, axis], second[row, axis]
@@ -102,7 +99,7 @@ def _over(tangent, second, third, row, v, a, j, velocity, acceleration, jerk, wo
 
 
 def _between(tangent, second, third, i, gap, part, here):
-    """Fill `here` with the derivatives of the path between the samples i and i + 1: cubics and, for the third, a quadratic."""
+    """Fill `here` with derivatives of the path between the samples i and i + 1: cubics and, for the third, a quadratic."""
     for axis in range(tangent.shape[1]):
         t0, t1 = tangent[i, axis], tangent[i + 1, axis]
         k0, k1 = second[i, axis], second[i + 1, axis]
@@ -111,7 +108,7 @@ def _between(tangent, second, third, i, gap, part, here):
             here[0, 0, axis], here[1, 0, axis], here[2, 0, axis] = t0, k0, c0
             continue
         both = part * (1.0 - part)
-        # What the straight line between the two slopes misses of the rise.
+        # Mean slope less the mean of the slopes at both ends.
         t_bow, k_bow = (t1 - t0) / gap - 0.5 * (k0 + k1), (k1 - k0) / gap - 0.5 * (c0 + c1)
         here[2, 0, axis] = c0 + part * (c1 - c0) + 6.0 * both * k_bow
         here[1, 0, axis] = k0 + part * (k1 - k0) + gap * both * (0.5 * (c0 - c1) + (2.0 * part - 1.0) * k_bow)
@@ -119,7 +116,7 @@ def _between(tangent, second, third, i, gap, part, here):
 
 
 def _along(span, i, last, arc_length, tangent, second, third, ceiling, spans, velocity, acceleration, jerk, per_span, here, worst):
-    """Look at one span, from sample i on; return the last sample passed, the greatest demand, and where it is: sample, place, speed."""
+    """Check one span from sample i on; return the last sample passed, the largest demand, and its sample, place and speed."""
     lasting, s0, v0, a0, j = spans[span, 0], spans[span, 1], spans[span, 2], spans[span, 3], spans[span, 4]
     for r in range(4):
         worst[r] = 0.0
@@ -128,7 +125,7 @@ def _along(span, i, last, arc_length, tangent, second, third, ceiling, spans, ve
     for step in range(per_span):
         dt = lasting * step / (per_span - 1)
         s = s0 + dt * (v0 + dt * (a0 / 2.0 + dt * j / 6.0))
-        # The samples on the way here, each end of a curve with its own derivatives.
+        # The samples passed on the way, both curves at a junction.
         while i < last and arc_length[i + 1] <= s:
             i += 1
             part = min(max((arc_length[i] - at) / (s - at), 0.0), 1.0) if s > at else 1.0
@@ -156,38 +153,38 @@ def demand(
     arc_length, tangent, second, third, ceiling, begin, spans, begin_span, velocity, acceleration, jerk, per_span, allowed, watched, here,
     worst, peak, faults, count
 ):  # fmt: skip
-    """Check a motion in every span and at every sample.
+    """Check a motion at several places of every span and at every sample.
 
     Parameters
     ----------
     arc_length, ceiling (n,); tangent, second, third (n, n_axis)
     spans (n_span, 5)
         Duration, s, v, a at the start, and the jerk.
-    begin, begin_span (n_stretch + 1,)
-        The samples and the spans of each stretch.
+    begin, begin_span (n_segment + 1,)
+        First sample and first span of each segment.
     velocity, acceleration, jerk (n_axis,)
-        The inverses of the limits.
+        Inverses of the limits.
     per_span
-        Places checked in each span, both ends among them.
+        Places checked in each span, both ends included.
     allowed
-        Part of a limit that counts as kept.
+        Largest fraction of a limit that is no violation.
     watched (n,)
         Zero at samples after which nothing is checked.
     here (3, 1, n_axis), worst (4,)
         Working memory.
-    peak (n_stretch,)
-        Filled with the greatest part of any limit that is needed in each stretch.
+    peak (n_segment,)
+        Output: largest fraction of any limit needed in each segment.
     faults (n_span, 7)
-        Filled for each span that needs more than is allowed: sample before the worst place, arc length and speed there, the parts of
-        the velocity, acceleration and jerk limits, and that of the jerk limit which turning alone takes.
+        Output, a row for each span with a violation: sample before the worst place, arc length and speed there, fractions of the velocity,
+        acceleration and jerk limits, and fraction of the jerk limit that turning alone needs.
     count (1,)
-        Number of faults.
+        Output: number of violations.
     """
     count[0] = 0
-    for stretch in range(begin.size - 1):
-        i, last = begin[stretch], begin[stretch + 1] - 2
-        peak[stretch] = 0.0
-        for span in range(begin_span[stretch], begin_span[stretch + 1]):
+    for segment in range(begin.size - 1):
+        i, last = begin[segment], begin[segment + 1] - 2
+        peak[segment] = 0.0
+        for span in range(begin_span[segment], begin_span[segment + 1]):
             while i < last and arc_length[i + 1] <= spans[span, 1]:
                 i += 1
             if watched[i] == 0:
@@ -195,7 +192,7 @@ def demand(
             i, most, where, place, speed = _along(
                 span, i, last, arc_length, tangent, second, third, ceiling, spans, velocity, acceleration, jerk, per_span, here, worst
             )
-            peak[stretch] = max(peak[stretch], most)
+            peak[segment] = max(peak[segment], most)
             if most > allowed:
                 k = count[0]
                 faults[k, 0], faults[k, 1], faults[k, 2] = where, place, speed

@@ -1,4 +1,4 @@
-"""The constant-frequency law of the papers: a closed path once per period, at one speed, from the first sample."""
+"""Constant speed along a closed path, as in the papers: one lap per period, without ramps."""
 
 from __future__ import annotations
 
@@ -15,9 +15,8 @@ from contourlab.geometry import Path
 def uniform(path: Path, frequency: float, laps: int, servo_period: float) -> Reference:
     """Return laps of a closed path at constant speed: progress = length * frequency * t.
 
-    There is no ramp: the first sample moves at full speed already, as x = R cos(2 pi f t) does. The speed is uniform
-    in arc length, on every curve; on an ellipse this is not the law x = a cos(2 pi f t), y = b sin(2 pi f t), whose
-    speed varies.
+    The first sample already moves at full speed. The speed is constant along the arc length; on an ellipse this differs from
+    x = a cos(2 pi f t), y = b sin(2 pi f t).
 
     Parameters
     ----------
@@ -27,13 +26,13 @@ def uniform(path: Path, frequency: float, laps: int, servo_period: float) -> Ref
         Laps per second.
     laps : int, >= 1
     servo_period : float [s], > 0
-        The laps must take a whole number of periods.
+        All laps together must take a whole number of periods.
 
     Returns
     -------
     Reference
-        Samples 0 to laps/(frequency * servo_period) - 1; the sample after them would repeat the first. Its `laps`
-        hold one range per lap where a lap is a whole number of samples, else one for all.
+        Samples 0 to laps/(frequency * servo_period) - 1; the next would repeat the first. `laps` holds one range per lap if a lap is a
+        whole number of samples, else one for all.
 
     Raises
     ------
@@ -42,7 +41,7 @@ def uniform(path: Path, frequency: float, laps: int, servo_period: float) -> Ref
     """
     period = checked_period(servo_period)
     if not path.closed:
-        raise FeedError("uniform() drives laps: the path must be closed; use plan() for an open one")
+        raise FeedError("uniform() needs a closed path; use plan() for an open one")
     if not (frequency > 0.0 and math.isfinite(frequency)):
         raise FeedError(f"frequency = {frequency!r}: must be finite and > 0 Hz")
     if int(laps) != laps or laps < 1:
@@ -52,7 +51,7 @@ def uniform(path: Path, frequency: float, laps: int, servo_period: float) -> Ref
     if n_sample < 1 or abs(exact - n_sample) > 1e-9 * exact:
         per_lap = max(round(1.0 / (frequency * period)), 1)
         raise FeedError(
-            f"{laps} laps at {frequency:g} Hz take {exact:.9g} servo periods of {period:g} s, no whole number: "
+            f"{laps} laps at {frequency:g} Hz take {exact:.9g} servo periods of {period:g} s, not a whole number: "
             f"use frequency = {1.0 / (per_lap * period):.12g} Hz or servo_period = {1.0 / (per_lap * frequency):.12g} s"
         )
     per_lap = n_sample // laps
@@ -61,13 +60,12 @@ def uniform(path: Path, frequency: float, laps: int, servo_period: float) -> Ref
     zero = np.zeros(1)
     length = float(path.length)
     profile = Profile(zero, zero, np.array([length * frequency]), zero, zero, duration=laps / frequency, length=laps * length)
-    none = np.zeros(len(path.curves), dtype=np.int64)
     return Reference(
         servo_period=period,
         n_sample=n_sample,
         path=path,
         programmed=path,
         profile=profile,
-        source_lines=none,
+        source_lines=np.zeros(len(path.curves), dtype=np.int64),
         laps=ranges,
     )

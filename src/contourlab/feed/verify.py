@@ -1,8 +1,7 @@
-"""The independent judge of a reference: what each drive gets, against the limits of its axis.
+"""Check a reference against the axis limits, independently of any planner.
 
-It uses only position samples and their differences over the servo period. So it judges planned, imported and measured
-references alike, and does not trust a planner's own derivatives. Differences are weighted means
-of the derivatives over the samples they span, hence never above the true peak.
+The check uses only position samples and their differences over the servo period, so it applies to planned, imported and measured
+references. Differences are weighted means of the derivatives over the samples they span, hence never above the true peak.
 """
 
 from __future__ import annotations
@@ -19,27 +18,27 @@ from contourlab.feed.reference import Reference
 from contourlab.geometry import Path
 
 Array = NDArray[np.float64]
+Index = NDArray[np.int64]
 
 BLOCK = 65536  # samples per pass
 
 
 @dataclass(frozen=True)
 class Worst:
-    """The place where one axis comes nearest to a limit, or goes furthest beyond it.
+    """The largest value of one axis, its limit, and where it occurs.
 
     Parameters
     ----------
     axis : int
-    value, limit : float
-        In m/s, m/s^2 or m/s^3.
+    value, limit : float [m/s, m/s^2 or m/s^3]
     allowance : float
-        What rounding of the positions, and for a curvature step the jerk that is allowed anyway, may add.
+        Contribution of rounded positions and, to a curvature step, of the permitted jerk.
     sample : int
-        -1 where there was nothing to look at.
+        -1 if no sample counts.
     time : float [s]
     position : tuple of float [m]
     source_line : int
-        0 where there is no program.
+        Program line; 0 for none.
     """
 
     axis: int
@@ -53,26 +52,26 @@ class Worst:
 
     @property
     def ratio(self) -> float:
-        """Value, less the allowance, as a part of the limit; above 1 the limit is broken."""
+        """(value - allowance) / limit; above 1 the limit is violated."""
         return max(self.value - self.allowance, 0.0) / self.limit
 
 
 @dataclass(frozen=True)
 class LimitReport:
-    """The worst of each kind, one `Worst` per axis.
+    """The largest values, one `Worst` per axis.
 
     Parameters
     ----------
     velocity, acceleration, jerk : tuple of Worst
-        The jerk without those places where the curvature of the path jumps.
+        Acceleration without kinks, jerk without kinks and curvature steps.
     curvature_step : tuple of Worst
-        Steps of acceleration where the curvature jumps (line to arc), held against the acceleration limit: there no
-        finite jerk limit can hold short of a stop. Without a jerk limit no step is an offence, its limit is inf.
+        Steps of acceleration where the curvature jumps (line to arc), compared with the acceleration limit: there no finite jerk limit can
+        hold without a stop. Without a jerk limit their limit is inf.
     kink : tuple of Worst
-        Steps of velocity [m/s] where the direction jumps by a little (`contourlab.feed.junctions.MOST_KINK`), held against what the
-        acceleration limit gives in `KINK_TIME`; the acceleration is without those places.
+        Steps of velocity [m/s] where the direction jumps by up to `contourlab.feed.junctions.MOST_KINK`, compared with what the
+        acceleration limit gives in `KINK_TIME`.
     n_step, n_kink : int
-        How many such places were driven through.
+        Number of such places passed.
     """
 
     velocity: tuple[Worst, ...]
@@ -84,7 +83,7 @@ class LimitReport:
     n_kink: int = 0
 
     def ok(self, tolerance: float = 0.005) -> bool:
-        """Tell whether every limit holds within `tolerance` (a part of the limit, >= 0)."""
+        """Return whether every limit holds within `tolerance`, a fraction of the limit >= 0."""
         return all(worst.ratio <= 1.0 + tolerance for worst in self.all())
 
     def all(self) -> tuple[Worst, ...]:
@@ -92,47 +91,49 @@ class LimitReport:
         return (*self.velocity, *self.acceleration, *self.jerk, *self.curvature_step, *self.kink)
 
 
-class _Kinks(NamedTuple):
-    """Where the direction jumps by little: arc lengths (n,) in [0, length) [m], and by how much each axis' does (n, n_axis)."""
+class _Jumps(NamedTuple):
+    """Arc lengths (n,) in [0, length) at which direction or curvature jumps, and by how much for each axis (n, n_axis)."""
 
     place: Array
-    jump: Array
+    size: Array
+    length: float
 
-    def largest(self, before: NDArray[np.int64], after: NDArray[np.int64]) -> Array:
-        """Return the largest jumps (m, n_axis) of those that lie between two counts of `_jumps_passed` (m,), which differ."""
+    def passed(self, arc_length: Array) -> Index:
+        """Return the number of jumps up to each progress, laps included."""
+        laps = np.floor(arc_length / self.length)
+        within = np.searchsorted(self.place, arc_length - laps * self.length, side="right")
+        return np.asarray(within + laps * self.place.size, dtype=np.int64)
+
+    def largest(self, before: Index, after: Index) -> Array:
+        """Return the largest jumps (m, n_axis) between two different numbers of jumps passed (m,)."""
         low, count = np.minimum(before, after), np.abs(after - before)
         first = np.cumsum(count) - count
         which = np.repeat(low - first, count) + np.arange(int(count.sum()))
-        return np.asarray(np.maximum.reduceat(self.jump[which % self.place.size], first))
+        return np.asarray(np.maximum.reduceat(self.size[which % self.place.size], first))
 
 
-def _kinks(path: Path) -> _Kinks:
-    jump = direction_jump(path)
-    angle = np.linalg.norm(jump, axis=1)
-    wanted = (angle > 0.0) & (angle <= MOST_KINK)
-    return _Kinks(_junctions_at(path, wanted), np.abs(np.roll(jump, 1, axis=0)[np.roll(wanted, 1)]))
-
-
-def _junctions_at(path: Path, wanted: NDArray[np.bool_]) -> Array:
-    """Return the arc lengths in [0, length) of the ends of some curves [m]."""
-    return np.asarray(np.asarray(path.breaks)[:-1][np.roll(wanted, 1)], dtype=np.float64)
+def _jumps(path: Path, step: Array, counted: NDArray[np.bool_]) -> _Jumps:
+    """Return the counted jumps among those at the ends of the curves (n_curve, n_axis)."""
+    at_start = np.roll(counted, 1)
+    place = np.asarray(path.breaks, dtype=np.float64)[:-1][at_start]
+    return _Jumps(place, np.abs(np.roll(step, 1, axis=0)[at_start]), float(path.length))
 
 
 @dataclass
 class _Record:
-    """The worst seen so far of one kind, for each axis."""
+    """The largest values of one kind so far, for each axis."""
 
     limit: Array
     allowance: Array
     value: Array = field(init=False)
-    sample: NDArray[np.int64] = field(init=False)
+    sample: Index = field(init=False)
 
     def __post_init__(self) -> None:
         self.value = np.zeros_like(self.limit)
         self.sample = np.full(self.limit.size, -1, dtype=np.int64)
 
-    def see(self, values: Array, samples: NDArray[np.int64]) -> None:
-        """Take in values (n, n_axis) that belong to `samples`."""
+    def add(self, values: Array, samples: Index) -> None:
+        """Add values (n, n_axis) at `samples` (n,)."""
         if values.shape[0] == 0:
             return
         row = np.argmax(values, axis=0)
@@ -141,39 +142,35 @@ class _Record:
         self.value = np.where(better, peak, self.value)
         self.sample = np.where(better, samples[row], self.sample)
 
+    def located(self, reference: Reference) -> tuple[Worst, ...]:
+        """Return the largest value of each axis with its place."""
+        entries = []
+        for axis, (value, sample) in enumerate(zip(self.value.tolist(), self.sample.tolist(), strict=True)):
+            worst = Worst(axis, value, float(self.limit[axis]), float(self.allowance[axis]))
+            if sample >= 0:
+                block = reference.block(sample, sample + 1)
+                place, line = tuple(block.position[0].tolist()), int(reference.source_line(block.arc_length)[0])
+                worst = replace(worst, sample=sample, time=sample * reference.servo_period, position=place, source_line=line)
+            entries.append(worst)
+        return tuple(entries)
 
-def _located(record: _Record, reference: Reference) -> tuple[Worst, ...]:
-    """Return each worst value with its place."""
-    entries = []
-    for axis, (value, sample) in enumerate(zip(record.value.tolist(), record.sample.tolist(), strict=True)):
-        worst = Worst(axis, value, float(record.limit[axis]), float(record.allowance[axis]))
-        if sample >= 0:
-            block = reference.block(sample, sample + 1)
-            place, line = tuple(block.position[0].tolist()), int(reference.source_line(block.arc_length)[0])
-            worst = replace(worst, sample=sample, time=sample * reference.servo_period, position=place, source_line=line)
-        entries.append(worst)
-    return tuple(entries)
 
-
-def _jumps_passed(arc_length: Array, jumps: Array, length: float) -> NDArray[np.int64]:
-    """Count the jumps of curvature up to each progress, laps included."""
-    laps = np.floor(arc_length / length)
-    within = np.searchsorted(jumps, arc_length - laps * length, side="right")
-    return np.asarray(within + laps * jumps.size, dtype=np.int64)
+class _Records(NamedTuple):
+    velocity: _Record
+    acceleration: _Record
+    jerk: _Record
+    step: _Record
+    kink: _Record
 
 
 def limit_report(reference: Reference, limits: AxisLimits) -> LimitReport:
-    """Find the worst velocity, acceleration and jerk of each axis.
+    """Find the largest velocity, acceleration and jerk of each axis.
 
     Parameters
     ----------
     reference : Reference
-        Of any origin; read in blocks, so that memory does not grow with its length.
+        Read in blocks, so that memory does not grow with its length.
     limits : AxisLimits
-
-    Returns
-    -------
-    LimitReport
 
     Raises
     ------
@@ -183,11 +180,10 @@ def limit_report(reference: Reference, limits: AxisLimits) -> LimitReport:
     Notes
     -----
     Sample k labels the differences p[k+1] - p[k], p[k+1] - 2 p[k] + p[k-1] and p[k+2] - 3 p[k+1] + 3 p[k] - p[k-1].
-    A curvature step between k and k+1 is the second difference at k+2 less the one at k-1, the nearest that lie
-    clear of it; three servo periods of permitted jerk are allowed for. At a kink the velocity of an axis jumps by the
-    jump of the path's direction times the speed, which is the least that the samples around show, less what the
-    acceleration limit makes of it in half a period. Recorded references, whose progress is
-    known to about a sample only, are given one sample more on each side.
+    A curvature step between k and k+1 is the second difference at k+2 less the one at k-1, the nearest that are clear of it; its allowance
+    is three servo periods of permitted jerk. At a kink the velocity step of an axis is the direction jump times the speed, which is the
+    least of the samples around, less what the acceleration limit gives in half a period. The progress of recorded references is known to
+    about a sample only, so one more sample on each side is left out.
     """
     limits = limits.for_axes(reference.n_axis)
     period, wide = reference.servo_period, 0 if reference.recorded is None else 1
@@ -197,26 +193,29 @@ def limit_report(reference: Reference, limits: AxisLimits) -> LimitReport:
     with np.errstate(invalid="ignore"):
         eased = np.where(np.isinf(limits.jerk), 0.0, limits.jerk * period * (3 + 2 * wide))
     step_limit = np.where(np.isinf(limits.jerk), np.inf, limits.acceleration)
-    records = (
+    records = _Records(
         _Record(limits.velocity, noise / period),
         _Record(limits.acceleration, 2.0 * noise / period**2),
         _Record(limits.jerk, 4.0 * noise / period**3),
         _Record(step_limit, eased + 4.0 * noise / period**2),
         _Record(limits.acceleration * KINK_TIME, MOST_KINK * noise / period),
     )
-    places = _junctions_at(reference.path, np.any(curvature_jump(reference.path) != 0.0, axis=1)), _kinks(reference.path)
+    path, curvature, direction = reference.path, curvature_jump(reference.path), direction_jump(reference.path)
+    angle = np.linalg.norm(direction, axis=1)
+    bends = _jumps(path, curvature, np.any(curvature != 0.0, axis=1))
+    kinks = _jumps(path, direction, (angle > 0.0) & (angle <= MOST_KINK))
     n_step = n_kink = 0
     for start in range(0, reference.n_sample, BLOCK):
-        steps, kinks = _look(reference, start, min(start + BLOCK, reference.n_sample), records, places, wide)
-        n_step, n_kink = n_step + steps, n_kink + kinks
-    velocity, acceleration, jerk, step, kink = (_located(record, reference) for record in records)
+        counts = _check_block(reference, start, min(start + BLOCK, reference.n_sample), records, bends, kinks, wide)
+        n_step, n_kink = n_step + counts[0], n_kink + counts[1]
+    velocity, acceleration, jerk, step, kink = (record.located(reference) for record in records)
     return LimitReport(velocity, acceleration, jerk, step, kink, n_step, n_kink)
 
 
-def _look(
-    reference: Reference, start: int, stop: int, records: tuple[_Record, ...], places: tuple[Array, _Kinks], wide: int
+def _check_block(
+    reference: Reference, start: int, stop: int, records: _Records, bends: _Jumps, kinks: _Jumps, wide: int
 ) -> tuple[int, int]:
-    """Take in the samples [start, stop), with enough of their neighbours; return the numbers of curvature steps and kinks."""
+    """Add the samples [start, stop), and enough of their neighbours, to the records; return the numbers of curvature steps and kinks."""
     margin = 4 + wide
     low, high = max(start - margin, 0), min(stop + margin, reference.n_sample)
     block = reference.block(low, high)
@@ -224,31 +223,31 @@ def _look(
     velocity = np.diff(block.position, axis=0) / period  # row i: samples low + i and the next
     acceleration = np.diff(velocity, axis=0) / period  # row i: centred at low + i + 1
     jerk = np.diff(acceleration, axis=0) / period  # row i: from low + i to low + i + 3
-    index = np.arange(low, high)
-    records[0].see(np.abs(velocity), index[:-1])
-    length, kinks = float(reference.path.length), _jumps_passed(block.arc_length, places[1].place, float(reference.path.length))
-    clear = (
-        kinks[np.clip(np.arange(acceleration.shape[0]) - wide, 0, None)]
-        == kinks[np.clip(np.arange(2, index.size) + wide, None, index.size - 1)]
-    )
-    records[1].see(np.abs(acceleration[clear]), index[1:-1][clear])
-    passed = kinks + _jumps_passed(block.arc_length, places[0], length)
-    first = np.clip(np.arange(jerk.shape[0]) - wide, 0, None)
-    last = np.clip(np.arange(jerk.shape[0]) + 3 + wide, None, index.size - 1)
-    smooth = passed[first] == passed[last]
-    records[2].see(np.abs(jerk[smooth]), index[1 : 1 + jerk.shape[0]][smooth])
+    index, n_kink = np.arange(low, high), kinks.passed(block.arc_length)
+    n_jump = n_kink + bends.passed(block.arc_length)
+
+    def clear(passed: Index, order: int) -> NDArray[np.bool_]:
+        """Return which differences of an order span no jump."""
+        first = np.arange(index.size - order)
+        return np.asarray(passed[np.clip(first - wide, 0, None)] == passed[np.clip(first + order + wide, None, index.size - 1)])
+
+    records.velocity.add(np.abs(velocity), index[:-1])
+    smooth = clear(n_kink, 2)
+    records.acceleration.add(np.abs(acceleration[smooth]), index[1:-1][smooth])
+    smooth = clear(n_jump, 3)
+    records.jerk.add(np.abs(jerk[smooth]), index[1 : 1 + jerk.shape[0]][smooth])
     # A step between rows i and i + 1 shows between the second differences centred at i + 2 + wide and i - 1 - wide.
-    at = np.flatnonzero(np.diff(passed) != 0)
+    at = np.flatnonzero(np.diff(n_jump) != 0)
     at = at[(at - 2 - wide >= 0) & (at + 1 + wide < acceleration.shape[0])]
-    step = np.abs(acceleration[at + 1 + wide] - acceleration[at - 2 - wide])
-    records[3].see(step, index[at])
+    records.step.add(np.abs(acceleration[at + 1 + wide] - acceleration[at - 2 - wide]), index[at])
     # Row k spans a kink between the samples k and k + 1.
-    turn = np.flatnonzero(np.diff(kinks) != 0)
+    turn = np.flatnonzero(np.diff(n_kink) != 0)
     turn = turn[(turn - 1 - wide >= 0) & (turn + 1 + wide < velocity.shape[0])]
     if turn.size:
         around = np.linalg.norm(velocity, axis=1)
         speed = np.min([around[turn + i] for i in range(-1 - wide, 2 + wide)], axis=0)
-        slowest = np.maximum(speed - 0.5 * period * float(np.max(records[1].limit)), 0.0)
-        records[4].see(places[1].largest(kinks[turn], kinks[turn + 1]) * slowest[:, None], index[turn])
-    at = at[np.diff(passed - kinks)[at] != 0]
-    return tuple(int(np.count_nonzero((index[some] >= start) & (index[some] < stop))) for some in (at, turn))  # type: ignore[return-value]
+        slowest = np.maximum(speed - 0.5 * period * float(np.max(records.acceleration.limit)), 0.0)
+        records.kink.add(kinks.largest(n_kink[turn], n_kink[turn + 1]) * slowest[:, None], index[turn])
+    at = at[np.diff(n_jump - n_kink)[at] != 0]
+    n_step, n_turn = (int(np.count_nonzero((index[some] >= start) & (index[some] < stop))) for some in (at, turn))
+    return n_step, n_turn

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from contourlab.errors import GeometryError
-from contourlab.geometry.curve import Array, Curve, Index, Together, of_each, positive, rows, vector
+from contourlab.geometry.curve import Array, Curve, CurveBatch, Index, of_each, positive, rows, vector
 
 
 class Arc(Curve):
@@ -22,11 +22,11 @@ class Arc(Curve):
     start_angle : float [rad]
         a0, from u towards v.
     sweep : float [rad], not 0
-        How far the angle turns, with its sign; may be more than a turn.
+        Signed angle; may be more than a turn.
     u, v : array_like (n_axis,), optional
         Orthonormal axes of the plane; the first two coordinates by default.
     rise : array_like (n_axis,) [m], optional
-        Travel along the axis over the whole sweep, at right angles to u and v; none by default.
+        Travel at right angles to u and v over the whole sweep.
 
     Raises
     ------
@@ -36,6 +36,8 @@ class Arc(Curve):
     >>> round(Arc((0, 0), 2.0, 0.0, math.pi).length, 6)
     6.283185
     """
+
+    digest_parts = ("arc", "radius", "start_angle", "sweep", "centre", "u", "v", "rise")
 
     def __init__(
         self,
@@ -50,7 +52,7 @@ class Arc(Curve):
         self.centre = vector(centre, "centre")
         n = self.n_axis = self.centre.size
         if n < 2:
-            raise GeometryError(f"centre = {centre!r}: an arc wants two coordinates or more")
+            raise GeometryError(f"centre = {centre!r}: an arc needs two coordinates or more")
         self.u = vector(u, "u") if u is not None else np.eye(n)[0]
         self.v = vector(v, "v") if v is not None else np.eye(n)[1]
         self.rise = vector(rise, "rise") if rise is not None else np.zeros(n)
@@ -79,24 +81,22 @@ class Arc(Curve):
         u: ArrayLike | None = None,
         v: ArrayLike | None = None,
     ) -> Arc:
-        """Return the arc from `start` to `end`; the centre is moved to be equally far from both.
-
-        A program's rounding leaves it off by a little.
+        """Return the arc from `start` to `end`; a rounded centre is moved until it is equally far from both.
 
         Parameters
         ----------
         start, end, centre : array_like (n_axis,) [m]
-            End points, joined exactly; the centre is taken at the height of the start.
+            End points, joined exactly; the centre is projected to the height of the start.
         sweep : float [rad]
-            Turn with its sign; adjusted by what the moved centre needs.
+            Signed angle; adjusted to the moved centre.
         u, v : array_like (n_axis,), optional
             Axes of the plane.
 
         Raises
         ------
         GeometryError
-            If there is no such arc; or if the arc nearly closes on itself, with radii that differ, so that the centre would have to move by
-            more than ten times that difference.
+            If there is no such arc, or if it nearly closes on itself and the centre would move by more than ten times the difference of the
+            radii.
         """
         a, b, c = vector(start, "start"), vector(end, "end"), vector(centre, "centre")
         e1 = vector(u, "u") if u is not None else np.eye(a.size)[0]
@@ -112,7 +112,7 @@ class Arc(Curve):
             if abs(sweep) > math.pi and abs(move) > 10.0 * gap + 1e-9:
                 raise GeometryError(
                     f"an arc of {math.degrees(sweep):.6g} degrees from {a.tolist()} to {b.tolist()}: its ends are "
-                    f"{math.sqrt(square):.3g} m apart and their radii differ by {gap:.3g} m, so that no circle near the centre joins them: "
+                    f"{math.sqrt(square):.3g} m apart and their radii differ by {gap:.3g} m, so no circle near the centre joins them: "
                     "end a full circle where it starts"
                 )
             pc = pc - chord * (move / math.sqrt(square))
@@ -127,7 +127,7 @@ class Arc(Curve):
         return cls(plane + height, radius, first, exact, e1, e2, rise)
 
     @classmethod
-    def together(cls, curves: Sequence[Arc]) -> Arcs:
+    def batch(cls, curves: Sequence[Arc]) -> Arcs:
         return Arcs(curves)
 
     def part(self, low: float, high: float) -> Arc:
@@ -142,25 +142,22 @@ class Arc(Curve):
         angle = self.start_angle + self.rate * along
         c, d = np.cos(angle)[:, None], np.sin(angle)[:, None]
         spoke, swing = c * self.u + d * self.v, c * self.v - d * self.u
-        found = np.empty((order + 1, along.size, self.n_axis))
+        result = np.empty((order + 1, along.size, self.n_axis))
         factor = self.radius
         for k, turn in enumerate((spoke, swing, -spoke, -swing)[: order + 1]):
-            found[k] = factor * turn
+            result[k] = factor * turn
             factor *= self.rate
-        found[0] += self.centre + (along / self.length)[:, None] * self.rise
+        result[0] += self.centre + (along / self.length)[:, None] * self.rise
         if order > 0:
-            found[1] += self.rise / self.length
-        return found
+            result[1] += self.rise / self.length
+        return result
 
     def smallest_radius(self) -> float:
         return 1.0 / (self.radius * self.rate**2)
 
-    def describe(self) -> tuple[object, ...]:
-        vectors = (self.centre, self.u, self.v, self.rise)
-        return ("arc", self.radius, self.start_angle, self.sweep, *(x for v in vectors for x in v.tolist()))
 
 
-class Arcs(Together):
+class Arcs(CurveBatch):
     """Many arcs and helices at once."""
 
     def __init__(self, curves: Sequence[Arc]) -> None:
@@ -176,32 +173,32 @@ class Arcs(Together):
         radius, angle, rate, length = (of_each(part, slot) for part in (self.radius, self.start_angle, self.rate, self.length))
         angle = angle + rate * along
         c, d = radius * np.cos(angle), radius * np.sin(angle)
-        found = np.empty((order + 1, self.n_axis, along.size))
+        result = np.empty((order + 1, self.n_axis, along.size))
         parts = (of_each(part, slot) for part in (self.centre, self.u, self.v, self.rise))
         for j, (centre, u, v, rise) in enumerate(zip(*parts, strict=True)):
             spoke = c * u + d * v
-            found[0, j] = spoke + (centre + along / length * rise)
+            result[0, j] = spoke + (centre + along / length * rise)
             if order:
                 swing = rate * (c * v - d * u)
-                found[1, j] = swing + rise / length
+                result[1, j] = swing + rise / length
             if order > 1:
-                found[2, j] = -(rate**2) * spoke
+                result[2, j] = -(rate**2) * spoke
             if order > 2:
-                found[3, j] = -(rate**2) * swing
-        return found
+                result[3, j] = -(rate**2) * swing
+        return result
 
     def closest(self, slot: Index, points: Array, low: Array, high: Array, middle: Array) -> Array:
-        """The spoke through the point, in the turn nearest to the progress; else the nearer end."""
+        """Return the place on the spoke through the point, in the turn nearest to the progress; else the nearer end."""
         centre, u, v = self.centre.T[slot], self.u.T[slot], self.v.T[slot]
         radius, rate = self.radius[slot], self.rate[slot]
         out = points - centre
         x, y = np.einsum("ij,ij->i", out, u), np.einsum("ij,ij->i", out, v)
         turn = 2.0 * math.pi / np.abs(rate)
         along = (np.arctan2(y, x) - self.start_angle[slot]) / rate
-        # From the centre all points of the arc are equally far.
+        # All points of the arc are equally far from the centre.
         along = np.where(np.hypot(x, y) <= 1e-13 * radius, middle, along)
         along = along + turn * np.round((middle - along) / turn)
-        # The turn nearest to the progress may end outside where a neighbour lies inside.
+        # The turn nearest to the progress may lie outside while a neighbour lies inside.
         for shift in (turn, -turn):
             other = along + shift
             along = np.where(((along < low) | (along > high)) & (other >= low) & (other <= high), other, along)

@@ -1,4 +1,4 @@
-"""Quintic curves by arc length that round the corners of a path, made and evaluated in thousands."""
+"""Quintic curves by arc length that round the corners of a path, created and evaluated in bulk."""
 
 from __future__ import annotations
 
@@ -9,21 +9,21 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from contourlab.errors import GeometryError
-from contourlab.geometry.curve import Array, Curve, Index, Together, by_arc_length, clenshaw, rows
+from contourlab.geometry.curve import Array, Curve, CurveBatch, Index, by_arc_length, clenshaw, rows
 
 ACCURACY = 1e-12
-"""Largest error of an arc length, as a part of the blend's length; a blend that misses it is divided."""
+"""Largest error of an arc length, relative to the length of the blend; a less accurate blend is divided."""
 DEPTH = 12
-"""How often a blend may be halved; one that is still too uneven has a cusp."""
-# A blend is inverted on quarters of its parameter, each by a series of its own: short series reach further than a long one.
+"""Most halvings of a blend; one that is still inaccurate has a cusp."""
+# Each quarter of the parameter has its own series: several short series are more accurate than a long one.
 _SPEED_TERMS, _TERMS = 20, 16
 _CHUNK = 1 << 14
 _GAUSS, _GAUSS_WEIGHTS = np.polynomial.legendre.leggauss(20)
 _PROBES = np.array([-0.985, -0.91, -0.57, -0.23, 0.11, 0.42, 0.78, 0.96])
 
 
-def _toclenshaw(n: int) -> tuple[Array, Array]:
-    """Return Chebyshev's extreme points, both ends among them, and the matrix from values there to a Chebyshev series."""
+def _chebyshev(n: int) -> tuple[Array, Array]:
+    """Return the Chebyshev extreme points, ends included, and the matrix from values there to a Chebyshev series."""
     k = np.arange(n)
     angle = np.pi * k / (n - 1)
     matrix = (2.0 / (n - 1)) * np.cos(k[:, None] * angle)
@@ -32,37 +32,37 @@ def _toclenshaw(n: int) -> tuple[Array, Array]:
     return np.cos(angle), matrix
 
 
-_SPEED_NODES, _SPEED_MATRIX = _toclenshaw(_SPEED_TERMS)
-_NODES, _MATRIX = _toclenshaw(_TERMS)
+_SPEED_NODES, _SPEED_MATRIX = _chebyshev(_SPEED_TERMS)
+_NODES, _MATRIX = _chebyshev(_TERMS)
 
 
 def quintic_bezier(points: ArrayLike) -> Array:
     """Return the coefficients (n, 6, n_axis) of powers of u, 0 to 1, of Bezier curves with control points (n, 6, n_axis) [m].
 
-    Written in differences from the first point, so that a small curve far from the origin keeps its digits.
+    Differences from the first point keep the digits of a small curve far from the origin.
     """
-    p = np.asarray(points, dtype=float)
-    found, difference = np.empty_like(p), p
-    for power, factor in enumerate((1.0, 5.0, 10.0, 10.0, 5.0, 1.0)):
-        found[:, power] = factor * difference[:, 0]
+    difference = np.asarray(points, dtype=float)
+    coefficients = np.empty_like(difference)
+    for power in range(6):
+        coefficients[:, power] = math.comb(5, power) * difference[:, 0]
         difference = np.diff(difference, axis=1)
-    return found
+    return coefficients
 
 
 def _powers(c: Array, u: Array, order: int) -> Array:
     """Return quintics with coefficients (6, n_axis, ...) and their derivatives at u (...): (order + 1, n_axis, ...)."""
-    found = [c[0] + u * (c[1] + u * (c[2] + u * (c[3] + u * (c[4] + u * c[5]))))]
+    values = [c[0] + u * (c[1] + u * (c[2] + u * (c[3] + u * (c[4] + u * c[5]))))]
     if order > 0:
-        found.append(c[1] + u * (2.0 * c[2] + u * (3.0 * c[3] + u * (4.0 * c[4] + u * (5.0 * c[5])))))
+        values.append(c[1] + u * (2.0 * c[2] + u * (3.0 * c[3] + u * (4.0 * c[4] + u * (5.0 * c[5])))))
     if order > 1:
-        found.append(2.0 * c[2] + u * (6.0 * c[3] + u * (12.0 * c[4] + u * (20.0 * c[5]))))
+        values.append(2.0 * c[2] + u * (6.0 * c[3] + u * (12.0 * c[4] + u * (20.0 * c[5]))))
     if order > 2:
-        found.append(6.0 * c[3] + u * (24.0 * c[4] + u * (60.0 * c[5])))
-    return np.array(found)
+        values.append(6.0 * c[3] + u * (24.0 * c[4] + u * (60.0 * c[5])))
+    return np.array(values)
 
 
 def shapes(coefficients: Array, u: Array) -> tuple[Array, Array]:
-    """Return how quintics run at parameters, before any of them is made a curve.
+    """Evaluate quintics at parameters, without creating curves.
 
     Parameters
     ----------
@@ -78,13 +78,13 @@ def shapes(coefficients: Array, u: Array) -> tuple[Array, Array]:
     """
     n, m, n_axis = len(coefficients), u.size, coefficients.shape[2]
     raw = _powers(np.moveaxis(coefficients, 0, 2)[..., None], u, 3)  # (4, n_axis, n, m)
-    rows_ = np.moveaxis(raw, 1, 3).reshape(4, n * m, n_axis)
-    speed = np.linalg.norm(rows_[1], axis=1).reshape(n, m)
-    return by_arc_length(rows_, 3).reshape(4, n, m, n_axis), speed
+    derivatives = np.moveaxis(raw, 1, 3).reshape(4, n * m, n_axis)
+    speed = np.linalg.norm(derivatives[1], axis=1).reshape(n, m)
+    return by_arc_length(derivatives, 3).reshape(4, n, m, n_axis), speed
 
 
 def _speeds(c: Array, u: Array) -> Array:
-    """Return |dr/du| (m, n) at the same parameters u (m,), or at u (m, n), of quintics c (6, n_axis, n)."""
+    """Return |dr/du| (m, n) of quintics c (6, n_axis, n) at common parameters u (m,), or at u (m, n)."""
     at = u[:, None] if u.ndim == 1 else u
     square = np.zeros(np.broadcast_shapes(at.shape, c.shape[-1:]))
     for axis in range(c.shape[1]):
@@ -94,10 +94,10 @@ def _speeds(c: Array, u: Array) -> Array:
 
 
 def _measured(c: Array) -> tuple[Array, Array, NDArray[np.bool_]]:
-    """Return the lengths (n,) of quarters c (6, n_axis, n), the series (terms, n) of u over arc length, and which are good.
+    """Return the lengths (n,) of quarters c (6, n_axis, n), the series (terms, n) of u over arc length, and which are accurate.
 
-    The speed is a Chebyshev series of u, integrated term by term to the arc length; Newton steps find the parameters of Chebyshev's points
-    of arc length. The length is checked by a Gauss rule, the inverse at points between.
+    The Chebyshev series of the speed is integrated term by term; Newton steps find the parameters of the Chebyshev points of arc length. A
+    Gauss rule checks the length, points in between the inverse.
     """
     speed = _SPEED_MATRIX @ _speeds(c, 0.5 * (1.0 + _SPEED_NODES))
     # The integral of T_k is T_{k+1}/(2k + 2) - T_{k-1}/(2k - 2); the parameter runs over half the interval of x.
@@ -126,7 +126,7 @@ def _measured(c: Array) -> tuple[Array, Array, NDArray[np.bool_]]:
 
 
 def halves(c: Array) -> Array:
-    """Return both halves of quintics c (n, 6, n_axis), one after the other: (2 n, 6, n_axis)."""
+    """Return the halves of quintics c (n, 6, n_axis), in order: (2 n, 6, n_axis)."""
     scale = 0.5 ** np.arange(6.0)
     # (1 + u)^k in powers of u.
     pascal = np.array([[math.comb(power, i) for power in range(6)] for i in range(6)], dtype=float)
@@ -135,7 +135,7 @@ def halves(c: Array) -> Array:
 
 
 def _inverted(c: Array) -> tuple[Array, Array, NDArray[np.bool_]]:
-    """Return, of quintics c (n, 6, n_axis), the borders of their quarters (n, 5) [m], the series (n, 4, terms), and which are good."""
+    """Return the borders of the quarters (n, 5) [m] of quintics c (n, 6, n_axis), the series (n, 4, terms), and which are accurate."""
     n = len(c)
     quarters = np.moveaxis(halves(halves(c)), 0, 2)
     parts = [_measured(quarters[:, :, i : i + _CHUNK].copy()) for i in range(0, 4 * n, _CHUNK)]
@@ -145,7 +145,7 @@ def _inverted(c: Array) -> tuple[Array, Array, NDArray[np.bool_]]:
 
 
 class Blend(Curve):
-    """A quintic curve r(u) = sum of c_k u^k, u from 0 to 1, by its arc length.
+    """A quintic curve r(u) = sum of c_k u^k, u from 0 to 1, by arc length.
 
     Parameters
     ----------
@@ -155,7 +155,7 @@ class Blend(Curve):
     Raises
     ------
     GeometryError
-        If it has no length, or runs so unevenly that u over arc length is not good to 1e-12: `blends` divides such a one.
+        If it has no length, or so uneven a speed that u over arc length is not accurate to 1e-12; `blends` divides such curves.
 
     Notes
     -----
@@ -166,13 +166,15 @@ class Blend(Curve):
     5.0
     """
 
+    digest_parts = ("blend", "coefficients")
+
     def __init__(self, coefficients: ArrayLike) -> None:
         c = np.array(coefficients, dtype=float)
         if c.ndim != 2 or c.shape[0] != 6 or c.shape[1] < 1 or not np.isfinite(c).all():
             raise GeometryError(f"coefficients of shape {c.shape}: must be finite, (6, n_axis)")
         borders, inverse, good = _inverted(c[None])
         if not good[0]:
-            raise GeometryError("a blend without length, or too uneven for its series: make it with blends(), which divides it")
+            raise GeometryError("a blend without length, or too uneven for its series: use blends(), which divides it")
         self._fill(c, borders[0], inverse[0], float(borders[0, -1]))
 
     def _fill(self, coefficients: Array, borders: Array, inverse: Array, length: float) -> None:
@@ -180,18 +182,16 @@ class Blend(Curve):
         self.n_axis = coefficients.shape[1]
 
     @classmethod
-    def together(cls, curves: Sequence[Blend]) -> Blends:
+    def batch(cls, curves: Sequence[Blend]) -> Blends:
         return Blends(curves)
 
     def derivatives(self, s: ArrayLike, order: int = 3) -> Array:
         along = np.atleast_1d(np.asarray(s, dtype=float))
         return Blends([self]).derivatives(np.zeros(along.size, dtype=np.int64), along, order).transpose(0, 2, 1)
 
-    def describe(self) -> tuple[object, ...]:
-        return ("blend", *self.coefficients.ravel().tolist())
 
 
-class Blends(Together):
+class Blends(CurveBatch):
     """Many blends at once."""
 
     def __init__(self, curves: Sequence[Blend]) -> None:
@@ -212,11 +212,9 @@ class Blends(Together):
 
     def derivatives(self, slot: Index, along: Array, order: int) -> Array:
         if along.size > _CHUNK:
-            found = np.empty((order + 1, self.n_axis, along.size))
             # Parts that stay in the processor's cache.
-            for i in range(0, along.size, _CHUNK):
-                found[:, :, i : i + _CHUNK] = self.derivatives(slot[i : i + _CHUNK], along[i : i + _CHUNK], order)
-            return found
+            parts = [slice(i, i + _CHUNK) for i in range(0, along.size, _CHUNK)]
+            return np.concatenate([self.derivatives(slot[part], along[part], order) for part in parts], axis=2)
         raw = _powers(self.coefficients[:, :, slot], self.parameter(slot, along), max(order, 1))
         return by_arc_length(raw.transpose(0, 2, 1), order).transpose(0, 2, 1)
 
@@ -230,7 +228,7 @@ class Blends(Together):
 
 
 def blends(coefficients: ArrayLike) -> tuple[list[Blend], Index]:
-    """Return blends by arc length of quintic curves, all at once.
+    """Create blends from many quintic curves at once.
 
     Parameters
     ----------
@@ -240,10 +238,9 @@ def blends(coefficients: ArrayLike) -> tuple[list[Blend], Index]:
     Returns
     -------
     list of Blend
-        In order. A curve that is too uneven for its series of u over arc length is halved until each part is good to 1e-12 of its
-        length.
+        In order. A curve too uneven for its series is halved until each part is accurate to 1e-12 of its length.
     ndarray of int
-        To which of the n curves each belongs.
+        Number of the curve that each blend belongs to.
 
     Raises
     ------
@@ -270,10 +267,10 @@ def blends(coefficients: ArrayLike) -> tuple[list[Blend], Index]:
     if not made:
         return [], owner
     owner, begin, c, borders, inverse = (np.concatenate(column) for column in zip(*made, strict=True))
-    found: list[Blend] = []
+    created: list[Blend] = []
     order = np.lexsort([begin, owner])
     for row in zip(c[order], borders[order], inverse[order], borders[order, -1].tolist(), strict=True):
         blend = Blend.__new__(Blend)
         blend._fill(*row)
-        found.append(blend)
-    return found, owner[order]
+        created.append(blend)
+    return created, owner[order]

@@ -1,4 +1,4 @@
-"""The box around a path."""
+"""The bounding box of a path."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ _HALVINGS = 45
 def box(path: Path) -> tuple[Array, Array]:
     """Return the lowest and the highest coordinates of a path (n_axis,), (n_axis,) [m].
 
-    Exact for lines, arcs and helices; on other curves the places where a coordinate turns back are found by halving between samples.
+    Lines, arcs and helices in closed form; extremes of other curves by bisection between samples.
     """
     ends = path.derivatives(path.breaks, 0)[0]
     low, high = ends.min(axis=0), ends.max(axis=0)
@@ -29,9 +29,9 @@ def box(path: Path) -> tuple[Array, Array]:
 
 
 def _arc_extremes(arc: Arc) -> Array:
-    """Return points (n, n_axis) of an arc or helix where a coordinate may be extreme, ends included."""
+    """Return the points (n, n_axis) of an arc or helix where a coordinate may be extreme, ends included."""
     slope = arc.rise / arc.length / (arc.radius * arc.rate)
-    # Along each axis, radius (u cos + v sin) + pitch * angle has its extremes where v cos - u sin = -slope.
+    # Each coordinate, radius (u cos + v sin) + pitch * angle, is extreme where v cos - u sin = -slope.
     size = np.hypot(arc.u, arc.v)
     with np.errstate(divide="ignore", invalid="ignore"):
         lean = np.arccos(np.clip(-slope / size, -1.0, 1.0))
@@ -40,7 +40,7 @@ def _arc_extremes(arc: Arc) -> Array:
     for angle in np.concatenate([base + lean, base - lean])[np.tile(size > 0.0, 2)]:
         turn = 2.0 * np.pi * np.sign(arc.rate)
         first = (angle - arc.start_angle) % turn
-        # A helix repeats; its first and last turns hold the extremes.
+        # The first and last turns of a helix hold the extremes.
         last = first + turn * np.floor((arc.rate * arc.length - first) / turn)
         places += [value / arc.rate for value in (first, last)]
     inside = np.array([s for s in places if 0.0 <= s <= arc.length])
@@ -48,19 +48,17 @@ def _arc_extremes(arc: Arc) -> Array:
 
 
 def _turning_points(curve: Curve) -> Array:
-    """Return points (n, n_axis) of a curve where a coordinate turns back, ends included."""
+    """Return the points (n, n_axis) of a curve where a coordinate is extreme, ends included."""
     samples = np.linspace(0.0, curve.length, _SAMPLES)
     tangent = curve.derivatives(samples, 1)[1]
-    found = [curve.position([0.0, curve.length])]
+    points = [curve.position([0.0, curve.length])]
     for axis in range(curve.n_axis):
         t = tangent[:, axis]
         at = np.flatnonzero(np.sign(t[1:]) != np.sign(t[:-1]))
-        if at.size == 0:
-            continue
         low, high, rising = samples[at], samples[at + 1], t[at + 1] > t[at]
         for _ in range(_HALVINGS):
             middle = 0.5 * (low + high)
             above = (curve.derivatives(middle, 1)[1][:, axis] > 0.0) == rising
             low, high = np.where(above, low, middle), np.where(above, middle, high)
-        found.append(curve.position(0.5 * (low + high)))
-    return np.vstack(found)
+        points.append(curve.position(0.5 * (low + high)))
+    return np.vstack(points)

@@ -1,4 +1,4 @@
-"""Where along a curve its closest point may lie, before it is sought to the last digit."""
+"""Bracket the closest point on a curve, before the iteration to the last digit."""
 
 from __future__ import annotations
 
@@ -12,13 +12,13 @@ from contourlab.geometry.table import PathTable
 Near = Callable[[Index, Array, int], Array]
 Width = Callable[[Index, Array, Array], Array]
 _MOST_CELLS = 1 << 21
-_SLACK = 1e-8  # m: more than the table is off
+_SLACK = 1e-8  # [m] above the error of the table
 
 
 class Bends:
     """Largest curvature of a path between two arc lengths, from its table.
 
-    Row k of `levels` holds the largest of 2^k pieces in a row, so that any range is the larger of two entries.
+    Level k holds the maximum over 2^k successive pieces; any range is covered by two entries.
     """
 
     def __init__(self, table: PathTable) -> None:
@@ -26,26 +26,24 @@ class Bends:
         h = np.diff(table.start)[:, None, None] * np.linspace(0.0, 1.0, 5)[:, None]
         c = np.moveaxis(table.coefficients, 2, 0)[:, :, None, :]
         second = 2.0 * c[2] + h * (6.0 * c[3] + h * (12.0 * c[4] + h * 20.0 * c[5]))
-        self.levels = [np.linalg.norm(second, axis=2).max(axis=1)]
-        while len(self.levels[-1]) > (step := 1 << (len(self.levels) - 1)):
-            self.levels.append(np.maximum(self.levels[-1][:-step], self.levels[-1][step:]))
-        size = len(self.levels[0])
-        self._rows = np.array([np.pad(level, (0, size - len(level))) for level in self.levels])
+        levels = [np.linalg.norm(second, axis=2).max(axis=1)]
+        while len(levels[-1]) > (step := 1 << (len(levels) - 1)):
+            levels.append(np.maximum(levels[-1][:-step], levels[-1][step:]))
+        self._levels = np.array([np.pad(level, (0, len(levels[0]) - len(level))) for level in levels])
 
     def largest(self, low: Array, high: Array) -> Array:
         """Return the largest curvature [1/m] in each range (n,) of arc lengths along the path."""
-        last = len(self.levels[0]) - 1
+        last = self._levels.shape[1] - 1
         i = np.clip(np.searchsorted(self.table.start, low, side="right") - 1, 0, last)
         j = np.clip(np.searchsorted(self.table.start, high, side="left") - 1, i, last)
         k = np.frexp((j - i + 1).astype(float))[1] - 1
-        return np.asarray(np.maximum(self._rows[k, i], self._rows[k, j + 1 - (1 << k)]))
+        return np.asarray(np.maximum(self._levels[k, i], self._levels[k, j + 1 - (1 << k)]))
 
 
 def brackets(points: Array, near: Near, width: Width, low: Array, high: Array, middle: Array) -> tuple[Index, Array, Array, Array]:
-    """Return where the closest point may lie: pair, first guess, and ends of the bracket.
+    """Return brackets of the closest points: pair, first guess, and both ends.
 
-    By arc length, distance changes by no more than the step. So a cell whose ends are d and e away comes nowhere closer than
-    (d + e - step) / 2, and is left out when a sample is closer than that.
+    A cell of width `step` whose ends are d and e away is nowhere closer than (d + e - step) / 2, and is excluded if a sample is closer.
 
     Parameters
     ----------
@@ -54,15 +52,15 @@ def brackets(points: Array, near: Near, width: Width, low: Array, high: Array, m
     near : callable
         (pair, s, order) -> derivatives at local arc lengths.
     width : callable
-        (pair, a, b) -> how wide a cell between a and b may be, to hold one closest point only.
+        (pair, a, b) -> largest width of a cell between a and b with a single closest point.
     low, high : ndarray (n,) [m]
-        The part of the curve to search, as local arc lengths.
+        Local arc lengths to search between.
     middle : ndarray (n,) [m]
-        The progress; among samples of the same distance the one nearest to it is taken.
+        The progress; ties go to the sample nearest to it.
     """
     row = np.arange(low.size)
     enough = width(row, low, high)
-    # Few samples for all: where they do not suffice, only the cells that matter are divided.
+    # Few samples for all; where these do not suffice, only the relevant cells are divided.
     ratio = (high - low) / np.maximum(enough, 1e-12)
     n = int(np.clip(np.ceil(np.median(ratio)), 4, 64)) if row.size else 4
     grid = low[:, None] + (high - low)[:, None] * np.linspace(0.0, 1.0, n + 1)
@@ -87,15 +85,15 @@ def brackets(points: Array, near: Near, width: Width, low: Array, high: Array, m
 
 
 def _refine(points: Array, near: Near, width: Width, pair: Index, a: Array, b: Array, best: Array) -> tuple[Index, Array, Array]:
-    """Divide cells until each holds one closest point at most; return those in which the distance turns from falling to rising."""
+    """Divide cells until each holds at most one closest point; return those with a minimum of the distance."""
     while pair.size and pair.size < _MOST_CELLS:
         split = b - a > width(pair, a, b) * (1.0 + 1e-9)
         if not split.any():
             break
         owner, keep = pair[split], ~split
         ends = a[split, None] + (b - a)[split, None] * np.linspace(0.0, 1.0, 5)
-        each = np.repeat(owner, 5)
-        away = np.sqrt(((near(each, ends.ravel(), 0)[0] - points[each]) ** 2).sum(axis=1)).reshape(-1, 5)
+        owners = np.repeat(owner, 5)
+        away = np.sqrt(((near(owners, ends.ravel(), 0)[0] - points[owners]) ** 2).sum(axis=1)).reshape(-1, 5)
         np.minimum.at(best, owner, away.min(axis=1))
         i, j = np.nonzero(away[:, :-1] + away[:, 1:] - np.diff(ends, axis=1) <= 2.0 * best[owner, None] + _SLACK)
         pair = np.concatenate([pair[keep], owner[i]])

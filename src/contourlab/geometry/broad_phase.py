@@ -1,8 +1,7 @@
-"""Find the curves of a path that may hold the closest point, by distances to their junctions alone.
+"""Find the curves of a path that may hold the closest point, from distances to junctions alone.
 
-Between two joints the path is no longer than its arc length. So a stretch of length L, whose ends are d and e away, comes nowhere closer
-than (d + e - L) / 2, and is left out where a joint is closer than that. Stretches are halved, the better half first, until single curves
-are left: of thousands in a window a few, after some tens of distances.
+A part of the path with length L, whose ends are d and e away, is nowhere closer than (d + e - L) / 2, and is excluded if a junction is
+closer. Parts are halved, the better half first, until single curves remain: a few of thousands, after some tens of distances.
 """
 
 # mypy: disable-error-code="no-untyped-def, no-untyped-call"
@@ -17,33 +16,33 @@ from contourlab.geometry.curve import Array, Index
 from contourlab.geometry.curve_sequence import CurveSequence
 
 _FEW = 4
-"""Curves for each sample, on average, up to which all are candidates."""
+"""Curves per sample, on average, up to which all are candidates."""
 _DEPTH = 128
 _SLACK = 1e-9
-"""Metres by which arc lengths and distances may be off."""
+"""Error of arc lengths and distances [m]."""
 
 
 def curves_in_reach(path: CurveSequence, points: Array, around: Array, window: Array) -> tuple[Index, Index, Array, Array, Array]:
-    """Return pairs of a sample and a curve within its window on which the closest point may lie.
+    """Return pairs of a sample and a curve in its window that may hold the closest point.
 
     Parameters
     ----------
     path : CurveSequence
     points : ndarray (n, n_axis) [m]
     around, window : ndarray (n,) [m]
-        Progress along the path, and how far from it to look.
+        Progress along the path, and largest distance from it.
 
     Returns
     -------
     sample, curve : ndarray (k,)
-        Rising, first by sample.
+        Sorted by sample, then by curve.
     lap : ndarray (k,)
     low, high : ndarray (k,) [m]
-        The part of the curve that lies in the window, as arc lengths along it.
+        Arc lengths along the curve between which it lies in the window.
     """
     first, last = around - window, around + window
     if path.closed:
-        # More than half a lap on either side adds nothing.
+        # Half a lap on either side is the whole path.
         first, last = np.maximum(first, around - 0.5 * path.length), np.minimum(last, around + 0.5 * path.length)
     else:
         first, last = np.clip(first, 0.0, path.length), np.clip(last, 0.0, path.length)
@@ -65,7 +64,7 @@ def curves_in_reach(path: CurveSequence, points: Array, around: Array, window: A
 
 
 def _numbers(path: CurveSequence, s: Array) -> Index:
-    """Return the curve on which each arc length lies, counted on from lap to lap."""
+    """Return the curve of each arc length, counted over laps."""
     m = len(path.curves)
     lap = np.floor(s / path.length) if path.closed else np.zeros(s.size)
     curve = np.searchsorted(path.breaks, s - lap * path.length, side="right") - 1
@@ -73,54 +72,40 @@ def _numbers(path: CurveSequence, s: Array) -> Index:
 
 
 def _searched(path: CurveSequence, points: Array, begin: Index, end: Index) -> tuple[Index, Index]:
-    joints, along = _joints(path)
+    junctions, along = path.junctions
     n, samples, numbers = len(points), [], []
     room, state = 4 * n + 64, np.zeros(2, dtype=np.int64)
     ends, depths = np.empty((_DEPTH, 2), dtype=np.int64), np.empty((_DEPTH, 3))
     points = np.ascontiguousarray(points)
     while state[0] < n:
         before, found, bound = int(state[0]), np.empty((room, 2), dtype=np.int64), np.empty(room)
-        _kernel()(joints, along, int(path.closed), points, begin, end, found, bound, state, ends, depths)
+        _kernel()(junctions, along, int(path.closed), points, begin, end, found, bound, state, ends, depths)
         samples.append(found[: state[1], 0])
         numbers.append(found[: state[1], 1])
-        # One sample may have more curves at the same distance than there is room for.
+        # A sample may have more curves at the same distance than fit.
         room = 2 * room if state[0] == before else room
     return np.concatenate(samples), np.concatenate(numbers)
 
 
-def _joints(path: CurveSequence) -> tuple[Array, Array]:
-    """Return where curves meet (m + 1, n_axis), and how long the path is up to there, gaps of joints included; made once."""
-    held: Any = path.__dict__.get("_reach_joints")
-    if held is None:
-        starts, ends = path.starts[0], path.ends[0]
-        gap = np.linalg.norm(np.roll(starts, -1, axis=0) - ends, axis=1)
-        if not path.closed:
-            gap[-1] = 0.0
-        last = starts[:1] if path.closed else ends[-1:]
-        along = np.concatenate([[0.0], np.cumsum(np.diff(path.breaks) + gap)])
-        held = path.__dict__["_reach_joints"] = (np.ascontiguousarray(np.concatenate([starts, last])), along)
-    return held  # type: ignore[no-any-return]
-
-
 @cache
 def _kernel() -> Any:
-    from contourlab.native.compile import kernel  # the compiler is loaded where a window holds many curves
+    from contourlab.native.compile import kernel  # loads the compiler
 
     return kernel(search, "f8[:,:] f8[:] i8 f8[:,:] i8[:] i8[:] i8[:,:] f8[:] i8[:] i8[:,:] f8[:,:]")
 
 
-def _away(joints, closed, points, i, k):
-    """Return how far a point is from the joint at which curve k begins."""
-    m = joints.shape[0] - 1
+def _away(junctions, closed, points, i, k):
+    """Return the distance of a point from the start of curve k."""
+    m = junctions.shape[0] - 1
     at = k % m if closed else k
     square = 0.0
     for j in range(points.shape[1]):
-        square += (points[i, j] - joints[at, j]) ** 2
+        square += (points[i, j] - junctions[at, j]) ** 2
     return square**0.5
 
 
 def _up_to(along, closed, k):
-    """Return how long the path is up to the joint at which curve k begins, laps included."""
+    """Return the length of the path up to the start of curve k, laps included."""
     m = along.shape[0] - 1
     if closed:
         return (k // m) * along[m] + along[k % m]
@@ -128,12 +113,12 @@ def _up_to(along, closed, k):
 
 
 def _least(along, closed, a, b, from_a, from_b):
-    """Return how close curves a to b - 1 may come to a point, by its distances to their ends."""
+    """Return a lower bound of the distance of curves a to b - 1 from a point, by its distances to their ends."""
     return 0.5 * (from_a + from_b - (_up_to(along, closed, b) - _up_to(along, closed, a)))
 
 
 def _keep(i, found, bound, start, count, best):
-    """Keep of one sample's curves those that may be the nearest, in the order of the path; return how many pairs there are now."""
+    """Keep the curves of a sample that may be the nearest, in the order of the path; return the number of pairs."""
     kept = start
     for k in range(start, count):
         if bound[k] > best:
@@ -147,14 +132,14 @@ def _keep(i, found, bound, start, count, best):
     return kept
 
 
-def search(joints, along, closed, points, begin, end, found, bound, state, ends, depths):
-    """Write pairs of sample and curve into `found` from sample state[0] on, until it is full; state: the next sample, pairs written."""
+def search(junctions, along, closed, points, begin, end, found, bound, state, ends, depths):
+    """Fill `found` with pairs of sample and curve, from sample state[0] on; set `state` to the next sample and the number of pairs."""
     count, i = 0, state[0]
     while i < points.shape[0]:
         start, best, top = count, np.inf, 1
         ends[0, 0], ends[0, 1] = begin[i], end[i] + 1
-        depths[0, 0] = _away(joints, closed, points, i, begin[i])
-        depths[0, 1] = _away(joints, closed, points, i, end[i] + 1)
+        depths[0, 0] = _away(junctions, closed, points, i, begin[i])
+        depths[0, 1] = _away(junctions, closed, points, i, end[i] + 1)
         depths[0, 2] = _least(along, closed, begin[i], end[i] + 1, depths[0, 0], depths[0, 1])
         while top:
             top -= 1
@@ -170,8 +155,8 @@ def search(joints, along, closed, points, begin, end, found, bound, state, ends,
                 count += 1
                 continue
             middle = (a + b) // 2
-            away = _away(joints, closed, points, i, middle)
-            # A joint inside the window is a place on the path: the closest point is no further away.
+            away = _away(junctions, closed, points, i, middle)
+            # A junction in the window lies on the path: the closest point is not further away.
             best = min(best, away + _SLACK)
             left = _least(along, closed, a, middle, from_a, away)
             right = _least(along, closed, middle, b, away, from_b)

@@ -12,8 +12,14 @@ from contourlab.geometry.curve import Array, positive, vector
 from contourlab.geometry.parametric import Parametric
 
 
+def _quarter_turns(u: Array) -> list[tuple[Array, Array]]:
+    """Return (cos u, sin u) and its three derivatives."""
+    c, s = np.cos(u), np.sin(u)
+    return [(c, s), (-s, c), (-c, -s), (s, -c)]
+
+
 class Ellipse(Parametric):
-    """x = a cos u, y = b sin u, once round, counter-clockwise from (a, 0).
+    """x = a cos u, y = b sin u: one turn, counter-clockwise from (a, 0).
 
     Parameters
     ----------
@@ -21,6 +27,7 @@ class Ellipse(Parametric):
         Semi-axes.
     """
 
+    digest_parts = ("ellipse", "a", "b")
     n_axis = 2
     n_joint = 9
 
@@ -30,12 +37,8 @@ class Ellipse(Parametric):
         self.measure()
 
     def raw(self, u: Array, order: int) -> Array:
-        c, s = np.cos(u), np.sin(u)
-        turns = [(c, s), (-s, c), (-c, -s), (s, -c)]
-        return np.array([np.column_stack([self.a * x, self.b * y]) for x, y in turns[: order + 1]])
+        return np.array([np.column_stack([self.a * x, self.b * y]) for x, y in _quarter_turns(u)[: order + 1]])
 
-    def describe(self) -> tuple[object, ...]:
-        return ("ellipse", self.a, self.b)
 
 
 class EllipticalArc(Parametric):
@@ -45,18 +48,20 @@ class EllipticalArc(Parametric):
     ----------
     centre : array_like (n_axis,) [m]
     p, q : array_like (n_axis,) [m]
-        Two conjugate half-diameters; at right angles to each other they are the semi-axes.
+        Two conjugate half-diameters; the semi-axes if they are at right angles.
     start, end : float [rad]
-        The parameter t, from start up to end; a full ellipse by default.
+        Range of t; a full ellipse by default.
 
     Raises
     ------
     GeometryError
-        If p and q lie on one line, the parameter does not rise, or a number is not finite.
+        If p and q are parallel, the parameter does not rise, or a number is not finite.
 
     >>> round(EllipticalArc((0, 0), (2, 0), (0, 2), 0.0, math.pi).length, 6)
     6.283185
     """
+
+    digest_parts = ("elliptical-arc", "first", "last", "centre", "p", "q")
 
     def __init__(self, centre: ArrayLike, p: ArrayLike, q: ArrayLike, start: float = 0.0, end: float = 2.0 * math.pi) -> None:
         self.centre, self.p, self.q = vector(centre, "centre"), vector(p, "p"), vector(q, "q")
@@ -64,7 +69,7 @@ class EllipticalArc(Parametric):
         if n < 2 or self.p.size != n or self.q.size != n:
             raise GeometryError(f"centre, p and q have {n}, {self.p.size} and {self.q.size} coordinates: two or more, the same for all")
         size = np.linalg.norm([self.p, self.q], axis=1)
-        # The area of the parallelogram; a thinner needle is indistinguishable from a line run to and fro.
+        # The area of the parallelogram; a thinner ellipse cannot be distinguished from a line.
         area = math.sqrt(max(0.0, float((size[0] * size[1]) ** 2 - (self.p @ self.q) ** 2)))
         if not area > 1e-7 * float(size.max()) ** 2:
             raise GeometryError(f"an ellipse with the half-diameters {self.p.tolist()} and {self.q.tolist()} has no width")
@@ -77,16 +82,14 @@ class EllipticalArc(Parametric):
     def raw(self, u: Array, order: int) -> Array:
         c, s = np.cos(u)[:, None], np.sin(u)[:, None]
         spoke, swing = c * self.p + s * self.q, c * self.q - s * self.p
-        found = np.array([spoke, swing, -spoke, -swing][: order + 1])
-        found[0] += self.centre
-        return found
+        result = np.array([spoke, swing, -spoke, -swing][: order + 1])
+        result[0] += self.centre
+        return result
 
-    def describe(self) -> tuple[object, ...]:
-        return ("elliptical-arc", self.first, self.last, *(x for v in (self.centre, self.p, self.q) for x in v.tolist()))
 
 
 class Lemniscate(Parametric):
-    """x = a sin u, y = a sin u cos u: a figure of eight that crosses itself at the origin, where it starts.
+    """x = a sin u, y = a sin u cos u: a figure of eight that starts and crosses itself at the origin.
 
     Parameters
     ----------
@@ -94,6 +97,7 @@ class Lemniscate(Parametric):
         Half its width.
     """
 
+    digest_parts = ("lemniscate", "a")
     n_axis = 2
     n_joint = 9
 
@@ -107,34 +111,34 @@ class Lemniscate(Parametric):
         rows = [(s, 0.5 * s2), (c, c2), (-s, -2.0 * s2), (-c, -4.0 * c2)]
         return np.array([self.a * np.column_stack(row) for row in rows[: order + 1]])
 
-    def describe(self) -> tuple[object, ...]:
-        return ("lemniscate", self.a)
 
 
 class Lissajous(Parametric):
-    """A sine in each axis, x_j = A sin((k + j) u + j phase), j = 0, 1, ...: once round, in any number of axes.
+    """A sine in each axis, x_j = A sin((k + j) u + j phase), j = 0, 1, ...: one period, in any number of axes.
 
-    All axes stand still at once, and the curve has a cusp, only if k phase is a quarter turn, or half a turn more or less than that.
+    All axes rest at once, in a cusp, only if k phase is 90 degrees or differs from it by a multiple of 180 degrees.
 
     Parameters
     ----------
     axes : int, 2 to 9
     amplitude : float [m], > 0
-        Of each axis, A.
+        A, of each axis.
     lowest : int, 1 to 20
-        How often the first axis goes to and fro in a lap, k; each further axis does so once more than the one before.
+        k: periods of the first axis in a lap; each further axis has one more.
     phase : float [rad]
         Between one axis and the next.
 
     Raises
     ------
     GeometryError
-        If a number is out of range, or the phase comes within six degrees of one that makes a cusp.
+        If a number is out of range, or the phase is within six degrees of a cusp.
 
-    References
-    ----------
-    Any text on vibrations; as contours of two axes Lissajous figures are usual, in more axes the form is ours.
+    Notes
+    -----
+    Two axes give the usual Lissajous figure; the form for more axes is our own.
     """
+
+    digest_parts = ("lissajous", "n_axis", "amplitude", "lowest", "phase")
 
     def __init__(self, axes: float, amplitude: float, lowest: float, phase: float) -> None:
         for name, value, low, high in (("axes", axes, 2, 9), ("lowest", lowest, 1, 20)):
@@ -146,8 +150,8 @@ class Lissajous(Parametric):
             raise GeometryError(f"phase = {phase!r} rad: must be finite")
         if abs(math.cos(self.lowest * self.phase)) < 0.1:
             raise GeometryError(
-                f"phase = {phase!r} rad: with lowest = {self.lowest} all axes turn at once and the figure has a cusp; "
-                "lowest times phase must stay clear of 90 and of 270 degrees by six degrees"
+                f"phase = {phase!r} rad: with lowest = {self.lowest} all axes reverse at once, in a cusp; "
+                "keep lowest times phase six degrees away from 90 and 270 degrees"
             )
         self._turns = float(self.lowest) + np.arange(self.n_axis)
         self.n_joint = 4 * int(self._turns[-1]) + 1
@@ -159,8 +163,6 @@ class Lissajous(Parametric):
         s, c = self.amplitude * np.sin(angle), self.amplitude * np.cos(angle)
         return np.array([s, k * c, -(k**2) * s, -(k**3) * c][: order + 1])
 
-    def describe(self) -> tuple[object, ...]:
-        return ("lissajous", self.n_axis, self.amplitude, self.lowest, self.phase)
 
 
 class Star(Parametric):
@@ -173,6 +175,7 @@ class Star(Parametric):
     depth : float, 0 to 1 exclusive
     """
 
+    digest_parts = ("star", "radius", "lobes", "depth")
     n_axis = 2
 
     def __init__(self, radius: float, lobes: float, depth: float) -> None:
@@ -190,29 +193,24 @@ class Star(Parametric):
         n, k = self.lobes, self.depth
         c, s = np.cos(n * u), np.sin(n * u)
         rho = self.radius * np.array([1.0 + k * c, -k * n * s, -k * n**2 * c, k * n**3 * s])
-        turn = [(np.cos(u), np.sin(u)), (-np.sin(u), np.cos(u)), (-np.cos(u), -np.sin(u)), (np.sin(u), -np.cos(u))]
-        binomial = [[1.0], [1.0, 1.0], [1.0, 2.0, 1.0], [1.0, 3.0, 3.0, 1.0]]
-        rows = []
-        for m in range(order + 1):
-            # Leibniz: the m-th derivative of rho times (cos, sin).
-            rows.append(sum(binomial[m][j] * rho[m - j][:, None] * np.column_stack(turn[j]) for j in range(m + 1)))
-        return np.array(rows)
+        turn = [np.column_stack(pair) for pair in _quarter_turns(u)]
+        # Leibniz: the m-th derivative of rho times (cos, sin).
+        return np.array([sum(math.comb(m, j) * rho[m - j][:, None] * turn[j] for j in range(m + 1)) for m in range(order + 1)])
 
-    def describe(self) -> tuple[object, ...]:
-        return ("star", self.radius, self.lobes, self.depth)
 
 
 class Spiral(Parametric):
-    """Archimedean spiral around the origin: r = inner + pitch t / 2 pi at angle t, from 0 outwards, counter-clockwise.
+    """Archimedean spiral around the origin, outwards and counter-clockwise: r = inner + pitch t / 2 pi at the angle t.
 
     Parameters
     ----------
     inner_radius : float [m], >= 0
     pitch : float [m], > 0
-        How far the radius grows in a turn.
+        Growth of the radius per turn.
     turns : float, > 0, at most 1000
     """
 
+    digest_parts = ("spiral", "inner_radius", "pitch", "turns")
     n_axis = 2
 
     def __init__(self, inner_radius: float, pitch: float, turns: float) -> None:
@@ -238,5 +236,3 @@ class Spiral(Parametric):
         )
         return np.array(rows[: order + 1])
 
-    def describe(self) -> tuple[object, ...]:
-        return ("spiral", self.inner_radius, self.pitch, self.turns)

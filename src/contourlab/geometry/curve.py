@@ -1,10 +1,10 @@
-"""The interface of curves: smooth maps from arc length to position."""
+"""The interface of curves: smooth functions of arc length."""
 
 from __future__ import annotations
 
 from abc import ABC, abstractmethod
 from collections.abc import Sequence
-from typing import Any
+from typing import Any, ClassVar
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -16,17 +16,20 @@ Index = NDArray[np.int64]
 
 
 class Curve(ABC):
-    """A smooth curve by its arc length, from 0 to `length`.
+    """A smooth curve as a function of its arc length, from 0 to `length`.
 
     Attributes
     ----------
     n_axis : int
         Number of coordinates.
     length : float [m], > 0
+    digest_parts : tuple of str
+        Name of the kind, and the attributes that define the curve.
     """
 
     n_axis: int
     length: float
+    digest_parts: ClassVar[tuple[str, ...]]
 
     @abstractmethod
     def derivatives(self, s: ArrayLike, order: int = 3) -> Array:
@@ -45,26 +48,27 @@ class Curve(ABC):
         """
 
     @classmethod
-    def together(cls, curves: Sequence[Any]) -> Together:
-        """Return an evaluator of many curves of this kind at once; kinds that come in thousands have their own."""
-        return Together(curves)
+    def batch(cls, curves: Sequence[Any]) -> CurveBatch:
+        """Return an evaluator for many curves of this kind; frequent kinds have a faster one."""
+        return CurveBatch(curves)
 
-    @abstractmethod
     def describe(self) -> tuple[object, ...]:
-        """Return all numbers that define the curve, for its digest."""
+        """Return the kind and all numbers that define the curve, for its digest."""
+        kind, *attributes = self.digest_parts
+        return (kind, *(number for name in attributes for number in np.ravel(getattr(self, name)).tolist()))
 
     def position(self, s: ArrayLike) -> Array:
         """Return positions (n, n_axis) [m]."""
         return np.asarray(self.derivatives(s, 0)[0])
 
     def smallest_radius(self) -> float:
-        """Return an estimate of the smallest curvature radius [m], from samples; infinite for a line."""
+        """Return an estimate of the smallest radius of curvature [m], from samples; inf for a line."""
         bend = np.linalg.norm(self.derivatives(np.linspace(0.0, self.length, 257), 2)[2], axis=1).max()
         return float(1.0 / bend) if bend > 0.0 else float("inf")
 
 
-class Together:
-    """Many curves of one kind, evaluated at once. This one evaluates curve by curve; kinds with arrays of their own are faster.
+class CurveBatch:
+    """Many curves of one kind, evaluated at once; this class evaluates curve by curve, subclasses whole arrays.
 
     Parameters
     ----------
@@ -74,9 +78,9 @@ class Together:
     Attributes
     ----------
     sixth : ndarray (n_curve,) [1/m^5] or None
-        A proven bound of the sixth derivative by arc length along each curve; None where none is known.
+        Bound of the sixth derivative by arc length of each curve; None if unknown.
     direct : ndarray (n_curve,) of bool
-        Which of the curves know their closest point in closed form.
+        Which curves have a closed form of their closest point.
     """
 
     sixth: Array | None = None
@@ -93,45 +97,42 @@ class Together:
         Parameters
         ----------
         slot : ndarray (n,) of int
-            Which of the curves.
+            Number of the curve.
         along : ndarray (n,) [m]
-            Where on it.
+            Arc length on it.
         order : int, 0 to 3
         """
-        found = np.empty((order + 1, self.n_axis, along.size))
-        # Sorted once, so that the cost is that of the samples and not of samples times curves.
+        result = np.empty((order + 1, self.n_axis, along.size))
+        # Sort once: the cost is linear in the samples, not in samples times curves.
         ranked = np.argsort(slot, kind="stable")
         begins = np.flatnonzero(np.append(True, np.diff(slot[ranked]) > 0)) if slot.size else np.zeros(0, dtype=np.int64)
         for chosen in np.split(ranked, begins[1:]) if slot.size else ():
-            found[:, :, chosen] = self.curves[int(slot[chosen[0]])].derivatives(along[chosen], order).transpose(0, 2, 1)
-        return found
+            result[:, :, chosen] = self.curves[int(slot[chosen[0]])].derivatives(along[chosen], order).transpose(0, 2, 1)
+        return result
 
     def closest(self, slot: Index, points: Array, low: Array, high: Array, middle: Array) -> Array:
-        """Return the arc lengths (n,) between `low` and `high` closest to points (n, n_axis), of curves that are `direct`.
-
-        Of several, the one nearest to `middle` (n,).
-        """
+        """Return the arc lengths (n,) between `low` and `high` closest to points (n, n_axis), on `direct` curves; ties go to `middle`."""
         raise NotImplementedError
 
     def marks(self) -> tuple[Array, Index]:
-        """Return the arc lengths at which a table must cut each curve, ends included, curve after curve; and how many each has."""
+        """Return the arc lengths at which a table must cut the curves, ends included, and the number of these for each curve."""
         if not hasattr(self.curves[0], "marks"):
             return np.column_stack([np.zeros_like(self.length), self.length]).ravel(), np.full(self.length.size, 2)
         marks = [curve.marks for curve in self.curves]
         return np.concatenate(marks), np.array([len(of_curve) for of_curve in marks])
 
     def smallest_radii(self) -> Array:
-        """Return the smallest curvature radius (n_curve,) [m] of each curve."""
+        """Return the smallest radius of curvature (n_curve,) [m] of each curve."""
         return np.array([curve.smallest_radius() for curve in self.curves])
 
 
 def rows(curves: Sequence[Any], name: str) -> Array:
-    """Return a vector of each curve as (n_axis, n_curve): each coordinate one contiguous row, so that evaluation is plain passes."""
+    """Return a vector attribute of each curve as (n_axis, n_curve), each coordinate a contiguous row."""
     return np.ascontiguousarray(np.concatenate([getattr(curve, name) for curve in curves]).reshape(len(curves), -1).T)
 
 
 def of_each(values: Array, slot: Index) -> Array:
-    """Return numbers (..., n_curve) of the curves in `slot`; those of a single curve are broadcast, not gathered: circles are frequent."""
+    """Return values (..., n_curve) of the curves in `slot`; those of a single curve, such as a circle, are broadcast, which is faster."""
     return values if values.shape[-1] == 1 else values[..., slot]
 
 
@@ -144,16 +145,16 @@ def vector(values: ArrayLike, name: str) -> Array:
         If it is not.
     """
     try:
-        found = np.array(values, dtype=float)
+        coordinates = np.array(values, dtype=float)
     except (TypeError, ValueError):
-        found = np.empty(0)
-    if found.ndim != 1 or found.size < 1 or not np.isfinite(found).all():
+        coordinates = np.empty(0)
+    if coordinates.ndim != 1 or coordinates.size < 1 or not np.isfinite(coordinates).all():
         raise GeometryError(f"{name} = {values!r}: must be a vector of finite coordinates")
-    return found
+    return coordinates
 
 
 def by_arc_length(raw: Array, order: int) -> Array:
-    """Turn derivatives by any parameter into derivatives by arc length, by the chain rule.
+    """Convert derivatives by any parameter to derivatives by arc length, by the chain rule.
 
     Parameters
     ----------
@@ -161,29 +162,29 @@ def by_arc_length(raw: Array, order: int) -> Array:
         r and its derivatives by the parameter u.
     order : int, 0 to 3
     """
-    found = np.empty_like(raw[: order + 1])
-    found[0] = raw[0]
+    by_length = np.empty_like(raw[: order + 1])
+    by_length[0] = raw[0]
     if order == 0:
-        return found
+        return by_length
     first = raw[1]
     square = np.einsum("ij,ij->i", first, first)
     p = (1.0 / np.sqrt(square))[:, None]  # du/ds
-    found[1] = first * p
+    by_length[1] = first * p
     if order == 1:
-        return found
+        return by_length
     along = np.einsum("ij,ij->i", first, raw[2])
     q = (-along / square**2)[:, None]  # d2u/ds2
-    found[2] = raw[2] * p**2 + first * q
+    by_length[2] = raw[2] * p**2 + first * q
     if order == 2:
-        return found
+        return by_length
     change = np.einsum("ij,ij->i", raw[2], raw[2]) + np.einsum("ij,ij->i", first, raw[3])
     w = ((4.0 * along**2 / square**3 - change / square**2)[:, None]) * p  # d3u/ds3
-    found[3] = raw[3] * p**3 + 3.0 * raw[2] * p * q + first * w
-    return found
+    by_length[3] = raw[3] * p**3 + 3.0 * raw[2] * p * q + first * w
+    return by_length
 
 
 def clenshaw(c: Array, x: Array) -> Array:
-    """Return Chebyshev series with coefficients c (terms, ...) at x, by Clenshaw's recursion; c[k] and x broadcast."""
+    """Evaluate Chebyshev series with coefficients c (terms, ...) at x by Clenshaw's recursion; c[k] and x broadcast."""
     b1, b2 = np.zeros(np.broadcast_shapes(x.shape, c.shape[1:])), np.zeros(1)
     twice = 2.0 * x
     for row in c[:0:-1]:
@@ -192,18 +193,12 @@ def clenshaw(c: Array, x: Array) -> Array:
 
 
 def angle_between(a: Array, b: Array) -> Array:
-    """Return the angles (n,) [rad] between unit vectors (n, n_axis), exact for small and for large ones."""
+    """Return the angles (n,) [rad] between unit vectors (n, n_axis), accurate for small and large angles."""
     return np.asarray(2.0 * np.arctan2(np.linalg.norm(b - a, axis=1), np.linalg.norm(a + b, axis=1)))
 
 
 def positive(**values: float) -> None:
-    """Refuse values that are not finite and > 0.
-
-    Raises
-    ------
-    GeometryError
-        Names the value.
-    """
+    """Raise a GeometryError for the first value that is not finite and > 0."""
     for name, value in values.items():
         if not 0.0 < value < float("inf"):
             raise GeometryError(f"{name} = {value!r}: must be > 0 and finite")

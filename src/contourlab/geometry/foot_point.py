@@ -1,8 +1,8 @@
-"""The exact foot point, for the judge: the closest point of a path, searched afresh for each sample.
+"""The exact foot point: the closest point of a path, searched independently for each sample.
 
-Within a window around each sample's progress along the path, every curve in reach gives its closest point: lines and flat arcs in
-closed form, other curves by samples and a Newton iteration held in its bracket. The nearest wins; among equals the one nearest to the
-progress, which keeps to the right branch where the path crosses itself.
+In a window around the progress of a sample, each curve in reach gives its closest point: lines and flat arcs in closed form, other curves
+by sampling and a bracketed Newton iteration. The nearest is used; ties go to the one nearest to the progress, which selects the right
+branch where the path crosses itself.
 """
 
 from __future__ import annotations
@@ -26,7 +26,7 @@ class FootPoint(NamedTuple):
     """Closest points of a path.
 
     arc_length : ndarray (n,) [m]
-        In the lap of the progress that was given.
+        In the lap of the given progress.
     position : ndarray (n, n_axis) [m]
     distance : ndarray (n,) [m]
     signed : ndarray (n,) [m]
@@ -49,12 +49,12 @@ def foot_point(path: CurveSequence, points: ArrayLike, around: ArrayLike, window
     around : array_like (n,) [m]
         Progress along the path; on a closed path it may count laps.
     window : float or array_like (n,) [m], > 0
-        How far from the progress to look, for all or for each.
+        Largest distance of the foot point from the progress.
 
     Returns
     -------
     FootPoint
-        Arc lengths good to 1e-12 of the path's length.
+        Arc lengths accurate to 1e-12 of the path's length.
 
     Raises
     ------
@@ -70,24 +70,21 @@ def foot_point(path: CurveSequence, points: ArrayLike, around: ArrayLike, window
     reach = np.broadcast_to(reach, s.shape)
     if not (np.isfinite(p).all() and np.isfinite(s).all()):
         raise GeometryError("points and progress must be finite")
-    parts = [_chunk(path, p[i : i + _CHUNK], s[i : i + _CHUNK], reach[i : i + _CHUNK]) for i in range(0, s.size, _CHUNK)]
-    return FootPoint(*(np.concatenate(columns) for columns in zip(*parts, strict=True))) if parts else _nothing(path)
-
-
-def _nothing(path: CurveSequence) -> FootPoint:
-    return FootPoint(np.zeros(0), np.zeros((0, path.n_axis)), np.zeros(0), np.zeros(0))
+    starts = range(0, max(s.size, 1), _CHUNK)
+    parts = [_chunk(path, p[i : i + _CHUNK], s[i : i + _CHUNK], reach[i : i + _CHUNK]) for i in starts]
+    return FootPoint(*(np.concatenate(columns) for columns in zip(*parts, strict=True)))
 
 
 def _chunk(path: CurveSequence, points: Array, around: Array, window: Array) -> FootPoint:
     sample, curve, lap, low, high = curves_in_reach(path, points, around, window)
     local = np.empty(sample.size)
     middle = np.clip(around[sample] - lap * path.length - path.breaks[curve], low, high)
-    searched = []
-    for each, on, slot in path.kind_of(curve):
-        direct = each.direct[slot]
+    searched = [np.zeros(0, dtype=np.int64)]
+    for batch, on, slot in path.kind_of(curve):
+        direct = batch.direct[slot]
         if direct.any():
             here, at = on[direct], slot[direct]
-            local[here] = each.closest(at, points[sample[here]], low[here], high[here], middle[here])
+            local[here] = batch.closest(at, points[sample[here]], low[here], high[here], middle[here])
         searched.append(on[~direct])
     on = np.concatenate(searched)
     if on.size:
@@ -100,13 +97,13 @@ def _chunk(path: CurveSequence, points: Array, around: Array, window: Array) -> 
 
 
 def _on_curves(path: CurveSequence, points: Array, curve: Index, low: Array, high: Array, middle: Array) -> Array:
-    """Brackets that may hold the closest point, then Newton on r'.(r - p) with bisection as a guard.
+    """Return closest points: find brackets, then apply Newton's method to r'.(r - p), with bisection as a safeguard.
 
-    All but the last steps are taken on the path's table, which is far cheaper than a spline by arc length and differs by a nanometre.
+    All but the last steps use the table of the path, which is much cheaper than a spline by arc length and differs by a nanometre.
     """
     offset = path.breaks[curve]
     table, bends = _near(path)
-    # At a joint the table already has the direction of the curve that begins there.
+    # At a junction the table has the direction of the curve that starts there.
     last = path.breaks[curve + 1] * (1.0 - 1e-15)
 
     def near(pair: Index, s: Array, order: int) -> Array:
@@ -119,14 +116,14 @@ def _on_curves(path: CurveSequence, points: Array, curve: Index, low: Array, hig
 
     def width(pair: Index, a: Array, b: Array) -> Array:
         start = offset[pair]
-        bend = bends.largest(a + start, b + start) if bends is not None else 1.0 / _radii(path)[curve[pair]]
+        bend = bends.largest(a + start, b + start) if bends is not None else 1.0 / path.smallest_radii[curve[pair]]
         return 0.35 / np.maximum(bend, 1e-300)
 
     pair, s, a, b = brackets(points, near, width, low, high, middle)
     s = _newton(points, near, pair, s, a, b, 60, 1e-12 * path.length)
     reach = 1e-7 * path.length
     fine = _newton(points, exact, pair, s, np.maximum(s - reach, low[pair]), np.minimum(s + reach, high[pair]), 3, 1e-15 * path.length)
-    # Far from the path, near its centre of curvature, a nanometre in the table moves the foot by more.
+    # Near a centre of curvature, a nanometre in the table moves the foot further.
     off = np.flatnonzero(np.abs(fine - s) > 0.5 * reach)
     if off.size:
         fine[off] = _newton(points, exact, pair[off], s[off], a[off], b[off], 60, 1e-15 * path.length)
@@ -137,7 +134,7 @@ def _on_curves(path: CurveSequence, points: Array, curve: Index, low: Array, hig
 
 
 def _newton(points: Array, at: Any, pair: Index, s: Array, a: Array, b: Array, most: int, enough: float) -> Array:
-    """Improve foot points on their curves, each within its bracket."""
+    """Refine foot points on their curves, each within its bracket."""
     target = points[pair]
     for _ in range(most):
         r, first, second = at(pair, s, 2)
@@ -155,37 +152,27 @@ def _newton(points: Array, at: Any, pair: Index, s: Array, a: Array, b: Array, m
 
 
 def _near(path: CurveSequence) -> tuple[PathTable | None, Bends | None]:
-    """Return the path's table where it has curves without a closed form by arc length, and its curvatures; made once."""
-    if all(each.sixth is not None for each, _ in path.kinds):
+    """Return the table of the path and its curvatures, cached on the path; None if all curves have a closed form by arc length."""
+    if all(batch.sixth is not None for batch, _ in path.kinds):
         return None, None
-    held: Any = path.__dict__.get("_near")
-    if held is None:
+    cached: Any = path.__dict__.get("_near")
+    if cached is None:
         table = path_table(path, 1e-9 * min(path.length, 1.0))
-        held = path.__dict__["_near"] = (table, Bends(table))
-    return held  # type: ignore[no-any-return]
-
-
-def _radii(path: CurveSequence) -> Array:
-    """Return the smallest radius of each curve; made once."""
-    held: Any = path.__dict__.get("_radii")
-    if held is None:
-        held = path.__dict__["_radii"] = np.empty(len(path.curves))
-        for each, numbers in path.kinds:
-            held[numbers] = each.smallest_radii()
-    return np.asarray(held)
+        cached = path.__dict__["_near"] = (table, Bends(table))
+    return cached  # type: ignore[no-any-return]
 
 
 def _nearest(sample: Index, square: Array, away: Array, n: int) -> Index:
-    """Return, for each sample, its pair of least distance; ties (to a part in 1e12) go to the one least away."""
+    """Return the pair of least distance for each sample; ties (within 1e-12) go to the least `away`."""
     least = np.full(n, np.inf)
     np.minimum.at(least, sample, square)
     tied = square <= least[sample] * (1.0 + 1e-12) + 1e-30
     nearest = np.full(n, np.inf)
     np.minimum.at(nearest, sample[tied], away[tied])
     winner = np.flatnonzero(tied & (away <= nearest[sample]))
-    found = np.empty(n, dtype=np.int64)
-    found[sample[winner][::-1]] = winner[::-1]
-    return found
+    pair = np.empty(n, dtype=np.int64)
+    pair[sample[winner][::-1]] = winner[::-1]
+    return pair
 
 
 def _result(path: CurveSequence, points: Array, progress: Array, curve: Index, local: Array, feet: Array, distance: Array) -> FootPoint:

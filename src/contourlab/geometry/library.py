@@ -20,7 +20,7 @@ from contourlab.geometry.path import Path
 
 
 def circle(radius: float = 0.02, start_angle: float = 0.0, clockwise: float = 0.0) -> Path:
-    """Circle around the origin; `clockwise` 1 turns its sense. The papers use 20 mm and 25 mm."""
+    """Circle around the origin; `clockwise` 1 reverses it. The papers use 20 mm and 25 mm."""
     positive(radius=radius)
     return Path([Arc((0.0, 0.0), radius, start_angle, -2.0 * math.pi if clockwise else 2.0 * math.pi)], closed=True)
 
@@ -39,8 +39,7 @@ def diamond(side: float = 0.04) -> Path:
     """Square on its corner around the origin: four lines at 45 degrees, four corners."""
     positive(side=side)
     h = side / math.sqrt(2.0)
-    corners = [(h, 0.0), (0.0, h), (-h, 0.0), (0.0, -h), (h, 0.0)]
-    return Path([Line(a, b) for a, b in pairwise(corners)], closed=True)
+    return _closed_polygon([(h, 0.0), (0.0, h), (-h, 0.0), (0.0, -h)])
 
 
 def star(radius: float = 0.03, lobes: float = 5, depth: float = 0.3) -> Path:
@@ -49,7 +48,7 @@ def star(radius: float = 0.03, lobes: float = 5, depth: float = 0.3) -> Path:
 
 
 def butterfly(scale: float = 1.0) -> Path:
-    """The butterfly NURBS of the literature, Hu et al. 2023, doi 10.1007/s00170-023-12427-5; 383 mm long at scale 1."""
+    """Butterfly NURBS of Hu et al. 2023, doi 10.1007/s00170-023-12427-5; 383 mm long at scale 1."""
     positive(scale=scale)
     points = 1e-3 * scale * np.array(butterfly_data.POINTS)
     return Path([Nurbs(butterfly_data.DEGREE, points, butterfly_data.KNOTS, butterfly_data.WEIGHTS)], closed=True)
@@ -59,15 +58,11 @@ def line_line_circle(scale: float = 1.0) -> Path:
     """Two lines and a full circle: (0, 0), (40, 30), (60, 30) mm, then counter-clockwise around (90, 30); UBC course MECH 467."""
     positive(scale=scale)
     m = 1e-3 * scale
-    curves = [
-        Line((0.0, 0.0), (40 * m, 30 * m)),
-        Line((40 * m, 30 * m), (60 * m, 30 * m)),
-        Arc((90 * m, 30 * m), 30 * m, math.pi, 2.0 * math.pi),
-    ]
-    return Path(curves)
+    a, b = (40 * m, 30 * m), (60 * m, 30 * m)
+    return Path([Line((0.0, 0.0), a), Line(a, b), Arc((90 * m, 30 * m), 30 * m, math.pi, 2.0 * math.pi)])
 
 
-def _round_of(corners: list[tuple[float, float]]) -> Path:
+def _closed_polygon(corners: list[tuple[float, float]]) -> Path:
     return Path([Line(a, b) for a, b in pairwise([*corners, corners[0]])], closed=True)
 
 
@@ -75,7 +70,7 @@ def square(side: float = 0.04) -> Path:
     """Square around the origin, sides along the axes, counter-clockwise from its lower left corner: four lines, four corners."""
     positive(side=side)
     h = 0.5 * side
-    return _round_of([(-h, -h), (h, -h), (h, h), (-h, h)])
+    return _closed_polygon([(-h, -h), (h, -h), (h, h), (-h, h)])
 
 
 def rectangle(width: float = 0.06, height: float = 0.04, corner_radius: float = 0.0) -> Path:
@@ -83,11 +78,11 @@ def rectangle(width: float = 0.06, height: float = 0.04, corner_radius: float = 
     positive(width=width, height=height)
     if not 0.0 <= corner_radius < 0.5 * min(width, height):
         raise GeometryError(
-            f"corner_radius = {corner_radius!r} m: must be >= 0 and below half of the shorter side; a racetrack has round ends"
+            f"corner_radius = {corner_radius!r} m: must be >= 0 and below half of the shorter side; use a racetrack for round ends"
         )
     w, h, r = 0.5 * width, 0.5 * height, corner_radius
     if r == 0.0:
-        return _round_of([(-w, -h), (w, -h), (w, h), (-w, h)])
+        return _closed_polygon([(-w, -h), (w, -h), (w, h), (-w, h)])
     curves: list[Curve] = []
     start = (-w + r, -h)
     for k, (sx, sy) in enumerate([(1.0, -1.0), (1.0, 1.0), (-1.0, 1.0), (-1.0, -1.0)]):
@@ -118,16 +113,16 @@ def polygon(sides: float = 6, radius: float = 0.02) -> Path:
     if not (float(sides).is_integer() and 3 <= sides <= 100_000):
         raise GeometryError(f"sides = {sides!r}: must be a whole number from 3 to 100000")
     n = int(sides)
-    return _round_of([(radius * math.cos(2.0 * math.pi * k / n), radius * math.sin(2.0 * math.pi * k / n)) for k in range(n)])
+    return _closed_polygon([(radius * math.cos(2.0 * math.pi * k / n), radius * math.sin(2.0 * math.pi * k / n)) for k in range(n)])
 
 
 def spiral(inner_radius: float = 0.005, pitch: float = 0.005, turns: float = 3) -> Path:
-    """Archimedean spiral around the origin, outwards and counter-clockwise from (inner_radius, 0); its radius grows by `pitch` a turn."""
+    """Archimedean spiral around the origin, outwards and counter-clockwise from (inner_radius, 0), `pitch` per turn."""
     return Path([Spiral(inner_radius, pitch, turns)])
 
 
 def helix(radius: float = 0.02, pitch: float = 0.005, turns: float = 3) -> Path:
-    """Helix around the z axis from (radius, 0, 0), counter-clockwise and up by `pitch` a turn: a contour of three axes."""
+    """Helix around the z axis from (radius, 0, 0), counter-clockwise and up by `pitch` per turn: a contour of three axes."""
     positive(radius=radius, turns=turns)
     if not math.isfinite(pitch):
         raise GeometryError(f"pitch = {pitch!r} m: must be finite")
@@ -135,7 +130,7 @@ def helix(radius: float = 0.02, pitch: float = 0.005, turns: float = 3) -> Path:
 
 
 def lissajous(axes: float = 3, amplitude: float = 0.02, lowest: float = 1, phase: float = math.pi / 3.0) -> Path:
-    """Lissajous figure of 2 to 9 axes: axis j = 0, 1, ... is A sin((lowest + j) u + j phase), once round; 60 degrees suit any `lowest`."""
+    """Lissajous figure of 2 to 9 axes: axis j = 0, 1, ... is A sin((lowest + j) u + j phase); 60 degrees suit any `lowest`."""
     return Path([Lissajous(axes, amplitude, lowest, phase)], closed=True)
 
 
@@ -173,7 +168,7 @@ def contour(name: str, **parameters: float) -> Path:
     name : str
         One of `contour_names`.
     **parameters : float
-        Those of `contour_parameters`, in m and rad; their defaults where not given.
+        See `contour_parameters`; in m and rad.
 
     Raises
     ------

@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from contourlab.errors import GeometryError
-from contourlab.geometry.curve import Array, Curve, Index, Together, of_each, rows, vector
+from contourlab.geometry.curve import Array, Curve, CurveBatch, Index, of_each, rows, vector
 
 
 class Line(Curve):
@@ -27,6 +27,8 @@ class Line(Curve):
     5.0
     """
 
+    digest_parts = ("line", "start", "end")
+
     def __init__(self, start: ArrayLike, end: ArrayLike) -> None:
         self.start, self.end = vector(start, "start"), vector(end, "end")
         if self.start.shape != self.end.shape:
@@ -39,7 +41,7 @@ class Line(Curve):
 
     @classmethod
     def many(cls, start: ArrayLike, end: ArrayLike) -> list[Line]:
-        """Return the lines between points, start and end (n, n_axis) [m], far faster than one after another.
+        """Return the lines between points (n, n_axis) [m]; much faster than one by one.
 
         Raises
         ------
@@ -52,36 +54,34 @@ class Line(Curve):
         length = np.sqrt(((b - a) ** 2).sum(axis=1))
         good = (length > 0.0) & np.isfinite(length)
         if not good.all():
-            return [cls(a[i], b[i]) for i in (int(np.argmin(good)),)]  # raises with the reason
+            bad = int(np.argmin(good))
+            return [cls(a[bad], b[bad])]  # raises with the reason
         direction = (b - a) / length[:, None]
-        found = []
+        lines = []
         for row in zip(a, b, direction, length.tolist(), strict=True):
             line = cls.__new__(cls)
             line.start, line.end, line.direction, line.length = row
             line.n_axis = a.shape[1]
-            found.append(line)
-        return found
+            lines.append(line)
+        return lines
 
     @classmethod
-    def together(cls, curves: Sequence[Line]) -> Lines:
+    def batch(cls, curves: Sequence[Line]) -> Lines:
         return Lines(curves)
 
     def derivatives(self, s: ArrayLike, order: int = 3) -> Array:
         along = np.atleast_1d(np.asarray(s, dtype=float))
-        found = np.zeros((order + 1, along.size, self.n_axis))
-        found[0] = self.start + along[:, None] * self.direction
-        if order > 0:
-            found[1] = self.direction
-        return found
+        result = np.zeros((order + 1, along.size, self.n_axis))
+        result[0] = self.start + along[:, None] * self.direction
+        result[1:2] = self.direction
+        return result
 
     def smallest_radius(self) -> float:
         return float("inf")
 
-    def describe(self) -> tuple[object, ...]:
-        return ("line", *self.start.tolist(), *self.end.tolist())
 
 
-class Lines(Together):
+class Lines(CurveBatch):
     """Many lines at once."""
 
     def __init__(self, curves: Sequence[Line]) -> None:
@@ -91,12 +91,11 @@ class Lines(Together):
         self.direct = np.ones(len(curves), dtype=bool)
 
     def derivatives(self, slot: Index, along: Array, order: int) -> Array:
-        found = np.zeros((order + 1, self.n_axis, along.size))
+        result = np.zeros((order + 1, self.n_axis, along.size))
         for j, (start, direction) in enumerate(zip(of_each(self.start, slot), of_each(self.direction, slot), strict=True)):
-            found[0, j] = start + along * direction
-            if order:
-                found[1, j] = direction
-        return found
+            result[0, j] = start + along * direction
+            result[1:2, j] = direction
+        return result
 
     def closest(self, slot: Index, points: Array, low: Array, high: Array, middle: Array) -> Array:
         start, direction = self.start.T[slot], self.direction.T[slot]

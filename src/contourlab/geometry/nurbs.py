@@ -1,10 +1,12 @@
 """B-splines and NURBS, and cuts where their curvature jumps.
 
-At a knot of multiplicity m a spline of degree p has p - m continuous derivatives: with m >= p - 1 its curvature may jump. They become
-junctions of a path, because a planner has to know them.
+At a knot of multiplicity m a spline of degree p has p - m continuous derivatives: for m >= p - 1 its curvature may jump. A planner must
+know these places, so they become junctions of the path.
 """
 
 from __future__ import annotations
+
+import math
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -14,11 +16,11 @@ from contourlab.geometry.curve import Array, Curve, Index, by_arc_length
 from contourlab.geometry.parametric import Parametric
 
 JUMP = 1e-7
-"""Of the curvature, or of one over the curve's length: smaller jumps are rounding."""
+"""Smaller jumps, relative to the curvature or to 1/length, are rounding."""
 
 
 class _Spline:
-    """A polynomial spline in any number of dimensions, with its derivatives, by de Boor's recursion."""
+    """A polynomial spline in any number of dimensions and its derivatives, by de Boor's recursion."""
 
     def __init__(self, degree: int, points: Array, knots: Array) -> None:
         self.layers = [(degree, points, knots)]
@@ -50,7 +52,7 @@ def _checked(degree: int, points: ArrayLike, knots: ArrayLike) -> tuple[Array, A
     except (TypeError, ValueError):
         c, t = np.empty(0), np.empty(0)
     if c.ndim != 2 or not (np.isfinite(c).all() and np.isfinite(t).all()):
-        raise GeometryError("control points must be finite and of the shape (n, n_axis), knots finite")
+        raise GeometryError("control points must be finite, of shape (n, n_axis), and knots finite")
     if degree < 1 or len(c) <= degree or t.shape != (len(c) + degree + 1,):
         raise GeometryError(f"degree {degree} with {len(c)} control points needs {len(c) + degree + 1} knots, not {t.size}")
     inner = t[degree : len(c) + 1]
@@ -70,6 +72,8 @@ class BSpline(Parametric):
         Not falling.
     """
 
+    digest_parts = ("bspline", "degree", "points", "knots")
+
     def __init__(self, degree: int, points: ArrayLike, knots: ArrayLike) -> None:
         self.degree = int(degree)
         self.points, self.knots = _checked(self.degree, points, knots)
@@ -86,15 +90,13 @@ class BSpline(Parametric):
         return np.array([self._spline(u, k) for k in range(order + 1)])
 
     def _speed(self, u: Array) -> Array:
-        # The length is integrated from this alone: positions are not needed.
+        # Overridden because the length needs no positions.
         return np.asarray(np.linalg.norm(self._spline(u.ravel(), 1), axis=1).reshape(u.shape))
 
-    def describe(self) -> tuple[object, ...]:
-        return ("bspline", self.degree, *self.points.ravel().tolist(), *self.knots.tolist())
 
 
 class Nurbs(Parametric):
-    """A rational B-spline: weights draw it to its control points.
+    """A rational B-spline.
 
     Parameters
     ----------
@@ -108,6 +110,8 @@ class Nurbs(Parametric):
     Piegl & Tiller, "The NURBS Book", 2nd ed., eqs (4.1) and (4.8).
     """
 
+    digest_parts = ("nurbs", "degree", "points", "knots", "weights")
+
     def __init__(self, degree: int, points: ArrayLike, knots: ArrayLike, weights: ArrayLike) -> None:
         self.degree = int(degree)
         self.points, self.knots = _checked(self.degree, points, knots)
@@ -115,7 +119,7 @@ class Nurbs(Parametric):
         if self.weights.shape != (len(self.points),) or not (np.isfinite(self.weights).all() and (self.weights > 0.0).all()):
             raise GeometryError("give one weight > 0 for each control point")
         self.n_axis = self.points.shape[1]
-        # Held from the first point, so that a small curve far from the origin keeps its digits.
+        # Relative to the first point, which keeps the digits of a small curve far from the origin.
         lifted = np.column_stack([(self.points - self.points[0]) * self.weights[:, None], self.weights])
         self._spline = _Spline(self.degree, lifted, self.knots)
         self.first, self.last = float(self.knots[self.degree]), float(self.knots[len(self.points)])
@@ -128,36 +132,23 @@ class Nurbs(Parametric):
     def raw(self, u: Array, order: int) -> Array:
         lifted = [self._spline(u, k) for k in range(order + 1)]
         a, w = [x[:, :-1] for x in lifted], [x[:, -1:] for x in lifted]
-        binomial = [[1.0], [1.0, 1.0], [1.0, 2.0, 1.0], [1.0, 3.0, 3.0, 1.0]]
-        found: list[Array] = []
+        result: list[Array] = []
         for k in range(order + 1):
-            rest = a[k] - sum((binomial[k][i] * w[i] * found[k - i] for i in range(1, k + 1)), np.zeros_like(a[k]))
-            found.append(rest / w[0])
-        found[0] = found[0] + self.points[0]
-        return np.array(found)
+            rest = a[k] - sum((math.comb(k, i) * w[i] * result[k - i] for i in range(1, k + 1)), np.zeros_like(a[k]))
+            result.append(rest / w[0])
+        result[0] = result[0] + self.points[0]
+        return np.array(result)
 
-    def describe(self) -> tuple[object, ...]:
-        return ("nurbs", self.degree, *self.points.ravel().tolist(), *self.knots.tolist(), *self.weights.tolist())
 
 
 def inner_knots(degree: int, t: Array) -> tuple[Array, Index]:
     """Return the knots inside the curve, and their multiplicities."""
-    inner, count = np.unique(t[(t > t[degree]) & (t < t[-degree - 1])], return_counts=True)
-    return inner, count
+    knots, count = np.unique(t[(t > t[degree]) & (t < t[-degree - 1])], return_counts=True)
+    return knots, count
 
 
 def cut_where_curvature_jumps(curve: BSpline | Nurbs) -> list[Curve]:
-    """Return a spline in pieces in which the curvature is continuous; the spline itself where it is so throughout.
-
-    Parameters
-    ----------
-    curve : BSpline or Nurbs
-
-    Returns
-    -------
-    list of Curve
-        End to end.
-    """
+    """Cut a spline into pieces of continuous curvature; return them in order."""
     degree, t = curve.degree, curve.knots
     inner, count = inner_knots(degree, t)
     inner = inner[count >= max(degree - 1, 1)]
@@ -176,7 +167,7 @@ def cut_where_curvature_jumps(curve: BSpline | Nurbs) -> list[Curve]:
 
 
 def _insert(degree: int, points: Array, t: Array, u: float) -> tuple[Array, Array]:
-    """Insert a knot once: Boehm's algorithm; The NURBS Book, 2nd ed., eq. (5.15)."""
+    """Insert a knot once by Boehm's algorithm; The NURBS Book, 2nd ed., eq. (5.15)."""
     k, count = int(np.searchsorted(t, u, side="right")) - 1, int(np.count_nonzero(t == u))
     i = np.arange(k - degree + 1, k - count + 1)
     alpha = ((u - t[i]) / (t[i + degree] - t[i]))[:, None]
@@ -192,7 +183,7 @@ def split_at(degree: int, points: Array, t: Array, places: Array) -> list[tuple[
     ----------
     degree : int
     points : ndarray (n, m)
-        Control points; of a rational spline times their weights, with the weights beside them.
+        Control points; for a rational spline, multiplied by their weights, with the weights in the last column.
     t : ndarray (n + degree + 1,)
     places : ndarray of float
         Rising.
@@ -201,11 +192,11 @@ def split_at(degree: int, points: Array, t: Array, places: Array) -> list[tuple[
     -------
     list of (points, knots)
     """
-    found: list[tuple[Array, Array]] = []
+    pieces: list[tuple[Array, Array]] = []
     for u in places:
         while np.count_nonzero(t == u) < degree:
             points, t = _insert(degree, points, t, float(u))
         k = int(np.searchsorted(t, u))  # the first of `degree` equal knots; the curve passes through point k - 1
-        found.append((points[:k], np.append(t[: k + degree], u)))
+        pieces.append((points[:k], np.append(t[: k + degree], u)))
         points, t = points[k - 1 :], np.concatenate([[u], t[k:]])
-    return [*found, (points, t)]
+    return [*pieces, (points, t)]

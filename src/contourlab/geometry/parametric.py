@@ -1,4 +1,4 @@
-"""Curves known by a parameter that is not their arc length."""
+"""Curves given by a parameter other than arc length."""
 
 from __future__ import annotations
 
@@ -19,13 +19,13 @@ _CHEBYSHEV = np.cos(np.pi * (np.arange(_TERMS) + 0.5) / _TERMS)
 _TO_CHEBYSHEV = (2.0 / _TERMS) * np.cos(np.arange(_TERMS)[:, None] * np.arccos(_CHEBYSHEV)[None, :])
 _TO_CHEBYSHEV[0] *= 0.5
 _RISE = 16
-"""Terms of the speed on an interval; the length has one more."""
+"""Terms of the series of the speed on an interval; that of the length has one more."""
 _RISE_NODES = np.cos(np.pi * (np.arange(_RISE) + 0.5) / _RISE)
 _TO_SPEED = np.linalg.inv(np.polynomial.chebyshev.chebvander(_RISE_NODES, _RISE - 1))
 _TO_RISE = np.polynomial.chebyshev.chebint(_TO_SPEED, lbnd=-1)
 _PROBES = np.array([-0.93, -0.61, 0.07, 0.52, 0.96])
 _CHUNK = 4096
-"""Pieces that are inverted at a time."""
+"""Pieces inverted at a time."""
 
 
 def _unit(vectors: Array) -> Array:
@@ -33,10 +33,10 @@ def _unit(vectors: Array) -> Array:
 
 
 class Parametric(Curve):
-    """A curve r(u), u from `first` to `last`, made to run by its arc length.
+    """A curve r(u), u from `first` to `last`, evaluated by arc length.
 
-    The length is integrated by Gauss-Legendre rules of 12 points on intervals that are halved until two halves agree with the whole to
-    1e-14 of the curve; the parameter of an arc length is found by Newton steps inside its interval, to the last digit.
+    Gauss-Legendre rules of 12 points give the length, on intervals halved until both halves agree with the whole to 1e-14 of the length.
+    Newton steps within an interval give the parameter of an arc length, to the last digit.
     """
 
     first: float = 0.0
@@ -48,13 +48,13 @@ class Parametric(Curve):
         """Return r and its derivatives by u: (order + 1, n, n_axis)."""
 
     def joints(self) -> Array:
-        """Return parameters at which higher derivatives may jump, ends included."""
+        """Return the parameters at which higher derivatives may jump, ends included."""
         return np.linspace(self.first, self.last, self.n_joint)
 
     def measure(self) -> None:
-        """Compute the length; a subclass calls it when its data are set."""
+        """Compute the length; subclasses call this after setting their data."""
         left, right = self.joints()[:-1], self.joints()[1:]
-        done: list[tuple[float, float, float]] = []
+        done: list[tuple[Array, Array, Array]] = []
         whole = self._lengths(left, right)
         rough = float(whole.sum())
         if not (np.isfinite(rough) and rough > 0.0):
@@ -63,25 +63,26 @@ class Parametric(Curve):
             middle = 0.5 * (left + right)
             a, b = self._lengths(left, middle), self._lengths(middle, right)
             good = np.abs(a + b - whole) <= 1e-14 * rough
-            done += [(float(x), float(y), float(z)) for x, y, z in zip(left[good], right[good], (a + b)[good], strict=True)]
+            done.append((left[good], right[good], (a + b)[good]))
             left, right = np.concatenate([left[~good], middle[~good]]), np.concatenate([middle[~good], right[~good]])
             whole = np.concatenate([a[~good], b[~good]])
             if left.size == 0:
                 break
         else:
             raise GeometryError(f"{type(self).__name__}: its length does not converge: the curve has a cusp")
-        done.sort()
-        self._knots = np.array([d[0] for d in done] + [done[-1][1]])
-        self.marks = np.concatenate([[0.0], np.cumsum([d[2] for d in done])])
+        starts, stops, lengths = (np.concatenate(column) for column in zip(*done, strict=True))
+        order = np.argsort(starts)
+        self._knots = np.append(starts[order], stops[order[-1]])
+        self.marks = np.concatenate([[0.0], np.cumsum(lengths[order])])
         self.length = float(self.marks[-1])
         self._check_smooth()
 
     def _check_smooth(self) -> None:
-        """Refuse corners, gaps and points of rest inside the curve: by arc length they would be hidden jumps."""
+        """Raise an error for corners, gaps and stationary points inside the curve: by arc length they would be hidden jumps."""
         name, slow = type(self).__name__, self._speed(self._knots) <= 1e-6 * self.length / (self.last - self.first)
         if slow.any():
             raise GeometryError(
-                f"{name} stands still at parameter {self._knots[int(np.argmax(slow))]:.9g}: a cusp, or points that coincide"
+                f"{name} is stationary at parameter {self._knots[int(np.argmax(slow))]:.9g}: a cusp, or points that coincide"
             )
         inner = self.joints()[1:-1]
         before, after = self.raw(np.nextafter(inner, -np.inf), 1), self.raw(inner, 1)
@@ -91,7 +92,7 @@ class Parametric(Curve):
         ):
             if jump.any():
                 raise GeometryError(
-                    f"{name} has a {what} inside, at parameter {inner[int(np.argmax(jump))]:.9g}: make it two curves of a path"
+                    f"{name} has a {what} inside, at parameter {inner[int(np.argmax(jump))]:.9g}: divide it into two curves of a path"
                 )
 
     def _speed(self, u: Array) -> Array:
@@ -103,7 +104,7 @@ class Parametric(Curve):
         return np.asarray(half * (self._speed(points) @ _WEIGHTS))
 
     def _solve(self, i: Index, wanted: Array) -> Array:
-        """Return the parameters of lengths (n, k) from the beginning of knot intervals (n,), by Newton steps inside these."""
+        """Return the parameters of lengths (n, k) from the start of knot intervals (n,), by Newton steps."""
         left, right = self._knots[i], self._knots[i + 1]
         middle, half = 0.5 * (left + right), 0.5 * (right - left)
         speed, rise, holds = self._rise(left, right)
@@ -120,9 +121,9 @@ class Parametric(Curve):
         return np.asarray(u)
 
     def _rise(self, left: Array, right: Array) -> tuple[Array, Array, Flags]:
-        """Return Chebyshev series of speed and length over intervals of the parameter, and whether they hold as its integral does.
+        """Return Chebyshev series of speed and length over intervals of the parameter, and whether they are accurate.
 
-        The curve is then evaluated at a few places of an interval, not at a dozen in each Newton step.
+        With these the curve is evaluated at a few places of an interval, instead of a dozen in each Newton step.
         """
         middle, half = 0.5 * (left + right), 0.5 * (right - left)
         speed = self._speed(middle[:, None] + half[:, None] * _RISE_NODES)
@@ -133,7 +134,7 @@ class Parametric(Curve):
         return speed @ _TO_SPEED.T, rise, np.asarray((gap <= 1e-15 * self.length).all(axis=1))
 
     def _solve_by_quadrature(self, left: Array, right: Array, wanted: Array, start: Array) -> Array:
-        """Return the same where no series converges: near a cusp."""
+        """Return the parameters where no series converges: near a cusp."""
         u, lengths = start.ravel(), wanted.ravel()
         for _ in range(12):
             step = (self._lengths(left, u) - lengths) / np.maximum(self._speed(u), 1e-300)
@@ -144,41 +145,41 @@ class Parametric(Curve):
 
     @cached_property
     def _inverse(self) -> tuple[Array, Array]:
-        """Chebyshev coefficients of the parameter over arc length, on pieces halved until they hold to 1e-14 of the length."""
-        starts: list[Array] = []
-        held: list[Array] = []
+        """Chebyshev coefficients of the parameter over arc length, on pieces halved until they are accurate to 1e-14 of the length."""
+        pieces: list[tuple[Array, Array]] = []
         for first in range(0, len(self.marks) - 1, _CHUNK):
             marks = self.marks[first : first + _CHUNK + 1]
-            self._invert(marks[:-1], marks[1:], starts, held)
-        begin, rows = np.concatenate(starts), np.concatenate(held)
+            pieces += self._inverted(marks[:-1], marks[1:])
+        begin, rows = (np.concatenate(column) for column in zip(*pieces, strict=True))
         order = np.argsort(begin)
         return np.append(begin[order], self.length), rows[order]
 
-    def _invert(self, left: Array, right: Array, starts: list[Array], held: list[Array]) -> None:
-        """Add the pieces of the inverse on pieces of the arc length, each within one knot interval."""
-        # Parameters far from 0 are themselves rounded.
+    def _inverted(self, left: Array, right: Array) -> list[tuple[Array, Array]]:
+        """Return starts and coefficients of the inverse on intervals of the arc length, each within one knot interval."""
+        pieces = []
+        # Parameters far from 0 are rounded themselves.
         rounding = 16.0 * np.finfo(float).eps * max(abs(self.first), abs(self.last))
         at = np.concatenate([_CHEBYSHEV, _PROBES])
         for _ in range(30):
             middle, half = 0.5 * (left + right), 0.5 * (right - left)
             i = np.clip(np.searchsorted(self.marks, middle, side="right") - 1, 0, len(self.marks) - 2)
-            found = self._solve(i, middle[:, None] + half[:, None] * at - self.marks[i, None])
-            coefficients, exact = found[:, :_TERMS] @ _TO_CHEBYSHEV.T, found[:, _TERMS:]
+            parameters = self._solve(i, middle[:, None] + half[:, None] * at - self.marks[i, None])
+            coefficients, exact = parameters[:, :_TERMS] @ _TO_CHEBYSHEV.T, parameters[:, _TERMS:]
             gap = np.abs(clenshaw(coefficients.T[:, :, None], np.broadcast_to(_PROBES, exact.shape)) - exact)
             speed = self._speed(exact)
             good = (gap * speed <= np.maximum(1e-14 * self.length, rounding * speed)).all(axis=1) | (half <= 1e-9 * self.length)
-            starts.append(left[good])
-            held.append(coefficients[good])
+            pieces.append((left[good], coefficients[good]))
             bad = ~good
             left, right = np.concatenate([left[bad], middle[bad]]), np.concatenate([middle[bad], right[bad]])
             if left.size == 0:
                 break
+        return pieces
 
     def parameter(self, s: ArrayLike) -> Array:
-        """Return the parameters (n,) of arc lengths (n,), good to 1e-13 of the length."""
+        """Return the parameters (n,) of arc lengths (n,), accurate to 1e-13 of the length."""
         along = np.clip(np.atleast_1d(np.asarray(s, dtype=float)), 0.0, self.length)
         if along.size <= 2 and np.all((along == 0.0) | (along == self.length)):
-            # Ends are needed wherever curves are joined, and need no inverse.
+            # The ends, needed to join curves, require no inverse.
             return np.where(along == 0.0, self.first, self.last)
         begin, rows = self._inverse
         i = np.clip(np.searchsorted(begin, along, side="right") - 1, 0, len(rows) - 1)
@@ -187,7 +188,7 @@ class Parametric(Curve):
         return np.asarray(np.clip(clenshaw(rows[i].T, x), self.first, self.last))
 
     def smallest_radius(self) -> float:
-        # The stretches are short where the curve turns sharply; samples evenly spread would step over a cusp-like tail.
+        # Intervals are short where the curve turns sharply; evenly spread samples would miss a cusp-like tail.
         u = (self._knots[:-1, None] + np.diff(self._knots)[:, None] * np.linspace(0.0, 1.0, 17)).ravel()
         bend = float(np.linalg.norm(by_arc_length(self.raw(u, 2), 2)[2], axis=1).max())
         return 1.0 / bend if bend > 0.0 else float("inf")

@@ -1,4 +1,4 @@
-"""A path: curves one after another, by arc length."""
+"""A path: curves in succession, by arc length."""
 
 from __future__ import annotations
 
@@ -30,14 +30,14 @@ class Path(CurveSequence):
     Parameters
     ----------
     curves : sequence of Curve
-        Each begins where the one before ends, within 1 nm.
+        Each starts at the end of the one before, within 1 nm.
     closed : bool
-        Whether the path returns to its start and goes on in laps: arc length may then be any number.
+        Whether the path returns to its start and repeats: arc length may then be any number.
 
     Raises
     ------
     GeometryError
-        If there is no curve, dimensions differ, or there is a gap; the message names the place.
+        If there is no curve, dimensions differ, or there is a gap; names the place.
 
     >>> from contourlab.geometry.line import Line
     >>> square = Path([Line((0, 0), (1, 0)), Line((1, 0), (1, 1))])
@@ -50,26 +50,26 @@ class Path(CurveSequence):
         gap = np.linalg.norm(self.ends[0][:-1] - self.starts[0][1:], axis=1)
         if gap.size and gap.max() > JOIN_TOLERANCE:
             i = int(np.argmax(gap > JOIN_TOLERANCE))
-            raise GeometryError(f"curve {i + 2} begins {gap[i]:.3g} m away from the end of curve {i + 1}, at {self.ends[0][i].tolist()}")
+            raise GeometryError(f"curve {i + 2} starts {gap[i]:.3g} m away from the end of curve {i + 1}, at {self.ends[0][i].tolist()}")
         if self.closed and np.linalg.norm(self.ends[0][-1] - self.starts[0][0]) > JOIN_TOLERANCE:
-            raise GeometryError("a closed path must end where it begins")
+            raise GeometryError("a closed path must end where it starts")
 
     @cached_property
     def corners(self) -> Array:
         """Arc lengths at which the tangent jumps, rising; on a closed path 0 is the closing point."""
         turn = np.linalg.norm(self.ends[1][:-1] - self.starts[1][1:], axis=1)
-        found = self.breaks[1:-1][turn > CORNER_ANGLE]
+        corners = self.breaks[1:-1][turn > CORNER_ANGLE]
         if self.closed and np.linalg.norm(self.ends[1][-1] - self.starts[1][0]) > CORNER_ANGLE:
-            found = np.concatenate([[0.0], found])
-        return np.asarray(found)
+            corners = np.concatenate([[0.0], corners])
+        return np.asarray(corners)
 
     def coefficients(self, index: Index) -> tuple[Array, NDArray[np.bool_]]:
-        """Return the common form of lines and arcs, for the engine: position = base + d s + u cos(a + b s) + v sin(a + b s).
+        """Return lines and arcs in a common form for the engine: position = base + d s + u cos(a + b s) + v sin(a + b s).
 
         Parameters
         ----------
         index : ndarray (n,) of int
-            Curves.
+            Numbers of curves.
 
         Returns
         -------
@@ -78,37 +78,31 @@ class Path(CurveSequence):
         ndarray (n,) of bool
             Whether the curve is a line or an arc.
         """
-        found = np.zeros((index.size, 2 + 4 * self.n_axis))
+        table = np.zeros((index.size, 2 + 4 * self.n_axis))
         plain = np.zeros(index.size, dtype=bool)
-        parts = found[:, 2:].reshape(index.size, self.n_axis, 4)
-        for each, on, slot in self.kind_of(index):
-            if isinstance(each, Lines):
-                parts[on, :, 0], parts[on, :, 1] = each.start.T[slot], each.direction.T[slot]
-            elif isinstance(each, Arcs):
-                found[on, 0], found[on, 1] = each.start_angle[slot], each.rate[slot]
-                radius, length = each.radius[slot, None], each.length[slot, None]
-                columns = (each.centre.T[slot], each.rise.T[slot] / length, radius * each.u.T[slot], radius * each.v.T[slot])
-                for i, column in enumerate(columns):
-                    parts[on, :, i] = column
-            else:
-                continue
-            plain[on] = True
-        return found, plain
+        vectors = table[:, 2:].reshape(index.size, self.n_axis, 4)
+        for batch, on, slot in self.kind_of(index):
+            if isinstance(batch, Lines):
+                vectors[on, :, :2] = np.stack([batch.start.T[slot], batch.direction.T[slot]], axis=2)
+            elif isinstance(batch, Arcs):
+                table[on, 0], table[on, 1] = batch.start_angle[slot], batch.rate[slot]
+                radius, length = batch.radius[slot, None], batch.length[slot, None]
+                columns = (batch.centre.T[slot], batch.rise.T[slot] / length, radius * batch.u.T[slot], radius * batch.v.T[slot])
+                vectors[on] = np.stack(columns, axis=2)
+            plain[on] = isinstance(batch, Lines | Arcs)
+        return table, plain
 
     def tangent(self, s: ArrayLike) -> Array:
         """Return unit tangents (n, n_axis)."""
         return np.asarray(self.derivatives(s, 1)[1])
 
     def normal(self, s: ArrayLike) -> Array:
-        """Return unit normals (n, n_axis): to the left in the plane.
-
-        In space they point to the centre of curvature, and are zero where the path is straight.
-        """
-        found = self.derivatives(s, 2)
+        """Return unit normals (n, n_axis): in the plane to the left, in space to the centre of curvature, 0 on straight parts."""
+        _, first, second = self.derivatives(s, 2)
         if self.is_planar:
-            return np.column_stack([-found[1, :, 1], found[1, :, 0]])
-        size = np.linalg.norm(found[2], axis=1, keepdims=True)
-        return np.asarray(np.divide(found[2], size, out=np.zeros_like(found[2]), where=size > 0.0))
+            return np.column_stack([-first[:, 1], first[:, 0]])
+        size = np.linalg.norm(second, axis=1, keepdims=True)
+        return np.asarray(np.divide(second, size, out=np.zeros_like(second), where=size > 0.0))
 
     def curvature(self, s: ArrayLike) -> Array:
         """Return curvatures (n,) [1/m]: signed in the plane, positive to the left; a magnitude in space."""
@@ -118,7 +112,7 @@ class Path(CurveSequence):
         return np.asarray(np.linalg.norm(second, axis=1))
 
     def curvature_derivative(self, s: ArrayLike) -> Array:
-        """Return the change of curvature by arc length (n,) [1/m^2], 0 in space where the path is straight."""
+        """Return the derivative of the curvature by arc length (n,) [1/m^2]; in space 0 where the path is straight."""
         _, first, second, third = self.derivatives(s, 3)
         if self.is_planar:
             return np.asarray(first[:, 0] * third[:, 1] - first[:, 1] * third[:, 0])

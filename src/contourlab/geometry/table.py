@@ -1,9 +1,8 @@
-"""The engine's view of a path: quintic pieces in arc length, found without a branch.
+"""A path as quintic pieces in arc length, for the engine, with a branch-free look-up.
 
-Each piece matches position, tangent and curvature vector of the path at both its ends, and never crosses a joint of two curves. The
-remainder of quintic Hermite interpolation over a piece of length h is at most h^6 max|r^(6)| / 46080: proven in closed form for lines (0)
-and for arcs and helices, r^(6) = R rate^6; for other curves pieces are halved until the difference from the curve at points inside,
-doubled, is below the tolerance. All curves of a kind are divided at once.
+Each piece matches position, tangent and curvature vector of the path at both ends and lies on one curve. The error of quintic Hermite
+interpolation over a length h is at most h^6 max|r^(6)| / 46080. For lines (0), arcs and helices, r^(6) = R rate^6, this gives the pieces;
+other curves are halved until twice the error at points inside is below the tolerance. All curves of a kind are divided at once.
 """
 
 from __future__ import annotations
@@ -14,12 +13,12 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from contourlab.errors import GeometryError
-from contourlab.geometry.curve import Array, Index, Together
+from contourlab.geometry.curve import Array, CurveBatch, Index
 from contourlab.geometry.curve_sequence import CurveSequence
 
 MOST_CELLS = 8_000_000
 _FREE_CELLS = 1 << 20
-"""A table of so many cells is taken without a thought; a larger one has to be worth its memory by its pieces."""
+"""Number of cells always permitted; larger tables need enough pieces to justify their memory."""
 _PROBES = np.array([0.14, 0.3, 0.5, 0.7, 0.86])
 
 
@@ -30,16 +29,16 @@ class PathTable:
     Attributes
     ----------
     start : ndarray (n_piece + 1,) [m]
-        Arc length at which each piece begins; the last is the path's length.
+        Arc length at which each piece starts; the last is the length of the path.
     coefficients : ndarray (n_piece, n_axis, 6)
-        Of powers of the arc length from the piece's start.
+        Of powers of the arc length from the start of the piece.
     cell : ndarray (n_cell + 1,)
-        First piece that touches each of n_cell equal cells of arc length, and the last piece. Where no cell holds more than one beginning
-        of a piece inside it, a look-up is one division and one comparison: ``i = cell[int(s * inverse_cell)]; i += s >= start[i + 1]``.
+        First piece that touches each of n_cell equal cells of arc length, and the last piece. If at most one piece starts inside each
+        cell, a look-up is ``i = cell[int(s * inverse_cell)]; i += s >= start[i + 1]``.
     inverse_cell : float [1/m]
     halvings : int
-        0 for that; else the pieces from ``cell[i]`` to ``cell[i + 1]`` are halved so many times: very short pieces beside long ones
-        would want too many cells.
+        0 for that look-up; else the number of bisections between the pieces ``cell[i]`` and ``cell[i + 1]``, for paths whose shortest
+        pieces would need too many cells.
     error_bound : float [m]
         Largest distance of the table from the path.
     length : float [m]
@@ -56,7 +55,7 @@ class PathTable:
     halvings: int = 0
 
     def _find(self, along: Array) -> Index:
-        """Return the pieces on which arc lengths (n,) within the path lie, in the way that a compiled look-up goes."""
+        """Return the pieces of arc lengths (n,) within the path, with the steps of the compiled look-up."""
         cell = np.minimum((along * self.inverse_cell).astype(np.int64), len(self.cell) - 2)
         piece = self.cell[cell].astype(np.int64)
         if not self.halvings:
@@ -76,12 +75,12 @@ class PathTable:
         piece = self._find(along)
         h = (along - self.start[piece])[:, None]
         c = np.moveaxis(self.coefficients[piece], 2, 0)
-        found = [c[0] + h * (c[1] + h * (c[2] + h * (c[3] + h * (c[4] + h * c[5]))))]
+        values = [c[0] + h * (c[1] + h * (c[2] + h * (c[3] + h * (c[4] + h * c[5]))))]
         if order > 0:
-            found.append(c[1] + h * (2.0 * c[2] + h * (3.0 * c[3] + h * (4.0 * c[4] + h * 5.0 * c[5]))))
+            values.append(c[1] + h * (2.0 * c[2] + h * (3.0 * c[3] + h * (4.0 * c[4] + h * 5.0 * c[5]))))
         if order > 1:
-            found.append(2.0 * c[2] + h * (6.0 * c[3] + h * (12.0 * c[4] + h * 20.0 * c[5])))
-        return np.array(found)
+            values.append(2.0 * c[2] + h * (6.0 * c[3] + h * (12.0 * c[4] + h * 20.0 * c[5])))
+        return np.array(values)
 
 
 def path_table(path: CurveSequence, tolerance: float, pieces: int = 1) -> PathTable:
@@ -92,19 +91,19 @@ def path_table(path: CurveSequence, tolerance: float, pieces: int = 1) -> PathTa
     path : CurveSequence
     tolerance : float [m], > 0
     pieces : int
-        At least so many pieces, evenly spread.
+        Least number of pieces, evenly spread.
 
     Raises
     ------
     GeometryError
-        If the tolerance is not positive, or below the digits of a curve.
+        If the tolerance is not positive, or below the rounding of a curve.
     """
     if not tolerance > 0.0:
         raise GeometryError(f"tolerance = {tolerance!r}: must be > 0 m")
     longest = path.length / max(pieces, 1) * (1.0 + 1e-12)
     parts, bound = [], 0.0
-    for each, numbers in path.kinds:
-        slot, left, right, worst = _evenly(each, tolerance, longest) if each.sixth is not None else _bisect(each, tolerance, longest)
+    for batch, numbers in path.kinds:
+        slot, left, right, worst = (_evenly if batch.sixth is not None else _bisect)(batch, tolerance, longest)
         parts.append((numbers[slot], left, right))
         bound = max(bound, worst)
     index, a, b = (np.concatenate(column) for column in zip(*parts, strict=True))
@@ -130,13 +129,13 @@ def _hermite(low: Array, high: Array, h: Array) -> Array:
 
 
 def _spread(n: Index) -> tuple[Index, Index]:
-    """Number the pieces of several curves, n each: return the owner of each piece, and its number within the owner."""
+    """Number the n pieces of each curve: return the curve of each piece, and its number within the curve."""
     owner = np.repeat(np.arange(n.size), n)
     return owner, np.arange(owner.size) - np.repeat(np.cumsum(n) - n, n)
 
 
-def _evenly(curves: Together, tolerance: float, longest: float) -> tuple[Index, Array, Array, float]:
-    """Return pieces of curves whose sixth derivative is known: which curve, both ends, and a bound of the error."""
+def _evenly(curves: CurveBatch, tolerance: float, longest: float) -> tuple[Index, Array, Array, float]:
+    """Return pieces of curves with a known sixth derivative: curve, both ends, and a bound of the error."""
     assert curves.sixth is not None  # the caller's choice
     least = np.maximum(np.ceil(curves.length / longest - 1e-9), 1.0)
     n = np.maximum(least, np.ceil(curves.length * (curves.sixth / (46080.0 * tolerance)) ** (1.0 / 6.0)))
@@ -146,27 +145,27 @@ def _evenly(curves: Together, tolerance: float, longest: float) -> tuple[Index, 
     return slot, part * width[slot], right, float((curves.sixth * width**6).max() / 46080.0)
 
 
-def _first_pieces(curves: Together, tolerance: float, longest: float) -> tuple[Index, Array, Array]:
+def _first_pieces(curves: CurveBatch, tolerance: float, longest: float) -> tuple[Index, Array, Array]:
     marks, count = curves.marks()
     owner, _ = _spread(count)
     inner = owner[1:] == owner[:-1]
     slot, low, high = owner[:-1][inner], marks[:-1][inner], marks[1:][inner]
-    # Divide each stretch by itself: two overlaid sets of marks would leave slivers.
+    # Divide each interval separately: two overlaid sets of marks would leave slivers.
     n = np.maximum(np.ceil((high - low) / longest - 1e-9), 1.0)
-    stretch, part = _spread(n.astype(np.int64))
-    step = ((high - low) / n)[stretch]
-    left = low[stretch] + part * step
-    right = np.where(part + 1 == n[stretch], high[stretch], low[stretch] + (part + 1) * step)
-    # Below the digits of the curve itself, halving would go on for ever.
+    interval, part = _spread(n.astype(np.int64))
+    step = ((high - low) / n)[interval]
+    left = low[interval] + part * step
+    right = np.where(part + 1 == n[interval], high[interval], low[interval] + (part + 1) * step)
+    # Below the rounding of the curve, halving would never end.
     digits = 1e-13 * curves.length[owner] + 16.0 * np.finfo(float).eps * np.abs(curves.derivatives(owner, marks, 0)[0]).max(axis=0)
     if tolerance < digits.max():
         name = type(curves.curves[int(owner[int(np.argmax(digits))])]).__name__
-        raise GeometryError(f"{name}: no table of quintic pieces reaches {tolerance:g} m; {digits.max():.2g} m is within reach")
-    return slot[stretch], left, right
+        raise GeometryError(f"{name}: no table of quintic pieces reaches {tolerance:g} m; {digits.max():.2g} m is possible")
+    return slot[interval], left, right
 
 
-def _bisect(curves: Together, tolerance: float, longest: float) -> tuple[Index, Array, Array, float]:
-    """Return pieces of other curves, halved until each is good: which curve, both ends, and the largest error."""
+def _bisect(curves: CurveBatch, tolerance: float, longest: float) -> tuple[Index, Array, Array, float]:
+    """Return pieces of other curves, halved until each is good: curve, both ends, and the largest error."""
     slot, left, right = _first_pieces(curves, tolerance, longest)
     done: list[tuple[Index, Array, Array]] = []
     worst = 0.0
@@ -185,8 +184,8 @@ def _bisect(curves: Together, tolerance: float, longest: float) -> tuple[Index, 
     raise GeometryError(f"{type(curves.curves[int(slot[0])]).__name__}: no table of quintic pieces reaches {tolerance:g} m")
 
 
-def _errors(curves: Together, slot: Index, left: Array, right: Array) -> Array:
-    """Return twice the largest difference (n,) [m] between pieces and their curves, at places inside."""
+def _errors(curves: CurveBatch, slot: Index, left: Array, right: Array) -> Array:
+    """Return twice the largest difference (n,) [m] between pieces and their curves at places inside."""
     low, high = (curves.derivatives(slot, at, 2).transpose(0, 2, 1) for at in (left, right))
     c = _hermite(low, high, right - left)
     probe = (right - left)[:, None] * _PROBES
@@ -196,13 +195,13 @@ def _errors(curves: Together, slot: Index, left: Array, right: Array) -> Array:
 
 
 def _cells(start: Array, length: float) -> tuple[Array, float, int]:
-    """Return the first piece of each cell and the last of all, one over a cell's length, and the halvings of a look-up."""
+    """Return the first piece of each cell and the last piece, the inverse length of a cell, and the halvings of a look-up."""
     pieces = len(start) - 1
     wanted = np.ceil(length / float(np.diff(start).min())) + 1.0
     plain = wanted <= min(MOST_CELLS, max(_FREE_CELLS, 64 * pieces))
     n = int(wanted) if plain else min(max(8 * pieces, 4096), MOST_CELLS)
     inverse = n / length
-    # The piece of a cell's left edge, by the same rounding that a look-up makes.
+    # Find the piece at the left edge of each cell with the rounding of a look-up.
     cell = np.maximum(np.searchsorted(start[:-1] * inverse, np.arange(n), side="right") - 1, 0)
     cell = np.append(cell, pieces - 1)
     halvings = 0 if plain else int(np.diff(cell).max()).bit_length()

@@ -1,4 +1,4 @@
-"""Thin a long polygon: keep the fewest points found that leave no other further away than a tolerance."""
+"""Thin a long polygon within a tolerance."""
 
 # mypy: disable-error-code="no-untyped-def, no-untyped-call"
 from __future__ import annotations
@@ -13,32 +13,27 @@ from contourlab.errors import GeometryError
 
 
 def polygon_corners(points: NDArray[np.float64], tolerance: float) -> NDArray[np.int64]:
-    """Return the points that a polygon needs so that no other is further away than a tolerance; each line is as long as the search finds.
+    """Return the numbers (m,), rising, of points to keep so that all others lie within a tolerance of the polygon, in their order.
 
     Parameters
     ----------
     points : ndarray (n, n_axis) [m]
-        In the order in which they are passed, n >= 1; neighbours are not the same.
+        In the order of travel, n >= 1; neighbours differ.
     tolerance : float [m], >= 0
-
-    Returns
-    -------
-    ndarray (m,)
-        Rising, the first and the last point among them. Between two of them all points lie along the line, one behind the other.
 
     Raises
     ------
     GeometryError
-        If there is no point, or neighbours are the same.
+        If there is no point, or two neighbours are equal.
 
     Notes
     -----
-    Time is that of n log(points of a line): a line is looked for among twice as many points as long as it is one, then by halving.
+    Each line is found by doubling the number of its points, then by bisection: the time is that of n log(points of a line).
     """
     if points.ndim != 2 or not len(points):
         raise GeometryError(f"points of shape {points.shape}: must be (n, n_axis), n >= 1")
     if not (np.diff(points, axis=0) != 0.0).any(axis=1).all():
-        raise GeometryError("two points in a row are the same")
+        raise GeometryError("two neighbouring points are equal")
     kept, count = np.empty(len(points), dtype=np.int64), np.empty(1, dtype=np.int64)
     _kernel()(np.ascontiguousarray(points), float(tolerance), kept, count)
     return kept[: count[0]].copy()
@@ -46,13 +41,13 @@ def polygon_corners(points: NDArray[np.float64], tolerance: float) -> NDArray[np
 
 @cache
 def _kernel() -> Any:
-    from contourlab.native.compile import kernel  # the compiler is loaded when a log is measured
+    from contourlab.native.compile import kernel  # loads the compiler
 
     return kernel(corners, "f8[:,:] f8 i8[:] i8[:]")
 
 
 def _is_line(points, first, last, tolerance):
-    """Tell whether points lie on the line from the first to the last, one behind the other."""
+    """Return whether points lie on the line from the first to the last, in their order."""
     n_axis = points.shape[1]
     square = 0.0
     for j in range(n_axis):
@@ -77,11 +72,11 @@ def _is_line(points, first, last, tolerance):
 
 
 def corners(points, tolerance, kept, count):
-    """Write the numbers of the corners into `kept` (n,), and how many there are into `count` (1,)."""
-    at, span, found, end = 0, 1, 1, points.shape[0] - 1
+    """Write the numbers of the corners into `kept` (n,), and their count into `count` (1,)."""
+    at, span, n_kept, end = 0, 1, 1, points.shape[0] - 1
     kept[0] = 0
     while at < end:
-        # Twice as far as long as it goes, then halving what is between; lines are about as long as the one before.
+        # Double the length, then bisect; start with the length of the line before.
         good, bad = 1, end - at + 1
         while good < bad - 1:
             if span > good:
@@ -96,6 +91,6 @@ def corners(points, tolerance, kept, count):
                 bad, span = trial, 0
         at += good
         span = good
-        kept[found] = at
-        found += 1
-    count[0] = found
+        kept[n_kept] = at
+        n_kept += 1
+    count[0] = n_kept

@@ -1,6 +1,6 @@
-"""The view of a path for estimators: compiled functions of arc length, with their parameters and tables.
+"""A path as functions of arc length that steps can compile, with parameters and tables.
 
-Any path is a table of quintic pieces; a circle is also known in closed form, which is faster and exact.
+Any path is a table of quintic pieces; a circle is evaluated in closed form, which is faster and exact.
 """
 
 from __future__ import annotations
@@ -23,7 +23,7 @@ from contourlab.primitives import clip, cos, floor, lookup, maximum, select, sin
 class PathView:
     """A path for a step: ``evaluate(par, s)`` returns r, dr/ds and d2r/ds2 as tuples over the axes.
 
-    `parameters` and `tables` are to be added to the step's own; every name begins with ``path_``.
+    Add `parameters` and `tables` to those of the step; every name starts with ``path_``.
     """
 
     evaluate: Callable[[Any, float], Any]
@@ -33,7 +33,7 @@ class PathView:
 
 @lru_cache(maxsize=4)
 def view_of(path: Path, tolerance: float = 1e-10, pieces: int | None = None, analytic: bool = True) -> PathView:
-    """Return the view of a path.
+    """Return the view of a path; the last few are cached.
 
     Parameters
     ----------
@@ -44,11 +44,6 @@ def view_of(path: Path, tolerance: float = 1e-10, pieces: int | None = None, ana
         Least number of pieces.
     analytic : bool
         Whether a circle is evaluated in closed form.
-
-    Returns
-    -------
-    PathView
-        The views of the last few paths are kept, since runs that are compared share theirs.
     """
     if analytic and path.closed and path.n_axis == 2 and len(path.curves) == 1 and isinstance(path.curves[0], Arc):
         return _circle(path)
@@ -78,7 +73,6 @@ def _circle(path: Path) -> PathView:
         "path_centre_0": float(centre[0]),
         "path_centre_1": float(centre[1]),
     }
-
     return PathView(_on_circle, parameters, {})
 
 
@@ -101,7 +95,7 @@ def _quintic(table: Any, base: float, h: float) -> Any:
 
 
 def _gather(n_axis: int) -> Callable[..., Any]:
-    """Return a function that evaluates all axes of a piece, unrolled, so that a lane holds no loop."""
+    """Return a function that evaluates all axes of a piece, unrolled, since lanes have no loops."""
     lines = [f"    a{j} = quintic(table, base + {6.0 * j}, h)" for j in range(n_axis)]
     values = ", ".join(f"({', '.join(f'a{j}[{d}]' for j in range(n_axis))},)" for d in range(3))
     scope: dict[str, Any] = {"quintic": _quintic, "__name__": __name__}
@@ -115,7 +109,7 @@ def _table_evaluator(n_axis: int, halvings: int = 0) -> Callable[[Any, float], A
     find = _finder(halvings) if halvings else _find
 
     def evaluate(par: Any, s: float) -> Any:
-        # On a closed path s counts laps; on an open one it is held to the path.
+        # On a closed path s counts laps; on an open one it is clipped.
         along = s - par.path_wrap * par.path_length * floor(s * par.path_inverse_length)
         along = clip(along, 0.0, par.path_length)
         piece = find(par, along, clip(floor(along * par.path_inverse_cell), 0.0, par.path_last_cell))
@@ -125,7 +119,7 @@ def _table_evaluator(n_axis: int, halvings: int = 0) -> Callable[[Any, float], A
 
 
 def _find(par: Any, along: float, cell: float) -> float:
-    """Return the piece, where no cell holds more than one beginning of a piece."""
+    """Return the piece, if at most one piece starts inside each cell."""
     piece = lookup(par.path_cell, cell)
     piece = piece + (1.0 if along >= lookup(par.path_start, piece + 1.0) else 0.0)
     return clip(piece, 0.0, par.path_last_piece)
@@ -133,7 +127,7 @@ def _find(par: Any, along: float, cell: float) -> float:
 
 @cache
 def _finder(halvings: int) -> Callable[[Any, float, float], float]:
-    """Return a search for the piece within a cell, in a fixed number of halvings: all lanes take the same steps."""
+    """Return a search for the piece within a cell with a fixed number of bisections, so that all lanes take the same steps."""
 
     def find(par: Any, along: float, cell: float) -> float:
         first, last = lookup(par.path_cell, cell), lookup(par.path_cell, cell + 1.0)

@@ -1,4 +1,4 @@
-"""Metrics: the judge of a run, from positions and the path alone; it knows no controller."""
+"""Metrics: figures of a run from positions and the path alone, without knowledge of the controller."""
 
 from contourlab.metrics.circle_backlash import CircleBacklash, backlash_from_circle, backlash_of_runs
 from contourlab.metrics.circles import (

@@ -1,10 +1,9 @@
 """Circles by ISO 230-4: circular deviation, radial deviation, and the figures of two runs in opposite senses.
 
-The standard wants a ball bar or grid encoder; its annex allows the machine's own feedback, which is what a simulation has. Formulas as they
-are commonly given for ISO 230-4:2005 (2022 calls the deviations errors):
+The standard uses a ball bar or grid encoder; its annex permits the machine's own feedback. Formulas as commonly given for ISO 230-4:2005
+(the 2022 edition calls the deviations errors):
 
-- G: least radial distance of two concentric circles that hold the whole run between them (minimum zone); beside it the distance of the
-  circles around the least-squares centre;
+- G: least radial distance between two concentric circles that enclose the run (minimum zone), and the same around the least-squares centre;
 - F_max, F_min: largest and smallest radius around the nominal centre less the nominal radius;
 - G(b): as G for both runs together, around the least-squares centre of both; D: mean radius of both runs less nominal; H: largest
   difference of radius between the runs at one angle (1996 edition).
@@ -50,7 +49,7 @@ class CircleFigures:
     mean_radial : float [m]
         Mean deviation of the run.
     samples : ndarray of int
-        Of the result, one for each angle; empty where they are not known.
+        Sample of the result for each angle; empty if unknown.
     """
 
     name: str
@@ -66,7 +65,7 @@ class CircleFigures:
     samples: NDArray[np.int64] = field(default_factory=lambda: np.zeros(0, dtype=np.int64))
 
     def figures(self) -> dict[str, float]:
-        """Return the figures by their names in the standard [m]."""
+        """Return the figures [m] by their names in the standard."""
         return {
             "circular deviation G, minimum zone": self.circular_deviation,
             "circular deviation G, least squares": self.circular_deviation_least_squares,
@@ -78,7 +77,7 @@ class CircleFigures:
 
 @dataclass(frozen=True, slots=True)
 class Bidirectional:
-    """A clockwise and a counter-clockwise run together: G(b), D and H [m]."""
+    """G(b), D and H [m] of a clockwise and a counter-clockwise run."""
 
     circular_deviation: float
     mean_radial: float
@@ -100,11 +99,10 @@ def least_squares_centre(points: Array) -> Array:
 
 
 def minimum_zone(points: Array) -> tuple[float, Array]:
-    """Return the least distance between two concentric circles that hold all points between them, and their centre.
+    """Return the least distance between two concentric circles that enclose all points, and their centre.
 
-    The largest and smallest radius are made linear in the centre's shift, the best shift is a linear programme, and this is repeated; for
-    deviations far smaller than the radius it converges in a few rounds. Only the few points that touch the circles matter: the programme
-    starts with some of them, and takes in those that it turns out to have left out.
+    Each round linearises the radii in the shift of the centre and solves a linear programme for the best shift; for deviations much
+    smaller than the radius a few rounds suffice. The programme starts with some points and adds those that turn out to touch the circles.
     """
     centre = least_squares_centre(points)
     best, best_centre = math.inf, centre
@@ -127,7 +125,7 @@ def minimum_zone(points: Array) -> tuple[float, Array]:
 
 
 def _best_shift(points: Array, centre: Array, zone: float) -> Array | None:
-    """Return the shift of the centre that makes the linearised zone of some points least; None if it cannot be had."""
+    """Return the shift of the centre that minimises the linearised zone of some points; None if the solver fails."""
     from scipy.optimize import linprog
 
     out = points - centre
@@ -135,11 +133,11 @@ def _best_shift(points: Array, centre: Array, zone: float) -> Array | None:
     size = max(zone, 1e-15)
     spoke = out / radius[:, None]
     ones = np.ones((len(points), 1))
-    none = np.zeros_like(ones)
-    # In units of the zone, so that the solver sees numbers near 1: radius - spoke.shift between low and high.
+    zeros = np.zeros_like(ones)
+    # radius - spoke.shift lies between low and high, in units of the zone, so that the solver sees numbers near 1.
     level = ((radius - radius.mean()) / size)[:, None]
-    above = np.hstack([-spoke, -ones, none])
-    below = np.hstack([spoke, none, ones])
+    above = np.hstack([-spoke, -ones, zeros])
+    below = np.hstack([spoke, zeros, ones])
     solved = linprog([0.0, 0.0, 1.0, -1.0], np.vstack([above, below]), np.concatenate([-level, level])[:, 0], bounds=[(None, None)] * 4)
     return size * np.asarray(solved.x)[:2] if solved.success else None
 
@@ -164,13 +162,12 @@ def circle_figures(points: Array, centre: Array, radius: float, clockwise: bool,
 
 
 def bidirectional(one: CircleFigures, other: CircleFigures) -> Bidirectional:
-    """Return the joint figures of two runs around one circle in opposite senses.
+    """Return the joint figures of two runs around one circle, with one nominal centre, in opposite senses.
 
     Raises
     ------
     ResultError
-        If they run in the same sense, or around circles of different radii. Deviations are counted from the nominal centre; that it is one
-        centre is for the caller to see, as `pairs` does.
+        If they run in the same sense, or around circles of different radii.
     """
     if one.clockwise == other.clockwise or abs(one.radius - other.radius) > 1e-9:
         raise ResultError("give two runs around one circle in opposite senses")
@@ -192,7 +189,7 @@ def _at_angles(run: CircleFigures, grid: Array) -> Array:
 
 
 def circles_of(result: Result, reference: Reference) -> tuple[CircleFigures, ...]:
-    """Return the figures of every full circle of the programmed path, each over its last whole pass.
+    """Return the figures of every full circle of the programmed path, each over its last complete pass.
 
     Parameters
     ----------
@@ -201,14 +198,14 @@ def circles_of(result: Result, reference: Reference) -> tuple[CircleFigures, ...
     reference : Reference
     """
     path = reference.programmed
-    found = []
+    runs = []
     for i, curve in enumerate(path.curves):
         if not isinstance(curve, Arc) or abs(curve.sweep) < 2.0 * math.pi - 1e-6 or np.any(curve.rise != 0.0):
             continue
         samples = _pass(result, reference, path.breaks[i], path.breaks[i + 1])
         if len(samples) >= 8:
-            found.append(_run_of(result, samples, curve, path.n_axis))
-    return tuple(found)
+            runs.append(_run_of(result, samples, curve, path.n_axis))
+    return tuple(runs)
 
 
 def _pass(result: Result, reference: Reference, low: float, high: float) -> NDArray[np.int64]:
@@ -226,7 +223,7 @@ def _run_of(result: Result, samples: NDArray[np.int64], curve: Arc, n_axis: int)
     flat = (result["tool_position"][samples] - curve.centre) @ frame.T
     main = [int(np.argmax(np.abs(axis))) for axis in frame]
     plane = "".join("XYZ"[i] if n_axis <= 3 else "?" for i in main)
-    # In the plane the sense is that of the first two axes, whichever way round the arc's own frame is.
+    # In the plane the first two axes define the sense, not the frame of the arc.
     turn = curve.sweep * float(np.linalg.det(frame)) if n_axis == 2 else curve.sweep
     middle = [round(1e3 * float(curve.centre[i]), 6) for i in main]
     place = f" at ({middle[0]:.6g}, {middle[1]:.6g}) mm" if any(middle) else ""
@@ -236,9 +233,5 @@ def _run_of(result: Result, samples: NDArray[np.int64], curve: Arc, n_axis: int)
 
 def pairs(runs: Sequence[CircleFigures]) -> dict[str, Bidirectional]:
     """Return the bidirectional figures of all circles that were run in both senses, by name."""
-    found = {}
-    for one in runs:
-        for other in runs:
-            if one.name == other.name and not one.clockwise and other.clockwise:
-                found[one.name] = bidirectional(one, other)
-    return found
+    clockwise = {run.name: run for run in runs if run.clockwise}
+    return {run.name: bidirectional(run, clockwise[run.name]) for run in runs if not run.clockwise and run.name in clockwise}

@@ -1,4 +1,4 @@
-"""The commands of a loop, reduced to figures while the lanes run, so that no signal is kept."""
+"""Reduce the commands of a loop to figures while the lanes run, without storing signals."""
 
 from __future__ import annotations
 
@@ -21,15 +21,15 @@ _AXIS = """
 
 @cache
 def effort_step(n_axis: int) -> Step:
-    """Return the step that adds up commands.
+    """Return the step that sums up commands.
 
-    Parameters of the node: ``rate_0``, ``rate_1`` ..., what the command of each axis is multiplied by (one over the largest that its drive
-    takes, or 1), and ``first`` and ``last``, the ticks (inclusive) that count.
+    Parameters of the node: ``rate_0``, ``rate_1`` ..., a factor on the command of each axis (one over the limit of its drive, or 1), and
+    ``first`` and ``last``, the evaluated ticks (inclusive).
 
     Notes
     -----
-    ``sum_square`` adds the squares of what all drives accepted, ``largest`` is the largest command to any drive, ``limited``
-    counts the ticks at which any did not take all of it.
+    ``sum_square`` adds the squares of the commands that the drives accepted, ``largest`` is the largest command to any drive, ``limited``
+    counts the ticks at which any drive was saturated.
     """
     body = "".join(_AXIS.format(i=i) for i in range(n_axis))
     source = (

@@ -1,4 +1,4 @@
-"""Figures of a run."""
+"""Summary figures of a run."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ Array = NDArray[np.float64]
 
 @dataclass(frozen=True, slots=True)
 class Place:
-    """Where and when: sample, time [s], arc length [m], position [m], line of the program (0 if none)."""
+    """Sample, time [s], arc length [m], position [m] and program line (0 if none)."""
 
     sample: int
     time: float
@@ -29,18 +29,18 @@ class Place:
 
 @dataclass(frozen=True, slots=True)
 class ErrorFigures:
-    """An error over the samples that count.
+    """An error over the evaluated samples.
 
     Attributes
     ----------
     rms, max, mean, p95 : float [m]
-        Of the magnitude; p95 is not passed by 95 % of the samples.
+        Of the magnitude; p95 is its 95 % quantile.
     integral : float [m s]
-        Of the magnitude over the time that counts: sum over the samples times the period.
+        Sum of the magnitude times the servo period.
     signed_mean : float [m]
-        Mean with the side counted; on a circle it is the radius error. Of the magnitude on a path in space.
+        Mean of the signed error: the radius error on a circle. Mean magnitude on a path in space.
     integral_without_mean : float [m s]
-        Of the magnitude of what is left when the signed mean is taken out.
+        As `integral`, after subtraction of the signed mean.
     worst : Place
     """
 
@@ -69,20 +69,20 @@ class Metrics:
     Attributes
     ----------
     window : (int, int)
-        Samples [start, stop) that count.
+        Evaluated samples [start, stop).
     basis : str
-        "last lap" or "whole motion".
+        "last lap", "whole motion" or "window".
     part_error, contour_error, planning_deviation : ErrorFigures
     tracking_error : tuple of AxisFigures
         One for each axis.
     saturation : tuple of float
-        Part of the samples, 0 to 1, at which the drive held a command back, for each axis.
+        Fraction of the samples, 0 to 1, at which the drive was saturated, for each axis.
     left_out : float [m]
-        Longest piece of the programmed path that the tool never came to; see `left_out`.
+        Longest piece of the programmed path that the tool missed; see `left_out`.
     feedrate_mean : float [m/s]
         Mean speed of the tool along its path.
     feedrate_ripple : float
-        Standard deviation of the tool's speed over the reference's, at samples where the latter is constant.
+        Standard deviation of tool speed over reference speed, where the latter is constant.
     cycle_time : float [s]
         Of the whole motion.
     """
@@ -100,9 +100,9 @@ class Metrics:
     cycle_time: float
 
     def as_dict(self) -> dict[str, Any]:
-        """Return the figures as plain values in SI; a figure that is not a number becomes None."""
-        found: dict[str, Any] = _plain(asdict(self))
-        return found
+        """Return the figures as plain values in SI units; a non-finite figure becomes None."""
+        values: dict[str, Any] = _plain(asdict(self))
+        return values
 
 
 def _plain(value: Any) -> Any:
@@ -114,9 +114,9 @@ def _plain(value: Any) -> Any:
 
 
 def evaluation_window(reference: Reference, n_sample: int, first: int = 0) -> tuple[tuple[int, int], str]:
-    """Return the samples that count, the last whole lap where the reference has laps, and its name.
+    """Return the samples to evaluate, the last whole lap or all, and the name of that choice.
 
-    `first` is the run's sample at which a result of `n_sample` samples begins; the window is counted from there.
+    The result holds `n_sample` samples of the run from sample `first` on; the window is counted from there.
     """
     laps = [(start - first, stop - first) for start, stop in reference.laps if first <= start and stop <= first + n_sample]
     return (laps[-1], "last lap") if laps else ((0, n_sample), "whole motion")
@@ -131,7 +131,7 @@ def summarise(result: Result, reference: Reference, window: tuple[int, int] | No
         With the judge's signals.
     reference : Reference
     window : (int, int), optional
-        Samples [start, stop) that count; by default the last lap, or the whole motion.
+        Samples [start, stop) to evaluate; by default the last lap, or the whole motion.
 
     Raises
     ------
@@ -141,17 +141,17 @@ def summarise(result: Result, reference: Reference, window: tuple[int, int] | No
     chosen, basis = (window, "window") if window else evaluation_window(reference, result.n_sample, result.start)
     start, stop = chosen
     if not 0 <= start < stop <= result.n_sample:
-        raise ResultError(f"window {start} .. {stop} of a result of {result.n_sample} samples: choose a part of it")
+        raise ResultError(f"window {start} .. {stop} of a result of {result.n_sample} samples: give a non-empty part of it")
     cut = slice(start, stop)
     period = result.servo_period
     tracking = result["tracking_error"][cut]
     axes = tuple(AxisFigures(float(np.sqrt(np.mean(e**2))), float(np.abs(e).max())) for e in tracking.T)
-    held = tuple(float(np.mean(row)) for row in _held_back(result, cut).T)
+    saturation = tuple(float(np.mean(row)) for row in _saturated(result, cut).T)
     mean, ripple = _feedrate(result, cut)
     cycle = (result.n_sample - 1) * period
     names = ("part_error", "contour_error", "planning_deviation")
     part, contour, planning = (_error_figures(result, reference, name, start, stop) for name in names)
-    return Metrics(chosen, basis, part, contour, planning, axes, held, left_out(result, reference, chosen)[0], mean, ripple, cycle)
+    return Metrics(chosen, basis, part, contour, planning, axes, saturation, left_out(result, reference, chosen)[0], mean, ripple, cycle)
 
 
 def _error_figures(result: Result, reference: Reference, name: str, start: int, stop: int) -> ErrorFigures:
@@ -179,14 +179,14 @@ def _error_figures(result: Result, reference: Reference, name: str, start: int, 
     )
 
 
-def _held_back(result: Result, cut: slice) -> NDArray[np.bool_]:
-    """Return where each drive gave all it can: at its limit, which the run noted."""
-    held = np.zeros((cut.stop - cut.start, len(result.axes)), dtype=bool)
+def _saturated(result: Result, cut: slice) -> NDArray[np.bool_]:
+    """Return where each drive was at the limit that the run recorded."""
+    saturated = np.zeros((cut.stop - cut.start, len(result.axes)), dtype=bool)
     if "applied_command" in result:
         for j, axis in enumerate(result.axes):
             limit = float(result.attributes.get(f"command_limit_{axis}", math.inf))
-            held[:, j] = np.abs(result["applied_command"][cut, j]) >= limit * (1.0 - 1e-12)
-    return held
+            saturated[:, j] = np.abs(result["applied_command"][cut, j]) >= limit * (1.0 - 1e-12)
+    return saturated
 
 
 def _feedrate(result: Result, cut: slice) -> tuple[float, float]:
@@ -201,7 +201,7 @@ def _feedrate(result: Result, cut: slice) -> tuple[float, float]:
 
 
 def left_out(result: Result, reference: Reference, window: tuple[int, int]) -> tuple[float, float]:
-    """Return the longest piece [m] of the commanded part of the programmed path without a foot point of the tool.
+    """Return the longest piece [m] of the commanded part of the programmed path that has no foot point of the tool.
 
     Parameters
     ----------
@@ -209,7 +209,7 @@ def left_out(result: Result, reference: Reference, window: tuple[int, int]) -> t
         With the judge's ``foot_arc_length``.
     reference : Reference
     window : (int, int)
-        Samples [start, stop) that count. On a whole lap what lies before its start counts for the end of the lap.
+        Samples [start, stop) to evaluate. On a whole lap, places before the start count as the end of the lap.
 
     Returns
     -------
@@ -218,8 +218,7 @@ def left_out(result: Result, reference: Reference, window: tuple[int, int]) -> t
 
     Notes
     -----
-    A tool that follows leaves out no more than the path between two samples, what it cuts off at a corner, and how far it is from its
-    reference at the ends of the motion.
+    A tool that follows misses only the path between two samples, what it cuts off at a corner, and its lag at the ends of the motion.
     """
     cut = slice(*window)
     path = reference.programmed

@@ -1,11 +1,11 @@
 """The judge: three separate errors, from true positions and the path alone.
 
-- `planning_deviation`: planned path to programmed path, at the reference: the cost of blending;
-- `contour_error`: tool to planned path: the cost of the servo loops;
-- `part_error`: tool to programmed path: the error of the part, which a tolerance limits.
+- `planning_deviation`: reference to programmed path, caused by blending;
+- `contour_error`: tool to planned path, caused by the servo loops;
+- `part_error`: tool to programmed path, limited by a tolerance.
 
-Each is the exact shortest distance, found around the reference's progress, so that the right branch is taken where a path meets itself.
-It has a side in the plane (positive to the left of the direction of travel) and is a magnitude in space.
+Each is the exact shortest distance, searched near the progress of the reference, which selects the right branch where a path meets itself.
+In the plane it is signed, positive to the left of the direction of travel; in space it is a magnitude.
 """
 
 from __future__ import annotations
@@ -23,35 +23,32 @@ _MARGIN = 1e-4
 
 
 def reach(path: Path, tracking: Array) -> float:
-    """Return the window [m] in which a foot point is sought: three times the largest tracking error, and 0.1 mm.
+    """Return the search window [m] of foot points: three times the largest tracking error plus 0.1 mm, at most half of a closed path.
 
-    The foot point of a tool that is e away from its reference lies within 2 e of it on a straight path, and a little further on a bent one.
-    On a closed path half the length is enough.
+    The foot point of a tool at the distance e from its reference lies within 2 e of it on a straight path, and slightly further on a curve.
     """
-    largest = float(np.linalg.norm(tracking, axis=1).max(initial=0.0))
-    wanted = 3.0 * largest + _MARGIN
-    return min(wanted, 0.5 * path.length) if path.closed else wanted
+    window = 3.0 * float(np.linalg.norm(tracking, axis=1).max(initial=0.0)) + _MARGIN
+    return min(window, 0.5 * path.length) if path.closed else window
 
 
 def judge(result: Result, reference: Reference) -> Result:
-    """Return the result with the judge's signals: errors [m], the foot point's arc length [m], the tracking error of each axis [m].
+    """Add the errors [m], the arc length of the foot point [m] and the tracking error of each axis [m] to a result.
 
     Parameters
     ----------
     result : Result
         With ``tool_position``, ``reference`` and ``arc_length``.
     reference : Reference
-        With its planned and its programmed path.
 
     Raises
     ------
     ResultError
-        If a position is not finite, or the result has other axes than the path.
+        If a position is not finite, or the result and the path have different axes.
 
     Notes
     -----
     Signals ``contour_error``, ``part_error``, ``planning_deviation``, ``foot_arc_length`` (on the programmed path) and ``tracking_error``:
-    the reference less the axes' true positions, or less the tool's where these were not kept.
+    the reference less the true axis positions, or less the tool position if those were not recorded.
     """
     tool, wanted, along = result["tool_position"], result["reference"], result["arc_length"]
     for name in ("tool_position", "reference", "arc_length"):
@@ -67,23 +64,22 @@ def judge(result: Result, reference: Reference) -> Result:
         place, window = _around(reference, wanted, along)
         planning, at = _errors(programmed, wanted, place, window)
         part, part_foot = _errors(programmed, tool, at, reach(programmed, off) + float(np.abs(planning).max(initial=0.0)))
-    # The servo's error is that of the axes; where they are the tool may still be off by the machine's error map.
+    # The tracking error is that of the axes; the machine's error map moves the tool only.
     tracking = wanted - result["axis_position"] if "axis_position" in result.signals else off
-    one = ("sample",)
     return result.with_signals(
-        contour_error=Signal(contour, one, "m"),
-        part_error=Signal(part, one, "m"),
-        planning_deviation=Signal(planning, one, "m"),
-        foot_arc_length=Signal(part_foot, one, "m"),
+        contour_error=Signal(contour, ("sample",), "m"),
+        part_error=Signal(part, ("sample",), "m"),
+        planning_deviation=Signal(planning, ("sample",), "m"),
+        foot_arc_length=Signal(part_foot, ("sample",), "m"),
         tracking_error=Signal(tracking, ("sample", "axis"), "m"),
     )
 
 
 def _around(reference: Reference, wanted: Array, along: Array) -> tuple[Array, Array]:
-    """Return where on the programmed path the reference is, and how far (n,) [m] its foot point may be from there.
+    """Return the place of the reference on the programmed path, and how far (n,) [m] its foot point may be from there.
 
-    The place that corresponds is a first guess at the foot point, good to the length of what was replaced there by one curve: a corner or
-    a merged piece. A foot point is no further away than that place is, and a path that bends back near there is longer than it is wide.
+    The error of the corresponding place is at most the length that one curve replaces there: a corner or a merged piece. The foot point is
+    not further away than that place, and the margin covers a path that bends back.
     """
     place = reference.programmed_arc_length(along)
     if reference.correspondence is None:
@@ -97,9 +93,9 @@ def _check_finite(result: Result, name: str) -> None:
     if not good.all():
         where = np.argwhere(~good)[0]
         axis = f" of axis {result.axes[where[1]]}" if len(where) == 2 else ""
-        raise ResultError(f"{name}{axis} is not finite at sample {int(where[0]) + result.start}: it cannot be judged")
+        raise ResultError(f"{name}{axis} is not finite at sample {int(where[0]) + result.start}")
 
 
 def _errors(path: Path, points: Array, around: Array, window: float | Array) -> tuple[Array, Array]:
-    found = path.foot_point(points, around, window)
-    return (found.signed if path.is_planar else found.distance), found.arc_length
+    feet = path.foot_point(points, around, window)
+    return (feet.signed if path.is_planar else feet.distance), feet.arc_length

@@ -1,27 +1,28 @@
-"""Lost motion from the measured positions of motor and load: the gap, and the windup that comes on top of it.
+"""Lost motion from measured positions of motor and load: the gap and the windup.
 
-Where the motor pushes the load, motor less load is o + b/2 + F/k forwards and o - b/2 - F/k backwards: o what the two scales are apart, b
-the gap, F the force handed on and k the stiffness behind the motor. Their difference is the lost motion b + 2 F/k. From positions alone no
-more can be known; a force that is measured, or a stiffness, tells the gap from the windup.
+Where the motor pushes the load, motor less load is o + b/2 + F/k forwards and o - b/2 - F/k backwards: o is the offset of the two scales,
+b the gap, F the transmitted force and k the stiffness behind the motor. Their difference is the lost motion b + 2 F/k. Positions alone give
+no more; a measured force, or a known stiffness, separates the gap from the windup.
 """
 
 from __future__ import annotations
 
 import math
 from dataclasses import dataclass
-from typing import Any
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from contourlab.errors import ParameterError, ResultError
+from contourlab.metrics.records import check_positive, records
 
 Array = NDArray[np.float64]
 
 MARGIN = 1.2
-"""Travel since the last turn from which contact is sure, over the whole range of motor less load."""
+"""Travel since the last turn that ensures contact, as a multiple of the range of motor less load."""
 LEAST_CELL = 0.25
-"""A pass counts in a bin in which it goes at least this part of the bin's width."""
+"""Least travel of a pass that counts in a bin, as a fraction of the bin's width."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -31,23 +32,20 @@ class LostMotion:
     Attributes
     ----------
     lost_motion, lost_motion_deviation : float [m]
-        Motor less load forwards, less that backwards, in slow motion with contact; and its standard deviation, from the scatter between
-        passes and places (nan where there is but one pass each way in one bin).
+        Motor less load forwards, less that backwards, in contact; and its standard deviation from the scatter between passes and places
+        (nan for one pass each way in one bin).
     gap, gap_deviation : float [m]
-        Free travel at no force, b; nan where neither force nor stiffness was given.
+        Free travel without force, b; nan if neither force nor stiffness was given.
     windup : float [m]
-        Elastic part of the lost motion; nan as the gap.
+        Elastic part of the lost motion; nan like the gap.
     stiffness : float [N/m]
-        As given, or as found from the force; nan where there is neither.
-    plateau_gap : float [m]
-        Distance between the two plateaus of the distribution of motor less load: the lost motion by another way, which does not ask for
-        the direction, but is blurred by what varies along the axis.
+        As given, or as found from the force; else nan.
     offset : float [m]
-        Motor less load midway between the plateaus of both directions.
+        Motor less load midway between forwards and backwards.
     passes_forward, passes_backward : int
-        Stretches of motion in one direction that were counted.
+        Number of counted strokes.
     place : ndarray (n_bin,) [m]
-        Middles of the bins that were passed both ways, by the position of the motor.
+        Motor positions in the middle of the bins passed both ways.
     lost_motion_at, deviation_at : ndarray (n_bin,) [m]
         Lost motion there, and its standard deviation (nan without repetitions).
     """
@@ -58,7 +56,6 @@ class LostMotion:
     gap_deviation: float
     windup: float
     stiffness: float
-    plateau_gap: float
     offset: float
     passes_forward: int
     passes_backward: int
@@ -67,15 +64,13 @@ class LostMotion:
     deviation_at: Array
 
 
-@dataclass(frozen=True, eq=False)
-class _Cells:
-    """Means over one pass in one bin each: (n_cell,)."""
+class _Cells(NamedTuple):
+    """Means over one pass in one bin; arrays (n_cell,)."""
 
     apart: Array
     side: Array
     bin: NDArray[np.int64]
     force: Array
-    middle: Array
 
 
 def lost_motion_from_pair(
@@ -92,98 +87,85 @@ def lost_motion_from_pair(
     Parameters
     ----------
     motor_position, load_position : array_like (n,) [m]
-        Both as travel of the load, positive the same way; where they have their zeros does not matter.
+        As travel of the load, positive in the same direction; any zero points.
     force : array_like (n,) [N], optional
-        Handed on from motor to load, positive where it pushes forwards. With `stiffness`, the windup is taken off pass by pass; without,
-        the stiffness is found as well, for which the force has to vary in more than its direction.
+        From motor to load, positive where it pushes forwards. With `stiffness` the windup is subtracted pass by pass. Without it the
+        stiffness is identified, which needs a force that varies in more than its direction.
     friction : float [N], optional
-        Magnitude of the force at the speed of the test, where it was not measured; goes with `stiffness`.
+        Magnitude of the force at the speed of the test, if it was not measured; needs `stiffness`.
     stiffness : float [N/m], optional
         Behind the motor, k > 0.
     bins : int
-        Number of places along the axis at which the lost motion is evaluated, >= 1.
+        Number of places along the axis, >= 1.
 
     Notes
     -----
-    The motor has to go further in one direction than `MARGIN` times the whole range of motor less load before a sample counts, which makes
-    contact sure if the load is slow enough for its friction to hold it against the motor. Samples count by the travel in which they were
-    taken, so that standstill counts nothing. Means are taken over each pass in each bin; errors of the scales along the axis drop out, as
-    they are the same both ways.
+    A sample counts once the motor has gone further in one direction than `MARGIN` times the range of motor less load. This ensures contact
+    if the load is slow enough for its friction to hold it against the motor. Samples are weighted by their travel, so standstill has no
+    weight. Means are taken over each pass in each bin; scale errors along the axis cancel, since they are the same both ways.
 
     Raises
     ------
     ResultError
-        If the records differ in length, have numbers that are not finite, never go both ways far enough over the same place, or hold a
-        force that does not determine the stiffness.
+        If the records differ in length, are not finite, or never go both ways far enough over the same place, or if the force does not
+        determine the stiffness.
     ParameterError
         If bins, stiffness or friction are out of range, or friction is given without stiffness.
     """
-    motor, load, push = _records(motor_position, load_position, force)
-    _check_numbers(bins, stiffness, friction, force is not None)
-    apart = motor - load
-    cells, passes = _cells(motor, apart, push, bins)
-    design = _design(cells)
-    found, deviation = _solved(design, cells.apart)
-    gap, gap_deviation, k = _gap_and_stiffness(cells, design, found, deviation, force is not None, friction, stiffness)
-    place, lost_at, deviation_at = _by_place(cells)
+    no_force = np.zeros(np.shape(motor_position))
+    motor, load, push = records(motor=motor_position, load=load_position, force=no_force if force is None else force)
+    if bins != int(bins) or bins < 1:
+        raise ParameterError("bins", bins, "a whole number, 1 or more")
+    if stiffness is not None:
+        check_positive("stiffness", stiffness, "N/m")
+    if friction is not None:
+        check_positive("friction", friction, "N", or_zero=True)
+        if stiffness is None or force is not None:
+            raise ParameterError("friction", friction, "given with stiffness, and without force")
+    cells, middle, passes = _cells(motor, motor - load, push, bins)
+    found = np.unique(cells.bin)
+    design = np.column_stack([0.5 * cells.side, cells.bin[:, None] == found]).astype(float)
+    values, deviation = _least_squares(design, cells.apart)
+    if friction is not None and stiffness is not None:
+        gap, gap_deviation, k = values[0] - 2.0 * friction / stiffness, deviation[0], stiffness
+    elif force is None:
+        gap, gap_deviation, k = math.nan, math.nan, math.nan if stiffness is None else stiffness
+    else:
+        gap, gap_deviation, k = _gap_and_stiffness(cells, design, stiffness)
+    lost_at, deviation_at = _by_place(cells, found)
     return LostMotion(
-        lost_motion=found[0],
+        lost_motion=values[0],
         lost_motion_deviation=deviation[0],
         gap=gap,
         gap_deviation=gap_deviation,
-        windup=found[0] - gap,
+        windup=values[0] - gap,
         stiffness=k,
-        plateau_gap=_plateau_gap(apart),
-        offset=float(np.mean(found[1:])),
+        offset=float(np.mean(values[1:])),
         passes_forward=passes[0],
         passes_backward=passes[1],
-        place=place,
+        place=middle[found],
         lost_motion_at=lost_at,
         deviation_at=deviation_at,
     )
 
 
-def _records(motor: ArrayLike, load: ArrayLike, force: ArrayLike | None) -> tuple[Array, Array, Array]:
-    m, p = (np.asarray(values, dtype=float) for values in (motor, load))
-    f = np.zeros(m.shape) if force is None else np.asarray(force, dtype=float)
-    if m.ndim != 1 or not m.shape == p.shape == f.shape:
-        shapes = f"{m.shape} and {p.shape}" + ("" if force is None else f" and {f.shape}")
-        raise ResultError(f"motor and load of shapes {shapes}: give one number a sample, as many of each")
-    if not m.size:
-        raise ResultError("motor and load hold no samples")
-    if not (np.isfinite(m).all() and np.isfinite(p).all() and np.isfinite(f).all()):
-        raise ResultError("motor, load or force hold numbers that are not finite")
-    return m, p, f
-
-
-def _check_numbers(bins: int, stiffness: float | None, friction: float | None, measured: bool) -> None:
-    if bins != int(bins) or bins < 1:
-        raise ParameterError("bins", bins, "a whole number, 1 or more")
-    if stiffness is not None and not 0.0 < stiffness < math.inf:
-        raise ParameterError("stiffness", stiffness, "finite and > 0", "N/m")
-    if friction is not None and not 0.0 <= friction < math.inf:
-        raise ParameterError("friction", friction, "finite and >= 0", "N")
-    if friction is not None and (stiffness is None or measured):
-        raise ParameterError("friction", friction, "given with stiffness, and without force")
-
-
 def pushed(motor: Array, width: float) -> Array:
-    """Return +1 or -1 (n,) where the motor has gone by `width` in one direction since it last turned, else 0.
+    """Return +1 or -1 (n,) where the motor has gone by `width` in one direction since its last turn, else 0.
 
-    Both ways are counted up to a quarter more than that, so that noise on the way, and turns smaller than this quarter, are no turns.
+    Turns smaller than a quarter of `width`, such as noise, do not count.
     """
-    most, rise, fall, ways = 1.25 * width, 0.0, 0.0, []
+    most, rise, fall, signs = 1.25 * width, 0.0, 0.0, []
     for step in np.diff(motor, prepend=motor[0]).tolist():
         rise = min(max(rise + step, 0.0), most)
         fall = min(max(fall - step, 0.0), most)
-        ways.append(1.0 if rise >= width else -1.0 if fall >= width else 0.0)
-    return np.array(ways)
+        signs.append(1.0 if rise >= width else -1.0 if fall >= width else 0.0)
+    return np.array(signs)
 
 
-def _cells(motor: Array, apart: Array, force: Array, bins: int) -> tuple[_Cells, tuple[int, int]]:
-    """Return the means over passes and bins that are passed both ways, and how many passes there are each way."""
+def _cells(motor: Array, apart: Array, force: Array, bins: int) -> tuple[_Cells, Array, tuple[int, int]]:
+    """Return the means over passes in bins that are passed both ways, the middles of all bins, and the number of passes each way."""
     width = MARGIN * float(np.ptp(apart))
-    side, place, travel, values = _steps(motor, width, (apart, force))
+    side, travel, (place, *values) = _steps(motor, width, (apart, force))
     low, high = _common(place, side, width)
     inside = (place >= low) & (place <= high)
     number = np.cumsum(np.diff(side, prepend=side[:1]) != 0.0)
@@ -193,16 +175,19 @@ def _cells(motor: Array, apart: Array, force: Array, bins: int) -> tuple[_Cells,
     kept = np.flatnonzero(total >= LEAST_CELL * (high - low) / bins)
     of_apart, of_side, of_force = (np.bincount(cell, weight * v)[kept] / total[kept] for v in (values[0], side, values[1]))
     middle = low + (np.arange(bins) + 0.5) * (high - low) / bins
-    cells = _both_ways(_Cells(of_apart, np.sign(of_side), kept % bins, of_force, middle))
     forward = len(np.unique(kept[of_side > 0.0] // bins))
-    return cells, (forward, len(np.unique(kept // bins)) - forward)
+    cells = _Cells(of_apart, np.sign(of_side), kept % bins, of_force)
+    both = np.isin(cells.bin, np.intersect1d(cells.bin[cells.side == 1.0], cells.bin[cells.side == -1.0]))
+    if not both.any():
+        raise ResultError("no place is passed in both directions: go both ways over one place, or use fewer bins")
+    cells = _Cells(cells.apart[both], cells.side[both], cells.bin[both], cells.force[both])
+    return cells, middle, (forward, len(np.unique(kept // bins)) - forward)
 
 
-def _steps(motor: Array, width: float, values: tuple[Array, ...]) -> tuple[Array, Array, Array, list[Array]]:
-    """Return the steps from sample to sample that count: their side, place and travel, and the values in their middle.
+def _steps(motor: Array, width: float, values: tuple[Array, ...]) -> tuple[Array, Array, list[Array]]:
+    """Return direction and travel of the steps between samples that count, and the place and values in the middle of each.
 
-    A step is weighed by its own travel, in which the motor's noise takes part; with the middle of the two samples that noise has nothing
-    in common, with either of them it would.
+    The noise in the travel, which is the weight of a step, does not correlate with that in its middle.
     """
     if len(motor) < 2 or not np.ptp(motor) > 0.0:
         raise ResultError("the motor does not move: record it going back and forth")
@@ -210,15 +195,15 @@ def _steps(motor: Array, width: float, values: tuple[Array, ...]) -> tuple[Array
     side = np.sign(step)
     if width > 0.0:
         sure = pushed(motor, width)
-        # Both ends of a step have to be in contact: at speed a step is as long as the gap.
+        # Both ends of a step must be in contact: at speed a step is as long as the gap.
         side = np.where(sure[1:] == sure[:-1], sure[1:], 0.0)
     used = side * step > 0.0
     middles = [(0.5 * (v[1:] + v[:-1]))[used] for v in (motor, *values)]
-    return side[used], middles[0], np.abs(step[used]), middles[1:]
+    return side[used], np.abs(step[used]), middles
 
 
 def _common(place: Array, side: Array, width: float) -> tuple[float, float]:
-    """Return the ends of the stretch that was passed both ways."""
+    """Return the ends of the range that was passed both ways."""
     forward, backward = place[side > 0.0], place[side < 0.0]
     if not (len(forward) and len(backward)):
         way = "backwards" if len(forward) else "forwards"
@@ -228,96 +213,42 @@ def _common(place: Array, side: Array, width: float) -> tuple[float, float]:
         )
     low, high = max(float(forward.min()), float(backward.min())), min(float(forward.max()), float(backward.max()))
     if not high > low:
-        raise ResultError("forwards and backwards the motor goes over different places: go both ways over one place")
+        raise ResultError("the motor goes forwards and backwards over different places: go both ways over one place")
     return low, high
 
 
-def _both_ways(cells: _Cells) -> _Cells:
-    """Return the cells of bins that were passed both ways."""
-    forward, backward = (np.unique(cells.bin[cells.side == s]) for s in (1.0, -1.0))
-    kept = np.isin(cells.bin, np.intersect1d(forward, backward))
-    if not kept.any():
-        raise ResultError("no place is passed in both directions: go both ways over one place, or use fewer bins")
-    return _Cells(cells.apart[kept], cells.side[kept], cells.bin[kept], cells.force[kept], cells.middle)
-
-
-def _design(cells: _Cells) -> Array:
-    """Return the columns (n_cell, 1 + n_bin): half the side, and one for each bin."""
-    here = np.unique(cells.bin)
-    return np.column_stack([0.5 * cells.side, cells.bin[:, None] == here[None, :]]).astype(float)
-
-
-def _solved(design: Array, values: Array) -> tuple[list[float], list[float]]:
-    """Return the coefficients of least squares, and their standard deviations (nan without a degree of freedom)."""
+def _least_squares(design: Array, values: Array) -> tuple[list[float], list[float]]:
+    """Return the coefficients, and their standard deviations (nan without a degree of freedom)."""
     inverse = np.linalg.pinv(design)
-    found = inverse @ values
+    coefficients = inverse @ values
     free = len(values) - design.shape[1]
-    rest = values - design @ found
+    rest = values - design @ coefficients
     scatter = math.sqrt(float(rest @ rest) / free) if free > 0 else math.nan
-    return found.tolist(), (scatter * np.linalg.norm(inverse, axis=1)).tolist()
+    return coefficients.tolist(), (scatter * np.linalg.norm(inverse, axis=1)).tolist()
 
 
-def _gap_and_stiffness(
-    cells: _Cells,
-    design: Array,
-    found: list[float],
-    deviation: list[float],
-    measured: bool,
-    friction: float | None,
-    stiffness: float | None,
-) -> tuple[float, float, float]:
-    """Return gap, its deviation, and the stiffness."""
-    if stiffness is not None and friction is not None:
-        return found[0] - 2.0 * friction / stiffness, deviation[0], stiffness
-    if not measured:
-        return math.nan, math.nan, math.nan if stiffness is None else stiffness
+def _gap_and_stiffness(cells: _Cells, design: Array, stiffness: float | None) -> tuple[float, float, float]:
+    """Return the gap, its deviation, and the stiffness, from a measured force."""
     if stiffness is not None:
-        gap, spread = _solved(design, cells.apart - cells.force / stiffness)
-        return gap[0], spread[0], stiffness
-    own = cells.force - design @ np.linalg.lstsq(design, cells.force, rcond=None)[0]
-    if not float(np.linalg.norm(own)) > 0.02 * float(np.linalg.norm(cells.force)):
+        gap, deviation = _least_squares(design, cells.apart - cells.force / stiffness)
+        return gap[0], deviation[0], stiffness
+    independent = cells.force - design @ np.linalg.lstsq(design, cells.force, rcond=None)[0]
+    if not float(np.linalg.norm(independent)) > 0.02 * float(np.linalg.norm(cells.force)):
         raise ResultError("the force varies in its direction alone: give a stiffness to separate windup from the gap")
-    both, spread = _solved(np.column_stack([design, cells.force]), cells.apart)
-    if not both[-1] > 0.0:
+    values, deviation = _least_squares(np.column_stack([design, cells.force]), cells.apart)
+    if not values[-1] > 0.0:
         raise ResultError(
-            f"motor less load falls as the force rises, by {-both[-1]:.3g} m/N: give a force that is positive where it pushes forwards"
+            f"motor less load falls as the force rises, by {-values[-1]:.3g} m/N: give a force that is positive where it pushes forwards"
         )
-    return both[0], spread[0], 1.0 / both[-1]
+    return values[0], deviation[0], 1.0 / values[-1]
 
 
-def _by_place(cells: _Cells) -> tuple[Array, Array, Array]:
-    """Return places, lost motion there, and its deviation from the scatter between passes, which is taken to be one everywhere."""
-    here = np.unique(cells.bin)
-    groups: list[list[Any]] = [[cells.apart[(cells.bin == i) & (cells.side == s)] for s in (1.0, -1.0)] for i in here]
-    free = sum(len(one) - 1 for pair in groups for one in pair)
-    square = sum(float(((one - one.mean()) ** 2).sum()) for pair in groups for one in pair)
+def _by_place(cells: _Cells, bins: NDArray[np.int64]) -> tuple[Array, Array]:
+    """Return the lost motion in each bin, and its deviation from the scatter between passes, pooled over all bins."""
+    groups = [[cells.apart[(cells.bin == i) & (cells.side == side)] for side in (1.0, -1.0)] for i in bins]
+    free = sum(len(passes) - 1 for pair in groups for passes in pair)
+    square = sum(float(((passes - passes.mean()) ** 2).sum()) for pair in groups for passes in pair)
     scatter = math.sqrt(square / free) if free > 0 else math.nan
     lost = np.array([forward.mean() - backward.mean() for forward, backward in groups])
-    spread = np.array([scatter * math.sqrt(1.0 / len(forward) + 1.0 / len(backward)) for forward, backward in groups])
-    return cells.middle[here], lost, spread
-
-
-def _plateau_gap(apart: Array) -> float:
-    """Return the distance between the two places around which motor less load is most often."""
-    low, high = np.quantile(apart, [0.01, 0.99])
-    middle = 0.5 * (low + high)
-    upper, lower = (_plateau(np.sort(half)) for half in (apart[apart >= middle], apart[apart <= middle]))
-    return upper - lower
-
-
-def _plateau(values: Array) -> float:
-    """Return the mean of what lies around the mode of sorted values, by three times their own scatter there."""
-    away = np.abs(values - _mode(values))
-    return float(np.mean(values[away <= 3.0 * 1.4826 * np.median(away)]))
-
-
-def _mode(values: Array) -> float:
-    """Return the half-sample mode of sorted values: the narrowest half, again and again (Robertson & Cryer 1974)."""
-    while len(values) > 3:
-        n = (len(values) + 1) // 2
-        widths = values[n - 1 :] - values[: len(values) - n + 1]
-        # Among equals the middle one: steps of an encoder make many.
-        least = np.flatnonzero(widths == widths.min())
-        start = int(least[len(least) // 2])
-        values = values[start : start + n]
-    return float(np.mean(values))
+    deviation = np.array([scatter * math.sqrt(1.0 / len(forward) + 1.0 / len(backward)) for forward, backward in groups])
+    return lost, deviation

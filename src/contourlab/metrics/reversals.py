@@ -1,4 +1,4 @@
-"""Reversal spikes: what friction does to the contour where an axis turns round."""
+"""Reversal spikes: the contour error that friction causes where an axis reverses."""
 
 from __future__ import annotations
 
@@ -29,18 +29,18 @@ class Spike:
         Of the reversal of the reference.
     sample : int
     quadrant : int
-        1 to 4 in the plane, entered at the reversal on a round path, whichever way it is run; 0 in space, or where the other axis stands.
+        1 to 4: quadrant of a round path in the plane that starts at the reversal; 0 in space, or if the other axis is at rest.
     height : float [m]
-        Largest distance of the contour error from its local baseline, signed: positive to the left of the path. In space, where the
-        contour error has no side, the distance between two vectors, if the reference was given.
+        Largest difference between contour error and local baseline, positive to the left of the path. In space the distance between the
+        two vectors, if the reference was given.
     peak_time : float [s]
     width : float [s]
-        Time over which the distance stays above half the height.
+        Time over which the difference stays above half the height.
     direction : int
-        In which the axis goes on: 1 or -1.
+        Of the axis after the reversal: 1 or -1.
     angle : float [rad]
-        Of the place on an arc in a plane of the axes, from its first axis (XY, YZ, ZX): 0, pi/2, pi or 3 pi/2; NaN elsewhere, and where the
-        reference was not given.
+        Place on an arc in a plane of the axes, from the first axis (XY, YZ, ZX): 0, pi/2, pi or 3 pi/2; NaN elsewhere, or without a
+        reference.
     """
 
     axis: str
@@ -56,20 +56,20 @@ class Spike:
 
 @dataclass(frozen=True, slots=True)
 class ReversalFigures:
-    """The spikes of one axis that turns in one direction, at one place of arcs or elsewhere.
+    """The spikes of one axis that reverses to one direction, at one place of arcs or elsewhere.
 
     Attributes
     ----------
     axis : str
     direction : int
-        In which the axis goes on: 1 or -1.
+        After the reversal: 1 or -1.
     angle : float [rad]
         On arcs: 0, pi/2, pi or 3 pi/2; NaN elsewhere.
     count : int
     mean, largest : float [m]
-        Of the magnitude of their heights.
+        Of the magnitudes of the heights.
     largest_time : float [s]
-        Of the reversal with the largest.
+        Time of the reversal with the largest spike.
     duration : float [s]
         Mean width.
     """
@@ -94,44 +94,45 @@ def reversal_spikes(
     result : Result
         With ``contour_error`` and ``reference_velocity``.
     window : (int, int), optional
-        Samples [start, stop) to look at.
+        Samples [start, stop) to search.
     longest : float [s]
-        How long after a reversal a spike is looked for.
+        Longest time from a reversal to its spike.
     reference : Reference, optional
-        Says where on an arc a reversal lies, and in space which way the error points; the result is then one of the judge, with all of
-        its signals.
+        Gives the place of a reversal on an arc, and in space the direction of the error; needs all signals of the judge.
 
     Notes
     -----
-    A spike is looked for from the reversal to half the way to the next one, at most `longest`. Its baseline is the straight line from
-    the mean of the five samples before the reversal to that of the last five of this stretch.
+    The search runs from the reversal halfway to the next one, at most `longest`. The baseline is the line from the mean of the five samples
+    before the reversal to the mean of the last five samples of the search.
     """
     start, stop = window or (0, result.n_sample)
     velocity = result["reference_velocity"]
     turns = sorted((k, j) for j in range(len(result.axes)) for k in _turns(velocity[:, j]) if start <= k < stop)
-    moments = np.unique([k for k, _ in turns])
-    following = np.append(moments, stop)[np.searchsorted(moments, [k for k, _ in turns], side="right")]
-    arcs = None if reference is None else _Arcs(result, reference, [k for k, _ in turns])
-    longest_away = int(longest / result.servo_period)
-    ends = [min(k + max((int(following[i]) - k) // 2, 4 * _BEFORE), k + longest_away, result.n_sample) for i, (k, _) in enumerate(turns)]
-    seen = [(i, k, end, j) for i, ((k, j), end) in enumerate(zip(turns, ends, strict=True)) if k >= _BEFORE and end - k > 2 * _BEFORE]
-    errors = _Errors(result, reference, [(k - _BEFORE, end) for _, k, end, _ in seen])
+    samples = [k for k, _ in turns]
+    distinct = np.unique(samples)
+    following = np.append(distinct, stop)[np.searchsorted(distinct, samples, side="right")].tolist()
+    most = int(longest / result.servo_period)
+    ends = [min(k + max((next_ - k) // 2, 4 * _BEFORE), k + most, result.n_sample) for k, next_ in zip(samples, following, strict=True)]
+    searches = [(k, end, j) for (k, j), end in zip(turns, ends, strict=True) if k >= _BEFORE and end - k > 2 * _BEFORE]
+    errors = _Errors(result, reference, [(k - _BEFORE, end) for k, end, _ in searches])
+    angles = [math.nan] * len(searches)
+    if reference is not None:
+        angles = _angles(result, reference, [(k, j, float(velocity[k, j])) for k, _, j in searches])
     return tuple(
-        _spike(result, errors, velocity[k], (k, end), j, math.nan if arcs is None else arcs.angle(i, j, velocity[k, j]))
-        for i, k, end, j in seen
+        _spike(result, errors, velocity[k], (k, end), j, angle) for (k, end, j), angle in zip(searches, angles, strict=True)
     )
 
 
 class _Errors:
-    """The contour error (n, 1) with its sign; in space, where it has none, the vector (n, n_axis) from the path, around some stretches."""
+    """The signed contour error (n, 1); in space the vector (n, n_axis) from the path to the tool, in some ranges of samples."""
 
-    def __init__(self, result: Result, reference: Reference | None, stretches: Sequence[tuple[int, int]]) -> None:
+    def __init__(self, result: Result, reference: Reference | None, ranges: Sequence[tuple[int, int]]) -> None:
         self.samples: NDArray[np.int64] | None = None
         self.values = result["contour_error"][:, None]
-        if reference is None or reference.path.is_planar or not stretches:
+        if reference is None or reference.path.is_planar or not ranges:
             return
         marked = np.zeros(result.n_sample, dtype=bool)
-        for start, stop in stretches:
+        for start, stop in ranges:
             marked[start:stop] = True
         self.samples = here = np.flatnonzero(marked)
         path, tool = reference.path, result["tool_position"][here]
@@ -142,22 +143,22 @@ class _Errors:
         self.values = tool - foot
 
     def of(self, start: int, stop: int) -> Array:
-        """Return the errors of samples [start, stop), which lie in one of the stretches."""
+        """Return the errors of the samples [start, stop) within one of the ranges."""
         first = start if self.samples is None else int(np.searchsorted(self.samples, start))
         return np.asarray(self.values[first : first + stop - start])
 
 
 def reversal_figures(spikes: Sequence[Spike], *, places: bool = True) -> tuple[ReversalFigures, ...]:
-    """Return the figures of spikes by axis, direction and, unless `places` is false, place on arcs; those on arcs come first.
+    """Return the figures of spikes by axis, direction and, with `places`, place on arcs; those on arcs come first.
 
-    Without `places` the angle is that of all spikes of an axis and direction if they share one, else NaN.
+    Without `places` the angle is NaN unless all spikes of an axis and direction have the same.
     """
     groups: dict[tuple[str, int, float | None], list[Spike]] = {}
     for spike in spikes:
         angle = spike.angle if places and math.isfinite(spike.angle) else None
         groups.setdefault((spike.axis, spike.direction, angle), []).append(spike)
-    found = [_figures_of(group) for group in groups.values()]
-    return tuple(sorted(found, key=lambda f: (math.isnan(f.angle), np.nan_to_num(f.angle), f.axis, -f.direction)))
+    figures = map(_figures_of, groups.values())
+    return tuple(sorted(figures, key=lambda f: (math.isnan(f.angle), np.nan_to_num(f.angle), f.axis, -f.direction)))
 
 
 def _figures_of(group: Sequence[Spike]) -> ReversalFigures:
@@ -168,31 +169,22 @@ def _figures_of(group: Sequence[Spike]) -> ReversalFigures:
     return ReversalFigures(first.axis, first.direction, angle, len(group), *figures)
 
 
-class _Arcs:
-    """On which arc of the programmed path each of some samples lies."""
-
-    def __init__(self, result: Result, reference: Reference, samples: Sequence[int]) -> None:
-        self.path = reference.programmed
-        here = np.asarray(samples, dtype=np.int64)
-        ends = (reference.programmed_arc_length(result["arc_length"][np.maximum(here - back, 0)]) for back in (0, 1))
-        self.here, self.before = (self.path.curve_index(along) for along in ends)
-
-        self._planes: dict[tuple[int, int], tuple[int, ...]] = {}
-
-    def angle(self, i: int, j: int, velocity: float) -> float:
-        """Return the place at which axis j turns at sample i, to go on with a velocity; NaN where that is on no arc."""
-        pair = int(self.before[i]), int(self.here[i])
-        if pair not in self._planes:
-            self._planes[pair] = _common_plane(self.path.curves[pair[0]], self.path.curves[pair[1]])
-        plane = self._planes[pair]
-        if j not in plane:
-            return math.nan
-        # An axis turns back where it is farthest out.
-        return (0.0 if velocity < 0.0 else math.pi) + 0.5 * math.pi * plane.index(j)
+def _angles(result: Result, reference: Reference, turns: Sequence[tuple[int, int, float]]) -> list[float]:
+    """Return the place on an arc of each turn (sample, axis, velocity afterwards), NaN for a turn that is not on an arc."""
+    path = reference.programmed
+    samples = np.array([k for k, _, _ in turns], dtype=np.int64)
+    ends = (reference.programmed_arc_length(result["arc_length"][np.maximum(samples - back, 0)]) for back in (1, 0))
+    pairs = list(zip(*(path.curve_index(along).tolist() for along in ends), strict=True))
+    planes = {pair: _common_plane(path.curves[pair[0]], path.curves[pair[1]]) for pair in set(pairs)}
+    # An axis turns back where it is farthest out.
+    return [
+        (0.0 if velocity < 0.0 else math.pi) + 0.5 * math.pi * planes[pair].index(j) if j in planes[pair] else math.nan
+        for (_, j, velocity), pair in zip(turns, pairs, strict=True)
+    ]
 
 
 def _common_plane(one: Curve, other: Curve) -> tuple[int, ...]:
-    """Return the two axes in whose plane two curves are arcs of one circle; none where they are not."""
+    """Return the two axes in whose plane two curves are arcs of one circle; empty if they are not."""
     if not (isinstance(one, Arc) and isinstance(other, Arc)):
         return ()
     same = abs(one.radius - other.radius) <= 1e-9 and np.allclose(one.centre, other.centre, rtol=0.0, atol=1e-9)
@@ -200,7 +192,7 @@ def _common_plane(one: Curve, other: Curve) -> tuple[int, ...]:
 
 
 def _plane(arc: Arc) -> tuple[int, ...]:
-    """Return the two axes in whose plane an arc turns, in the order XY, YZ, ZX; none where it is tilted."""
+    """Return the two axes in whose plane an arc lies, in the order XY, YZ, ZX; empty if it is tilted."""
     if arc.n_axis == 2:
         return 0, 1
     moved = np.flatnonzero(np.abs(np.array([arc.u, arc.v])).max(axis=0) > 1e-9).tolist()
@@ -208,38 +200,33 @@ def _plane(arc: Arc) -> tuple[int, ...]:
 
 
 def _turns(velocity: Array) -> list[int]:
-    """Return the samples at which a velocity has changed its sign, standstill in between passed over."""
+    """Return the samples at which a velocity has changed its sign, ignoring standstill."""
     moving = np.flatnonzero(velocity != 0.0)
     sign = np.sign(velocity[moving])
     return [int(k) for k in moving[1:][sign[1:] != sign[:-1]]]
 
 
-def _spike(result: Result, errors: _Errors, velocity: Array, stretch: tuple[int, int], j: int, angle: float) -> Spike:
-    k, end = stretch
+def _spike(result: Result, errors: _Errors, velocity: Array, search: tuple[int, int], j: int, angle: float) -> Spike:
+    k, end = search
     error = errors.of(k - _BEFORE, end)
     low, high = error[:_BEFORE].mean(axis=0), error[-_BEFORE:].mean(axis=0)
     away = error[_BEFORE:] - np.linspace(low, high, end - k)
     size = np.linalg.norm(away, axis=1)
     peak = int(np.argmax(size))
-    above = size >= 0.5 * size[peak]
-    left, right = peak, peak
-    while left > 0 and above[left - 1]:
-        left -= 1
-    while right + 1 < len(above) and above[right + 1]:
-        right += 1
+    below = np.flatnonzero(~(size >= 0.5 * size[peak]))
+    left, right = below[below < peak].max(initial=-1), below[below > peak].min(initial=len(size))
     period = result.servo_period
     time = (k + result.start) * period
     height = float(away[peak, 0] if away.shape[1] == 1 else size[peak])
-    spike = (height, time + peak * period, (right - left + 1) * period, int(np.sign(velocity[j])), angle)
+    spike = (height, time + peak * period, int(right - left - 1) * period, int(np.sign(velocity[j])), angle)
     return Spike(result.axes[j], time, k + result.start, _quadrant(velocity, j), *spike)
 
 
 def _quadrant(velocity: Array, j: int) -> int:
-    """Return the quadrant of a round path in which it goes on with `velocity` after axis j has turned."""
+    """Return the quadrant of a round path that starts where axis j reverses, with the velocity afterwards."""
     if velocity.size != 2 or not velocity.all():
         return 0
     x, y = (int(np.sign(v)) for v in velocity)
     counter_clockwise = {(1, 1): 4, (-1, 1): 1, (-1, -1): 2, (1, -1): 3}[x, y]
-    # The velocity of a quarter is that of the opposite one run the other way; to the left means one sign of x y for each axis.
-    left = (x * y > 0) == (j == 1)
-    return counter_clockwise if left else (counter_clockwise + 1) % 4 + 1
+    # A clockwise run has the same velocity in the opposite quadrant; the sign of x y and the axis give the sense.
+    return counter_clockwise if (x * y > 0) == (j == 1) else (counter_clockwise + 1) % 4 + 1

@@ -1,7 +1,6 @@
-"""The judge of a batch: contour error reduced to figures while the lanes run, so that no signal is kept.
+"""The judge of a batch: reduce the contour error to figures while the lanes run, without storing signals.
 
-It is a step like those of the components and runs in the same lanes, but it is no part of the loop: it reads true positions and the
-path, and nothing reads it.
+It is a step like those of components and runs in the same lanes. It reads true positions and the path; nothing in the loop reads it.
 """
 
 from __future__ import annotations
@@ -17,18 +16,8 @@ from contourlab.geometry import Path
 from contourlab.geometry.view import PathView
 from contourlab.primitives import clip, copysign, dot, fabs, floor, lookup, maximum, select, sqrt, sub
 
-SUMS = (
-    "count",
-    "sum_magnitude",
-    "sum_square",
-    "sum_signed",
-    "largest",
-    "largest_at",
-    "sum_tracking",
-    "largest_tracking",
-    "unsure",
-)
-"""States of the judge behind the foot point, in order."""
+SUMS = ("count", "sum_magnitude", "sum_square", "sum_signed", "largest", "largest_at", "sum_tracking", "largest_tracking", "unsure")
+"""States of the judge after the foot point, in order."""
 
 CORNER_PARAMETERS = ("corner_scale", "corner_last", "corner_lap", "corner_rate")
 MOST_CELLS = 1 << 16
@@ -36,10 +25,9 @@ _ITERATIONS = 3
 
 
 def corner_parts(path: Path) -> tuple[dict[str, float], dict[str, NDArray[np.float64]]]:
-    """Return parameters and tables from which the judge finds the corner nearest to any place, ends of an open path included.
+    """Return parameters and tables for finding the corner, or end of an open path, nearest to any place; empty if there is none.
 
-    Nothing where there is none. The path is cut into cells of one length; with corners closer together than a cell the one nearest to its
-    middle represents all.
+    The path is cut into cells of equal length; each stores the corner nearest to its middle.
     """
     corners = np.unique(path.corners) if path.closed else np.unique(np.concatenate([[0.0], path.corners, [path.length]]))
     if not corners.size:
@@ -58,19 +46,17 @@ def corner_parts(path: Path) -> tuple[dict[str, float], dict[str, NDArray[np.flo
 def judge_step(view: PathView, n_axis: int, corners: bool = False) -> Step:
     """Return the judge's step on a path.
 
-    Parameters of the node: ``window`` [m] around the reference in which the foot point is sought, ``first`` and ``last``, the ticks
-    (inclusive) that count, those of the view, and with `corners` those of `corner_parts`.
+    Parameters of the node: ``window`` [m] around the reference for the foot point, ``first`` and ``last``, the evaluated ticks (inclusive),
+    those of the view, and with `corners` those of `corner_parts`.
 
     Notes
     -----
-    Three Newton steps from the foot point of the tick before, and three from the reference's place; the nearer one counts. The distance is
-    projected on the normal, so it is exact to the square of what is left of the foot error. Where a corner, or an end, is nearer than that
-    place, it is the foot point. Ticks at which the last Newton step was still
-    longer than 1e-9 of the window, or the foot point lies at the window's end, are in ``doubt`` and counted as ``unsure``; a caller judges
-    them again, exactly.
+    Three Newton steps from the foot point of the previous tick, and three from the place of the reference; the nearer result is used. The
+    distance is projected on the normal, so its error is quadratic in the remaining foot error. A corner or end that is nearer becomes the
+    foot point. If the last Newton step was longer than 1e-9 of the window, or the foot point lies at the end of the window, the tick is in
+    ``doubt`` and counted as ``unsure``; a caller judges it again, exactly.
 
-    The steps are those of the controller's Newton estimator, with more of them: what is independent of it is the exact foot
-    point that tests hold this one against, on tables and arcs.
+    A controller's Newton estimator takes the same steps, but fewer; tests compare this judge with the exact foot point instead.
     """
     parameters = ("window", "first", "last", *view.parameters, *(CORNER_PARAMETERS if corners else ()))
     states = (Port("foot"), *(Port(name) for name in SUMS))

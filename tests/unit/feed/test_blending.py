@@ -17,7 +17,7 @@ from contourlab.feed import Correspondence, Reference, Route, blended
 from contourlab.feed.corner_blend import shape
 from contourlab.geometry import Arc, Blend, Curve, Line, Path, contour
 from contourlab.geometry.blend import blends, quintic_bezier
-from contourlab.geometry.curve import Together
+from contourlab.geometry.curve import CurveBatch
 from contourlab.metrics import judge
 from contourlab.result import Result, Signal
 
@@ -290,7 +290,7 @@ def to_line(points: Array, i: NDArray[np.int64], at: Array) -> Array:
 
 def test_the_cost_grows_with_the_corners_alone(monkeypatch: pytest.MonkeyPatch) -> None:
     asked = [0]
-    for kind in (*Together.__subclasses__(), Together):
+    for kind in (*CurveBatch.__subclasses__(), CurveBatch):
         whole = kind.derivatives
 
         def counted(self: Any, slot: Any, along: Any, order: int, whole: Any = whole) -> Any:
@@ -308,7 +308,7 @@ def test_the_cost_grows_with_the_corners_alone(monkeypatch: pytest.MonkeyPatch) 
 
 @pytest.mark.parametrize(("planned", "programmed"), [([0.0], [0.0]), ([0.0, 1.0, 1.0], [0.0, 1.0, 2.0]), ([0.0, 1.0], [0.0, 1.0, 2.0])])
 def test_a_map_that_does_not_rise_is_refused(planned: list[float], programmed: list[float]) -> None:
-    with pytest.raises(FeedError, match=r"rising|as many"):
+    with pytest.raises(FeedError, match=r"rising|same"):
         Correspondence(np.array(planned), np.array(programmed))
 
 

@@ -167,13 +167,13 @@ def test_merged_and_rounded_the_path_is_left_by_no_more_than_both_tolerances(n_a
 
 def test_the_work_grows_with_the_lines_alone(monkeypatch: pytest.MonkeyPatch) -> None:
     done = [0]
-    plain = room._one_more
+    plain = room._extend
 
     def counted(chord: Array, *others: Any) -> Any:
         done[-1] += len(chord)
         return plain(chord, *others)
 
-    monkeypatch.setattr(room, "_one_more", counted)
+    monkeypatch.setattr(room, "_extend", counted)
     monkeypatch.setattr(room, "LONGEST_RUN", 64)
     for n in (1000, 2000, 4000, 8000):
         done.append(0)

@@ -139,7 +139,7 @@ def test_what_is_no_path_is_refused() -> None:
         Path([])
     with pytest.raises(GeometryError, match="coordinates"):
         Path([Line((0.0, 0.0), (1.0, 0.0)), Line((1.0, 0.0, 0.0), (1.0, 1.0, 0.0))])
-    with pytest.raises(GeometryError, match="closed"):
+    with pytest.raises(GeometryError, match="must end"):
         polyline(SQUARE[:4], closed=True)
 
 

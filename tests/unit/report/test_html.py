@@ -243,7 +243,7 @@ def test_a_bare_run_has_a_page(square):
 
 def test_a_file_that_cannot_be_written(square, tmp_path):
     (tmp_path / "file").write_text("")
-    with pytest.raises(OutputError, match="cannot be written"):
+    with pytest.raises(OutputError, match="file"):
         write_html(square, tmp_path / "file" / "page.html")
 
 
@@ -252,6 +252,6 @@ def test_a_failed_report_leaves_the_old_one(single, tmp_path):
     file.write_text("old")
     result = single.schemes[0].result
     bare = replace(result, signals={"reference": result.signals["reference"]})
-    with pytest.raises(Exception, match="judge it first"):
+    with pytest.raises(Exception, match="judge"):
         write_html(synthetic.with_result(single, bare), file)
     assert file.read_text() == "old" and [p.name for p in tmp_path.iterdir()] == ["page.html"]

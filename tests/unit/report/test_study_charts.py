@@ -49,7 +49,7 @@ def test_a_matrix_leaves_its_diagonal_and_what_is_unknown_blank() -> None:
     assert drawing(interactions_chart("nothing", NAMES, np.full((3, 3), np.nan), sure)).axes
     chart = interactions_chart("interactions", NAMES, values, np.abs(values) == 1.0)
     assert sorted(text.get_text() for text in drawing(chart).axes[0].texts) == ["-1?", "-1?", "2", "2"]
-    assert "? half off with half the step" in chart.label
+    assert "?" in chart.label
 
 
 def test_a_span_of_x_is_shaded_and_named_in_print_and_on_the_page() -> None:

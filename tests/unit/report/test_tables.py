@@ -51,7 +51,7 @@ def test_a_run_that_stopped_early_never_passes(circle):
     stopped = replace(second, result=replace(second.result, status=Status(False, 9, "x", "position left its range")))
     table = compare(replace(circle, schemes=(circle.schemes[0], stopped)))
     assert table.rows[0].cells[1].mood == "poor"
-    assert "modified reference did not finish: position left its range" in table.note
+    assert f"{second.name} " in table.note and "position left" in table.note
 
 
 def test_an_error_in_space_has_no_signed_mean(single):
@@ -75,7 +75,7 @@ def test_the_text_is_plain_ascii_and_fits_the_page(circle):
 
 def test_the_part_that_errors_are_of_is_told_of_each_run_where_it_differs(circle):
     first, second = circle.schemes
-    assert compare(circle).note.startswith("Errors over the last lap, 2 s to 4 s.")
+    assert "2 s to 4 s." in compare(circle).note
     other = replace(second, metrics=replace(second.metrics, window=(100, 900)))
     note = compare(replace(circle, schemes=(first, other))).note
     assert f"2 s to 4 s ({first.name})" in note
@@ -102,6 +102,6 @@ def test_a_measured_run_says_what_its_encoders_do_not(circle):
 
 
 def test_notes_stand_below_the_table_as_they_are(circle):
-    noted = replace(circle, notes=("one and two are equal: are they?", "the path is *scaled*"))
-    assert comparison_text(noted).splitlines()[-2:] == ["note: one and two are equal: are they?", "note: the path is *scaled*"]
-    assert comparison_markdown(noted).endswith("Note: one and two are equal: are they?\n\nNote: the path is \\*scaled\\*\n")
+    noted = replace(circle, notes=("one: two?", "three *four*"))
+    assert comparison_text(noted).splitlines()[-2:] == ["note: one: two?", "note: three *four*"]
+    assert comparison_markdown(noted).endswith("Note: one: two?\n\nNote: three \\*four\\*\n")

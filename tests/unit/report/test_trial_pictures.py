@@ -70,7 +70,7 @@ def test_the_text_shows_first_best_and_last(learned: ReportData) -> None:
 
 def test_the_table_tells_the_end_and_the_cost(learned: ReportData) -> None:
     rows = {row.label: [cell.text for cell in row.cells] for row in compare(learned).rows}
-    assert rows["learning"] == ["-", "converged, trial 17 of 30"]
+    assert rows["learning"][0] == "-" and rows["learning"][1].startswith("converged") and "17 of 30" in rows["learning"][1]
     assert rows["servo tick, machine included"] == ["200", "250"]
 
 

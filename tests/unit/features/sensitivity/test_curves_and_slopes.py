@@ -229,5 +229,5 @@ def test_failures_are_told() -> None:
 
 
 def test_a_run_that_fails_as_it_is_has_no_sensitivities() -> None:
-    with pytest.raises(ParameterError, match="one that holds"):
+    with pytest.raises(ParameterError, match="holds"):
         sensitivity_study(around(7.0), Runs(model), Plan(("local",)), distributions(PLANE), 1.0)
