@@ -154,7 +154,7 @@ FAULTS = {
     "short row": ("u1,u2\n" + "\n".join([*GOOD[:7], "0.1", *GOOD[7:]]), r"bad\.csv:9: .*columns"),
     "few": ("u1,u2\n" + "\n".join(GOOD[:10]), r"bad\.csv: signals = .*at least 16 samples"),
     "empty": ("", r"bad\.csv: is empty"),
-    "header only": ("u1,u2\n", r"bad\.csv:1: has no rows"),
+    "header only": ("u1,u2\n", r"bad\.csv:1: .*rows"),
     "still": ("u1,u2\n" + "0.3,0.2\n" * 300, r"bad\.csv: u1 = 0\.3 throughout: .*stands still"),
     "still with noise": ("u1,u2\n" + "\n".join(STILL), r"bad\.csv: scatter .*no ellipse"),
     "arc": ("u1,u2\n" + "\n".join(ARC), r"bad\.csv: signals = .*move a pitch"),

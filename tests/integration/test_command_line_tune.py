@@ -176,7 +176,7 @@ def test_a_scheme_is_chosen_by_its_name(capsys: pytest.CaptureFixture[str]) -> N
         (["--width", "nan"], "> 1"),
         (["--objective", "integral=nan"], "a weight > 0"),
         (["--limited", "2"], "--limited = 2: must be 0 to 1"),
-        (["--command", "0"], "--command = 0: must be > 0, in parts of what the drive can give"),
+        (["--command", "0"], "--command = 0: must be > 0"),
     ],
 )
 def test_wrong_words_are_refused(words: list[str], said: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:

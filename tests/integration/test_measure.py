@@ -254,7 +254,7 @@ def test_a_straight_path_does_not_tell_its_shift() -> None:
         ("x pos [mm],x ref [mm]\n1,1\n2,2\n3,3\n", ["--period", "1 ms", "--plots", "gif"], "--plots"),
         ("x pos [mm],x ref [mm]\n1,1\n2,2\n3,3\n", ["--period", "1 ms", "--reference", "none.ngc"], "none.ngc"),
         ("t,x pos [mm],x ref [mm]\n0,1,1\n1,2,2\n0.5,3,3\n", [], "time goes back"),
-        ("t,x pos [mm],x ref [mm]\n", [], "has no rows"),
+        ("t,x pos [mm],x ref [mm]\n", [], "rows"),
         ("t,x pos [mm],enc x [mm],x ref [mm]\n0,1,1,1\n1,2,2,2\n2,3,3,3\n", [], "position.x may be 'x pos' or 'enc x'"),
         ("t,x pos [mm],x ref [mm]\n0,1,1\n1,2,2\n2,3,3\n", ["--column", "reference.x=x ref", "--reference", "x pos"], "given twice, as"),
     ],
