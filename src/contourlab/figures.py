@@ -64,5 +64,11 @@ def display_units() -> frozenset[str]:
 
 
 def listing(names: tuple[str, ...] | list[str]) -> str:
-    """Join names: ``x``, ``x and y``, ``x, y and z``."""
+    """Join names: ``x``, ``x and y``, ``x, y and z``; with semicolons where a name has a comma.
+
+    >>> listing(["x", "y", "z"]), listing(["drive, one way", "drive, both ways"])
+    ('x, y and z', 'drive, one way; drive, both ways')
+    """
+    if any("," in name for name in names):
+        return "; ".join(names)
     return " and ".join(", ".join(names).rsplit(", ", 1)) if names else "none"
