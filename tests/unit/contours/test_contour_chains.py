@@ -101,7 +101,7 @@ def test_several_chains_are_listed(tmp_path: File) -> None:
     assert (
         "there are 2 separate chains: 1: open, 10 mm long, from (1, 2) mm, layer cut; 2: closed, 31.4159 mm long, from (25, 0) mm" in text
     )
-    assert 'write chain = 1 or the like, or layer = "..."' in text
+    assert 'chain = 1, layer = "..."' in text
     assert read_contour(file, chain=2).closed
     assert read_contour(file, chain=1).length == pytest.approx(10 * MM)
     assert read_contour(file, layer="hole").digest == read_contour(file, chain=2).digest
